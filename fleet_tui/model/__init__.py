@@ -1,0 +1,1 @@
+"""The fleet as plain values: no I/O, no clock, no screen."""

@@ -1,0 +1,58 @@
+"""Poses, quaternions and how a map's pixels lie in the world. Metres and radians throughout."""
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A planar pose: x, y in metres, yaw in radians, counter-clockwise from the x axis."""
+
+    x: float
+    y: float
+    yaw: float = 0.0
+
+
+def yaw_of_quaternion(x: float, y: float, z: float, w: float) -> float:
+    """The yaw in radians of a quaternion, which need not be a unit one.
+
+    Raises ValueError for a quaternion of length zero, which is no rotation at all.
+    """
+    norm = x * x + y * y + z * z + w * w
+    if not math.isfinite(norm) or norm < 1e-12:
+        raise ValueError("quaternion of length zero")
+    return math.atan2(2.0 * (w * z + x * y), norm - 2.0 * (y * y + z * z))
+
+
+@dataclass(frozen=True, slots=True)
+class MapFrame:
+    """How a map image lies in the world (nav_msgs/MapMetaData).
+
+    resolution: metres per pixel; width, height: pixels; origin: pose of the lower-left pixel
+    in the world. `added`: the robot stack adds the origin instead of subtracting it.
+    Pixels are (column, row) with row 0 at the TOP of the image.
+    """
+
+    resolution: float
+    width: int
+    height: int
+    origin: Pose = Pose(0.0, 0.0)
+    added: bool = False
+
+    def to_pixel(self, x: float, y: float) -> tuple[float, float]:
+        """World metres to (column, row), as fractions of pixels."""
+        sign = 1.0 if self.added else -1.0
+        dx, dy = x + sign * self.origin.x, y + sign * self.origin.y
+        cos, sin = math.cos(self.origin.yaw), math.sin(self.origin.yaw)
+        right, up = cos * dx + sin * dy, cos * dy - sin * dx
+        return right / self.resolution, self.height - up / self.resolution
+
+    def to_world(self, column: float, row: float) -> tuple[float, float]:
+        """(column, row) to world metres: the inverse of `to_pixel`."""
+        right, up = column * self.resolution, (self.height - row) * self.resolution
+        cos, sin = math.cos(self.origin.yaw), math.sin(self.origin.yaw)
+        sign = -1.0 if self.added else 1.0
+        return (
+            cos * right - sin * up + sign * self.origin.x,
+            sin * right + cos * up + sign * self.origin.y,
+        )

@@ -1,0 +1,80 @@
+"""The route graph robots drive on: vertices, edges, labels, shortest paths."""
+
+import heapq
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from functools import cached_property
+
+
+class Role(Enum):
+    """What a vertex is for, whatever the robot stack calls it."""
+
+    PLAIN = "plain"
+    ELEVATOR = "elevator"
+    DOCKING = "docking"
+
+
+@dataclass(frozen=True, slots=True)
+class Vertex:
+    """A place on the graph: x, y in metres in the map's world frame."""
+
+    id: int
+    x: float
+    y: float
+    role: Role = Role.PLAIN
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """A drivable connection between two vertex ids."""
+
+    id: int
+    start: int
+    end: int
+
+
+@dataclass(frozen=True)
+class RouteGraph:
+    """Vertices by id and the edges between them; edges go both ways unless `directed`."""
+
+    vertices: Mapping[int, Vertex] = field(default_factory=dict)
+    edges: tuple[Edge, ...] = ()
+    directed: bool = False
+
+    @cached_property
+    def neighbours(self) -> Mapping[int, tuple[tuple[int, float], ...]]:
+        """For each vertex id the reachable ids with the length in metres of the way there."""
+        found: dict[int, list[tuple[int, float]]] = {id_: [] for id_ in self.vertices}
+        for edge in self.edges:
+            start, end = self.vertices.get(edge.start), self.vertices.get(edge.end)
+            if start is None or end is None:
+                continue
+            length = math.dist((start.x, start.y), (end.x, end.y))
+            found[edge.start].append((edge.end, length))
+            if not self.directed:
+                found[edge.end].append((edge.start, length))
+        return {id_: tuple(ways) for id_, ways in found.items()}
+
+    def path(self, start: int, end: int) -> tuple[int, ...]:
+        """The shortest way as vertex ids, both ends included; empty if there is none."""
+        if start not in self.vertices or end not in self.vertices:
+            return ()
+        reached: dict[int, tuple[float, int]] = {start: (0.0, start)}
+        queue = [(0.0, start)]
+        while queue:
+            distance, vertex = heapq.heappop(queue)
+            if vertex == end:
+                break
+            for neighbour, length in self.neighbours[vertex]:
+                further = distance + length
+                if neighbour not in reached or further < reached[neighbour][0]:
+                    reached[neighbour] = (further, vertex)
+                    heapq.heappush(queue, (further, neighbour))
+        if end not in reached:
+            return ()
+        way = [end]
+        while way[-1] != start:
+            way.append(reached[way[-1]][1])
+        return tuple(reversed(way))

@@ -1,0 +1,80 @@
+"""The occupancy grid as classes, with its pyramid.
+
+UNKNOWN < FREE < OCCUPIED, so that one max-pool means "occupied wins, then known": a wall one
+cell thick stays in every level.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fleet_tui.errors import MapError
+from fleet_tui.model.geometry import MapFrame
+
+UNKNOWN, FREE, OCCUPIED = 0, 1, 2
+MAX_PIXELS = 100_000_000
+
+Classes = NDArray[np.uint8]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OccupancyGrid:
+    """A map ready to draw. `levels[k]` is uint8 of shape (ceil(height / 2**k), ceil(width / 2**k)),
+    row 0 at the top; an entry of level k is the maximum of the 2**k x 2**k cells it covers."""
+
+    frame: MapFrame
+    levels: tuple[Classes, ...]
+
+
+def _halved(level: Classes) -> Classes:
+    rows, columns = level.shape
+    if rows % 2 or columns % 2:
+        level = np.pad(level, ((0, rows % 2), (0, columns % 2)))
+    tall = np.maximum(level[0::2], level[1::2])
+    return np.maximum(tall[:, 0::2], tall[:, 1::2])
+
+
+def build_grid(frame: MapFrame, classes: Classes) -> OccupancyGrid:
+    """Build the pyramid over `classes` (uint8, shape (height, width), row 0 at the top)."""
+    levels = [np.ascontiguousarray(classes)]
+    while max(levels[-1].shape) > 1:
+        levels.append(_halved(levels[-1]))
+    return OccupancyGrid(frame, tuple(levels))
+
+
+def check_frame(frame: MapFrame) -> None:
+    """Raise MapError for a size or resolution that no map can have."""
+    if not frame.resolution > 0.0:
+        raise MapError(f"map resolution is {frame.resolution} m/px: it must be above 0")
+    if frame.width < 1 or frame.height < 1:
+        raise MapError(f"map size is {frame.width} x {frame.height} px: both must be 1 or more")
+    if frame.width * frame.height > MAX_PIXELS:
+        raise MapError(f"map of {frame.width} x {frame.height} px is over {MAX_PIXELS:,} px")
+
+
+def _ros_table(occupied_from: int, free_to: int) -> Classes:
+    """Class of every int8 occupancy, indexed by its byte: -1 unknown, 0..100 per cent."""
+    table = np.full(256, UNKNOWN, dtype=np.uint8)
+    table[0 : free_to + 1] = FREE
+    table[occupied_from : 100 + 1] = OCCUPIED
+    return table
+
+
+# map_server's defaults: above 65 % occupied, below 25 % free (0.196 of older ones rounds here too).
+_TABLE = _ros_table(occupied_from=65, free_to=25)
+
+
+def grid_from_ros(frame: MapFrame, data: bytes) -> OccupancyGrid:
+    """An OccupancyGrid's int8 data (row-major from the LOWER left cell, -1 or 0..100) to classes.
+
+    Raises MapError where size and data disagree.
+    """
+    check_frame(frame)
+    if len(data) != frame.width * frame.height:
+        raise MapError(
+            f"map says {frame.width} x {frame.height} px but brings {len(data):,} cells"
+            f" instead of {frame.width * frame.height:,}"
+        )
+    cells = np.frombuffer(data, dtype=np.uint8).reshape(frame.height, frame.width)
+    return build_grid(frame, _TABLE[cells[::-1]])
