@@ -1,0 +1,220 @@
+"""Facts. Each one turns the picture of the world into the next one.
+
+`at` is the monotonic time, in seconds, at which the fact reached us; `wall` is Unix time.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from fleet_tui.model.commands import Command, Outcome
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.occupancy import OccupancyGrid
+from fleet_tui.model.order import OrderQueue
+
+
+@dataclass(frozen=True, slots=True)
+class PoseReported:
+    """`stamp` is the robot's own clock in seconds, None where it gives none."""
+
+    robot: str
+    at: float
+    pose: Pose
+    frame_id: str
+    stamp: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class BatteryReported:
+    """Charge in per cent."""
+
+    robot: str
+    at: float
+    percent: float
+
+
+@dataclass(frozen=True, slots=True)
+class CargoReported:
+    """Whether the robot carries something."""
+
+    robot: str
+    at: float
+    loaded: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ObstacleReported:
+    """Seconds in contact with an obstacle; 0 is none."""
+
+    robot: str
+    at: float
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class QueueReported:
+    """The robot's whole queue of orders."""
+
+    robot: str
+    at: float
+    queue: OrderQueue
+
+
+@dataclass(frozen=True, slots=True)
+class PausedReported:
+    """The robot itself says whether it is paused."""
+
+    robot: str
+    at: float
+    paused: bool
+
+
+Telemetry = PoseReported | BatteryReported | CargoReported | ObstacleReported | QueueReported | PausedReported
+
+
+@dataclass(frozen=True, slots=True)
+class FrameReceived:
+    """A robot's map_metadata of a floor: how its map lies in the world."""
+
+    robot: str
+    floor: str
+    frame: MapFrame
+
+
+@dataclass(frozen=True, slots=True)
+class GraphReceived:
+    """A robot's route graph of a floor. `faults` counts what in it was left out, `fault` says what."""
+
+    robot: str
+    floor: str
+    graph: RouteGraph
+    faults: int = 0
+    fault: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class LabelsReceived:
+    """Labels by vertex id, as a robot knows them on a floor."""
+
+    robot: str
+    floor: str
+    labels: Mapping[int, str]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GridReceived:
+    """A robot's live map of a floor, ready to draw."""
+
+    robot: str
+    floor: str
+    grid: OccupancyGrid
+
+
+ChartReceived = FrameReceived | GraphReceived | LabelsReceived | GridReceived
+
+
+@dataclass(frozen=True, slots=True)
+class MessageRejected:
+    """A message about a robot that could not be taken; `text` names the topic and the field."""
+
+    robot: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class FrameRejected:
+    """A frame that no robot can be blamed for."""
+
+    link: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FloorMapLoaded:
+    """A floor's configured map file: its grid, or why there is none. `tied` is False for a plain
+    image, which lies where map_metadata says."""
+
+    floor: str
+    grid: OccupancyGrid | None
+    problem: str = ""
+    tied: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class LinkChanged:
+    """The telemetry connection of a bridge entered a phase."""
+
+    link: str
+    at: float
+    phase: Phase
+    reason: str = ""
+    next_try: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class LinkHeard:
+    """Something, whatever it was, came from the bridge."""
+
+    link: str
+    at: float
+
+
+@dataclass(frozen=True, slots=True)
+class CommandPathChanged:
+    """Commands would, or would not, get through now."""
+
+    link: str
+    path: CommandPath
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class CommandIssued:
+    """An operator gave a command."""
+
+    id: int
+    command: Command
+    at: float
+    wall: float
+
+
+@dataclass(frozen=True, slots=True)
+class CommandFinished:
+    """The one end of a command."""
+
+    id: int
+    outcome: Outcome
+    words: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class AlarmAcknowledged:
+    """An operator has seen an alarm; with `source` and `kind` empty, all of them."""
+
+    source: str = ""
+    kind: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class TimePassed:
+    """The writer's clock: deadlines, offline and alarms ripen on it."""
+
+    at: float
+    wall: float
+
+
+Event = (
+    Telemetry
+    | ChartReceived
+    | MessageRejected
+    | FrameRejected
+    | FloorMapLoaded
+    | LinkChanged
+    | LinkHeard
+    | CommandPathChanged
+    | CommandIssued
+    | CommandFinished
+    | AlarmAcknowledged
+    | TimePassed
+)

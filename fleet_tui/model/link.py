@@ -1,0 +1,38 @@
+"""The state of one bridge, as an operator needs to know it."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Phase(Enum):
+    """Whether telemetry can arrive."""
+
+    WAITING = "waiting"
+    CONNECTING = "connecting"
+    UP = "up"
+
+
+class CommandPath(Enum):
+    """Whether a command would get through: found out on a connection of its own."""
+
+    UNTRIED = "untried"
+    ALIVE = "alive"
+    DEAD = "dead"
+
+
+@dataclass(frozen=True, slots=True)
+class LinkState:
+    """A bridge: `since` is when the phase began, `next_try` when it is tried again, both
+    monotonic seconds; `reason` says in plain words why there is no link."""
+
+    name: str
+    url: str
+    phase: Phase = Phase.CONNECTING
+    since: float = 0.0
+    reason: str = ""
+    next_try: float | None = None
+    heard: float | None = None
+    command_path: CommandPath = CommandPath.UNTRIED
+    command_reason: str = ""
+    faults: int = 0
+    last_fault: str = ""

@@ -1,0 +1,37 @@
+"""Transport orders as a robot reports them."""
+
+from dataclasses import dataclass
+
+# Both of the first come from the source; the others occur. An unknown letter is shown as it is.
+STATUS_WORDS = {"W": "in process", "Q": "queued", "D": "done", "C": "cancelled"}
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """Bring cargo from vertex `start` to vertex `end`; `status` is the robot's own letter."""
+
+    id: int
+    start: int
+    end: int
+    status: str
+
+
+@dataclass(frozen=True, slots=True)
+class OrderQueue:
+    """A robot's orders. `current_order_id` means none where no order of the list has it."""
+
+    last_order_id: int
+    current_order_id: int
+    orders: tuple[Order, ...]
+
+    @property
+    def current(self) -> Order | None:
+        """The order being driven."""
+        return next((order for order in self.orders if order.id == self.current_order_id), None)
+
+    def in_sequence(self) -> tuple[Order, ...]:
+        """The orders as they will be driven: the current one first."""
+        current = self.current
+        if current is None:
+            return self.orders
+        return (current, *(order for order in self.orders if order is not current))

@@ -1,0 +1,196 @@
+"""One robot as far as it is known: each value with the time it was true."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Generic, TypeVar, assert_never
+
+from fleet_tui.model import events
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.occupancy import OccupancyGrid
+from fleet_tui.model.order import OrderQueue
+
+T = TypeVar("T")
+
+# A robot whose clock runs slower than ours by this share must not age into "offline" over days.
+CLOCK_DRIFT = 1e-3
+# Stamps of one robot never run backwards unless its clock was set.
+CLOCK_STEP = 0.5
+# A robot brakes after it accepted a pause; further than this, it drives.
+BRAKING_DISTANCE = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Reading(Generic[T]):
+    """A value and the monotonic second at which it was true."""
+
+    value: T
+    at: float
+
+
+@dataclass(frozen=True, slots=True)
+class StampClock:
+    """A robot's clock against ours: `offset` is the freshest (arrival - stamp) seen, in seconds."""
+
+    offset: float
+    stamp: float
+    at: float
+
+
+@dataclass(frozen=True, eq=False)
+class Chart:
+    """A floor as one robot knows it. The live `grid` is there only where it was subscribed."""
+
+    frame: MapFrame | None = None
+    graph: RouteGraph | None = None
+    labels: Mapping[int, str] = field(default_factory=dict)
+    grid: OccupancyGrid | None = None
+
+    def name_of(self, vertex: int) -> str | None:
+        """The label of a vertex, else its id as text; None where the graph has no such vertex."""
+        if vertex in self.labels:
+            return self.labels[vertex]
+        known = self.graph is not None and vertex in self.graph.vertices
+        return str(vertex) if known else None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Robot:
+    """`number` counts from 1 in the order of the config; `heard` is the effective time of the
+    last telemetry; `paused_at` is where it stood when it accepted our own pause."""
+
+    name: str
+    number: int
+    link: str
+    charts: Mapping[str, Chart]
+    pose: Reading[Pose] | None = None
+    frame_id: str = ""
+    battery: Reading[float] | None = None
+    cargo: Reading[bool] | None = None
+    obstacle: Reading[float] | None = None
+    queue: Reading[OrderQueue] | None = None
+    paused: Reading[bool] | None = None
+    paused_by_us: bool = False
+    paused_at: Pose | None = None
+    heard: float | None = None
+    clock: StampClock | None = None
+    faults: int = 0
+    last_fault: str = ""
+
+    @property
+    def has_cargo(self) -> bool:
+        """Whether it says that it carries something."""
+        return self.cargo is not None and self.cargo.value
+
+    @property
+    def orders(self) -> OrderQueue:
+        """The queue as last reported, empty if never."""
+        return self.queue.value if self.queue else OrderQueue(0, -1, ())
+
+    def name_of(self, vertex: int) -> str | None:
+        """The label or id of a vertex in any of this robot's graphs, None where none has it."""
+        names = (chart.name_of(vertex) for chart in self.charts.values())
+        return next((name for name in names if name is not None), None)
+
+    def knows_all_graphs(self) -> bool:
+        """Whether every floor's graph has come, so that a vertex in none of them does not exist."""
+        return bool(self.charts) and all(chart.graph is not None for chart in self.charts.values())
+
+
+def with_fault(robot: Robot, text: str, count: int = 1) -> Robot:
+    """The robot with bad data counted and the newest named."""
+    return replace(robot, faults=robot.faults + count, last_fault=text)
+
+
+def _set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
+    offset = at - stamp
+    if clock is None or stamp < clock.stamp - CLOCK_STEP:
+        return StampClock(offset, stamp, at)
+    crept = clock.offset + CLOCK_DRIFT * max(0.0, at - clock.at)
+    return StampClock(min(crept, offset), stamp, at)
+
+
+def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
+    """What arrives late must not look new: the pose is as old as its stamp lags the freshest."""
+    clock, true_at = robot.clock, event.at
+    if event.stamp is not None:
+        clock = _set_clock(clock, event.at, event.stamp)
+        true_at = event.stamp + clock.offset
+    driving = robot.paused_at is not None and (
+        math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
+    )
+    return replace(
+        robot,
+        pose=Reading(event.pose, true_at),
+        frame_id=event.frame_id.lstrip("/"),
+        clock=clock,
+        heard=max(robot.heard if robot.heard is not None else true_at, true_at),
+        paused_by_us=robot.paused_by_us and not driving,
+        paused_at=None if driving else robot.paused_at,
+    )
+
+
+def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
+    """One line for each order of the queue that names a vertex no graph of the robot has."""
+    if not robot.knows_all_graphs():
+        return []
+    return [
+        f"order {order.id} names unknown vertex {vertex}"
+        for order in queue.orders
+        for vertex in (order.start, order.end)
+        if robot.name_of(vertex) is None
+    ]
+
+
+def _take_queue(robot: Robot, queue: OrderQueue, at: float) -> Robot:
+    """An order to nowhere is counted once, when it first shows."""
+    before = set(lost_vertices(robot, robot.orders))
+    for line in lost_vertices(robot, queue):
+        if line not in before:
+            robot = with_fault(robot, line)
+    return replace(robot, queue=Reading(queue, at))
+
+
+def hear(robot: Robot, event: events.Telemetry) -> Robot:
+    """The robot after one report of its own."""
+    match event:
+        case events.PoseReported():
+            return _take_pose(robot, event)
+        case events.BatteryReported():
+            robot = replace(robot, battery=Reading(event.percent, event.at))
+        case events.CargoReported():
+            robot = replace(robot, cargo=Reading(event.loaded, event.at))
+        case events.ObstacleReported():
+            robot = replace(robot, obstacle=Reading(event.seconds, event.at))
+        case events.QueueReported():
+            robot = _take_queue(robot, event.queue, event.at)
+        case events.PausedReported():
+            robot = replace(robot, paused=Reading(event.paused, event.at))
+        case _:
+            assert_never(event)
+    return replace(robot, heard=max(robot.heard or event.at, event.at))
+
+
+def take_chart(robot: Robot, event: events.ChartReceived) -> Robot:
+    """The robot after it told how a floor looks to it."""
+    chart = robot.charts.get(event.floor, Chart())
+    match event:
+        case events.FrameReceived():
+            chart = replace(chart, frame=event.frame)
+        case events.GraphReceived():
+            chart = replace(chart, graph=event.graph)
+        case events.LabelsReceived():
+            chart = replace(chart, labels=dict(event.labels))
+        case events.GridReceived():
+            chart = replace(chart, grid=event.grid)
+        case _:
+            assert_never(event)
+    before = set(lost_vertices(robot, robot.orders))
+    robot = replace(robot, charts={**robot.charts, event.floor: chart})
+    if isinstance(event, events.GraphReceived) and event.faults:
+        robot = with_fault(robot, event.fault, event.faults)
+    for line in lost_vertices(robot, robot.orders):
+        if line not in before:
+            robot = with_fault(robot, line)
+    return robot

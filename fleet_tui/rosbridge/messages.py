@@ -1,0 +1,199 @@
+"""ROS messages as typed structs, field names as `robot-interface` gives them.
+
+Where a robot stack names a field differently, the profile says so and `reader` reads it under
+that name. JSON comes from text frames, plain objects from CBOR ones.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Annotated, Any, TypeVar, cast
+
+import cbor2
+import msgspec
+
+from fleet_tui.errors import WireError
+from fleet_tui.rosbridge.operations import INT8_ARRAY
+
+Int32 = Annotated[int, msgspec.Meta(ge=-(2**31), le=2**31 - 1)]
+
+
+class Stamp(msgspec.Struct, frozen=True):
+    """A time: ROS 1 says secs/nsecs, ROS 2 sec/nanosec."""
+
+    secs: int | None = None
+    nsecs: int = 0
+    sec: int | None = None
+    nanosec: int = 0
+
+    @property
+    def seconds(self) -> float | None:
+        """Seconds since the epoch, None for a stamp that was never set."""
+        whole = self.secs if self.secs is not None else self.sec
+        found = (whole or 0) + (self.nsecs or self.nanosec) * 1e-9
+        return found or None
+
+
+class Header(msgspec.Struct, frozen=True):
+    """std_msgs/Header."""
+
+    frame_id: str
+    stamp: Stamp = Stamp()
+
+
+class Point(msgspec.Struct, frozen=True):
+    """geometry_msgs/Point, metres."""
+
+    x: float
+    y: float
+    z: float = 0.0
+
+
+class Quaternion(msgspec.Struct, frozen=True):
+    """geometry_msgs/Quaternion."""
+
+    x: float
+    y: float
+    z: float
+    w: float
+
+
+class RosPose(msgspec.Struct, frozen=True):
+    """geometry_msgs/Pose."""
+
+    position: Point
+    orientation: Quaternion
+
+
+class PoseStamped(msgspec.Struct, frozen=True):
+    """geometry_msgs/PoseStamped."""
+
+    header: Header
+    pose: RosPose
+
+
+class Bool(msgspec.Struct, frozen=True):
+    """std_msgs/Bool."""
+
+    data: bool
+
+
+class Float32(msgspec.Struct, frozen=True):
+    """std_msgs/Float32."""
+
+    data: float
+
+
+class MapMetadata(msgspec.Struct, frozen=True):
+    """nav_msgs/MapMetaData: metres per pixel, pixels, pose of the lower-left pixel."""
+
+    resolution: float
+    width: int
+    height: int
+    origin: RosPose
+
+
+class OccupancyGridMessage(msgspec.Struct, frozen=True):
+    """nav_msgs/OccupancyGrid; `data` holds int8, a list in JSON, bytes from CBOR."""
+
+    info: MapMetadata
+    data: bytes | list[Annotated[int, msgspec.Meta(ge=-128, le=127)]]
+
+
+class GraphVertex(msgspec.Struct, frozen=True):
+    """One of a graph's vertices, metres."""
+
+    id: Int32
+    x: float
+    y: float
+    type: str = ""
+
+
+class GraphEdge(msgspec.Struct, frozen=True):
+    """One of a graph's edges, between vertex ids."""
+
+    id: Int32
+    start: Int32
+    end: Int32
+
+
+class Graph(msgspec.Struct, frozen=True):
+    """OH_ressources/Graph, its parts unread: one bad vertex must not cost the others."""
+
+    vertices: list[Any]
+    edges: list[Any]
+
+
+class LabeledVertex(msgspec.Struct, frozen=True):
+    """A label and the vertex it names."""
+
+    label: str
+    vertex_id: Int32
+
+
+class LabeledVertices(msgspec.Struct, frozen=True):
+    """OH_ressources/LabeledVertices, its parts unread."""
+
+    vertices: list[Any]
+
+
+class QueuedOrder(msgspec.Struct, frozen=True):
+    """One order of an ActionQueue."""
+
+    id: Int32
+    start: Int32
+    end: Int32
+    status: str
+
+
+class ActionQueue(msgspec.Struct, frozen=True):
+    """OH_ressources/ActionQueue, its orders unread."""
+
+    last_order_id: Int32
+    current_order_id: Int32
+    orders: list[Any]
+
+
+# Structs whose field names are ours: the source doesn't give them, so a profile may change them.
+RENAMEABLE: Mapping[str, type[msgspec.Struct]] = {
+    "graph": Graph,
+    "vertex": GraphVertex,
+    "edge": GraphEdge,
+    "labels": LabeledVertices,
+    "label": LabeledVertex,
+    "queue": ActionQueue,
+    "order": QueuedOrder,
+}
+
+S = TypeVar("S", bound=msgspec.Struct)
+
+
+def _from_cbor(value: object) -> object:
+    """cbor2 gives typed arrays as tagged bytes, which msgspec doesn't know."""
+    if isinstance(value, cbor2.CBORTag) and value.tag == INT8_ARRAY and isinstance(value.value, bytes):
+        return value.value
+    return value
+
+
+def reader(struct: type[S], names: Mapping[str, str] | None = None) -> Callable[[object], S]:
+    """A function that reads a message's encoded JSON, or a plain object, into `struct`.
+
+    `names` maps our field names to those on the wire. It raises WireError naming the field.
+    """
+    if names:
+        fields = [
+            (field.name, field.type) if field.required else (field.name, field.type, field.default)
+            for field in msgspec.structs.fields(struct)
+        ]
+        struct = cast("type[S]", msgspec.defstruct(struct.__name__, fields, frozen=True, rename=dict(names)))
+    decoder = msgspec.json.Decoder(struct)
+
+    def read(msg: object) -> S:
+        try:
+            if isinstance(msg, msgspec.Raw):
+                return decoder.decode(msg)
+            if isinstance(msg, dict) and "data" in msg:
+                msg = {**msg, "data": _from_cbor(msg["data"])}
+            return msgspec.convert(msg, struct)
+        except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as problem:
+            raise WireError(str(problem)) from None
+
+    return read

@@ -1,0 +1,124 @@
+"""Operations of the rosbridge v2 protocol, to and from frames.
+
+Written from what a real rosbridge_server 0.11 sends: see the transcripts in tests/wire.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import cbor2
+import msgspec
+
+from fleet_tui.errors import WireError
+
+# A CBOR frame is decoded in C, but its tags call Python: cbor2 hands int8 arrays over as CBORTag(72).
+INT8_ARRAY = 72
+
+
+class Publish(msgspec.Struct, frozen=True):
+    """A message of a topic. `msg` is still encoded: JSON, or what CBOR decoded to."""
+
+    topic: str
+    msg: Any
+
+
+class ServiceResponse(msgspec.Struct, frozen=True):
+    """The answer to a call. With `result` False the values are a string that says why."""
+
+    id: str
+    values: Any
+    result: bool
+
+
+class Status(msgspec.Struct, frozen=True):
+    """What a bridge has to say about an operation of ours."""
+
+    level: str
+    text: str
+
+
+Operation = Publish | ServiceResponse | Status
+
+
+class _Frame(msgspec.Struct):
+    """The union of every operation's fields, so that one pass reads any of them."""
+
+    op: str
+    topic: str = ""
+    msg: msgspec.Raw = msgspec.Raw(b"null")
+    id: str | None = None
+    values: msgspec.Raw = msgspec.Raw(b"null")
+    result: bool = True
+    level: str = ""
+
+
+_decoder = msgspec.json.Decoder(_Frame)
+_encoder = msgspec.json.Encoder()
+
+
+def decode(payload: bytes) -> Operation | None:
+    """A text frame as an operation, None for one that a client has no use for.
+
+    Raises WireError for a frame that is no operation.
+    """
+    try:
+        frame = _decoder.decode(payload)
+        match frame.op:
+            case "publish":
+                return Publish(frame.topic, frame.msg)
+            case "service_response":
+                return ServiceResponse(frame.id or "", msgspec.json.decode(frame.values), frame.result)
+            case "status":
+                text = msgspec.json.decode(frame.msg)
+                return Status(frame.level, text if isinstance(text, str) else str(text))
+    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as problem:
+        raise WireError(f"frame of {len(payload):,} bytes: {problem}") from None
+    return None
+
+
+def decode_cbor(payload: bytes) -> Operation | None:
+    """A binary frame as an operation, like `decode`. Only topics come as CBOR."""
+    try:
+        frame = cbor2.loads(payload)
+    except (cbor2.CBORDecodeError, ValueError, RecursionError, OverflowError) as problem:
+        raise WireError(f"binary frame of {len(payload):,} bytes: {problem}") from None
+    if not isinstance(frame, dict) or not isinstance(frame.get("topic"), str):
+        raise WireError(f"binary frame of {len(payload):,} bytes is no publish operation")
+    return Publish(frame["topic"], frame.get("msg")) if frame.get("op") == "publish" else None
+
+
+@dataclass(frozen=True, slots=True)
+class Subscription:
+    """What is asked of the bridge for one topic. Rates are in milliseconds, 0 is every message;
+    the queue holds at least one, or one slow client freezes the topic for all."""
+
+    topic: str
+    type: str
+    throttle_rate: int = 0
+    compression: str = "none"
+
+
+def subscribe(wanted: Subscription) -> bytes:
+    """The frame that subscribes to a topic."""
+    return _encoder.encode(
+        {
+            "op": "subscribe",
+            "id": f"subscribe:{wanted.topic}",
+            "topic": wanted.topic,
+            "type": wanted.type,
+            "throttle_rate": wanted.throttle_rate,
+            "queue_length": 1,
+            "compression": wanted.compression,
+        }
+    )
+
+
+def unsubscribe(topic: str) -> bytes:
+    """The frame that ends the subscription to a topic."""
+    return _encoder.encode({"op": "unsubscribe", "id": f"subscribe:{topic}", "topic": topic})
+
+
+def call_service(call_id: str, service: str, args: Mapping[str, object]) -> bytes:
+    """The frame that calls a service. `args` must be complete: a bridge fills gaps with zeros."""
+    return _encoder.encode({"op": "call_service", "id": call_id, "service": service, "args": args})
