@@ -1,0 +1,141 @@
+"""What a well-formed configuration can still have wrong."""
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from difflib import get_close_matches
+from pathlib import Path
+from urllib.parse import urlsplit
+
+from fleet_tui.config.profile import FIELDS, FLOOR_TOPICS, SERVICES, TOPICS, Profile
+from fleet_tui.config.schema import DEFAULT_LINK, Config
+from fleet_tui.keys import keymap
+
+# ROS graph names, and what is harmless beside them.
+_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
+PROFILES = ("oh_ressources",)
+
+
+def checked(config: Config) -> list[str]:
+    """One line for each problem that only the whole configuration shows."""
+    return [
+        *_urls(config),
+        *_names("floors", [floor.name for floor in config.floors]),
+        *_names("robots", [robot.name for robot in config.robots]),
+        *_frames(config),
+        *_references(config),
+        *_profile(config.profile),
+        *_topics(config),
+        *keymap(config.keys)[1],
+        *_limits(config),
+    ]
+
+
+def missing_files(config: Config) -> list[str]:
+    """One line for each map file that isn't there. The console starts without them, and says so."""
+    return [
+        f"floors[{n}].map: no such file {floor.map}"
+        for n, floor in enumerate(config.floors)
+        if floor.map and not map_path(config, floor.map).is_file()
+    ]
+
+
+def map_path(config: Config, name: str) -> Path:
+    """Where a floor's map file lies: relative to the config file."""
+    return config.path.parent / Path(name).expanduser()
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """`, did you mean NAME?` where a known name is near."""
+    near = get_close_matches(word, sorted(known), n=1, cutoff=0.5)
+    return f", did you mean {near[0]}?" if near else ""
+
+
+def _urls(config: Config) -> Iterator[str]:
+    links = {"rosbridge": config.rosbridge, **{f"links.{name}": link for name, link in config.links.items()}}
+    for where, link in links.items():
+        try:
+            parts = urlsplit(link.url)
+            fine = parts.scheme in ("ws", "wss") and bool(parts.hostname) and parts.port != 0
+        except ValueError:
+            fine = False
+        if not fine:
+            yield f"{where}.url: {link.url!r} is no address, it looks like ws://HOST:9090"
+    if DEFAULT_LINK in config.links:
+        yield f"links.{DEFAULT_LINK}: this name stands for [rosbridge], choose another"
+
+
+def _names(where: str, names: list[str]) -> Iterator[str]:
+    if not names:
+        yield f"{where}: there is none: add [[{where}]] with a name"
+    for n, name in enumerate(names):
+        if not _NAME.fullmatch(name):
+            yield f"{where}[{n}].name: {name!r} is no ROS name: letters, digits and _ only"
+    for name, count in Counter(names).items():
+        if count > 1:
+            yield f"{where}: the name {name} is given {count} times"
+
+
+def _frames(config: Config) -> Iterator[str]:
+    for frame, count in Counter(floor.frame for floor in config.floors).items():
+        names = [floor.name for floor in config.floors if floor.frame == frame]
+        if count > 1 and len(set(names)) > 1:
+            yield f"floors: frame_id {frame} stands for {' and '.join(names)}: poses can't tell them apart"
+
+
+def _references(config: Config) -> Iterator[str]:
+    floors = {floor.name for floor in config.floors}
+    links = {DEFAULT_LINK, *config.links}
+    for n, robot in enumerate(config.robots):
+        for floor in robot.floors:
+            if floor not in floors:
+                yield f"robots[{n}].floors: no floor {floor!r}{did_you_mean(floor, floors)}"
+        if robot.link not in links:
+            yield f"robots[{n}].link: no link {robot.link!r}{did_you_mean(robot.link, links)}"
+
+
+def _profile(profile: Profile) -> Iterator[str]:
+    if profile.name not in PROFILES:
+        yield f"profile.name: no profile {profile.name!r}{did_you_mean(profile.name, PROFILES)}"
+    tables = (("topics", profile.topics, TOPICS), ("types", profile.types, TOPICS))
+    for table, given, known in (
+        *tables,
+        ("services", profile.services, SERVICES),
+        ("fields", profile.fields, FIELDS),
+    ):
+        for key in given:
+            if key not in known:
+                yield f"profile.{table}.{key}: unknown key{did_you_mean(key, known)}"
+    yield from _placeholders(profile)
+    for n, pattern in enumerate(profile.refusals):
+        try:
+            re.compile(pattern)
+        except re.error as problem:
+            yield f"profile.refusals[{n}]: {pattern!r} is no regular expression: {problem}"
+
+
+def _placeholders(profile: Profile) -> Iterator[str]:
+    for table, given in (("topics", profile.topics), ("services", profile.services)):
+        for key, template in given.items():
+            for name in re.findall(r"\{([^}]*)\}", template):
+                if name not in (("robot", "floor") if key in FLOOR_TOPICS else ("robot",)):
+                    yield f"profile.{table}.{key}: {{{name}}} can't be filled in here"
+
+
+def _topics(config: Config) -> Iterator[str]:
+    """Two values on one topic could not be told apart."""
+    taken: dict[tuple[str, str], str] = {}
+    for robot in config.robots:
+        for key in TOPICS:
+            for floor in config.floors_of(robot) if key in FLOOR_TOPICS else [""]:
+                topic = config.profile.topic(key, robot.name, floor)
+                owner = " ".join(part for part in (key, "of", robot.name, floor) if part)
+                other = taken.setdefault((robot.link, topic), owner)
+                if topic and other != owner:
+                    both = f"{other} and {owner}"
+                    yield f"profile.topics.{key}: {topic} is {both}: put {{robot}} or {{floor}} in it"
+
+
+def _limits(config: Config) -> Iterator[str]:
+    if config.alarms.battery_critical > config.alarms.battery_low:
+        yield "alarms.battery_critical: must not be above battery_low"

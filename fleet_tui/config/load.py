@@ -1,0 +1,118 @@
+"""Finds, reads and checks a configuration: every problem at once, each with its remedy."""
+
+import os
+import tomllib
+import typing
+from collections.abc import Mapping
+from pathlib import Path
+from types import UnionType
+from typing import Any, Literal
+
+import msgspec
+import platformdirs
+
+from fleet_tui.config.check import checked, did_you_mean
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import ConfigError
+
+_WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "true or false"} | {
+    "array": "a list",
+    "object": "a table",
+    "null": "nothing",
+}
+
+
+def shipped() -> Path:
+    """The default config: package data in a wheel, else beside the checkout."""
+    package = Path(__file__).parent.parent
+    inside = package / "config_shipped.toml"
+    return inside if inside.exists() else package.parent / "config.toml"
+
+
+def find(given: str | None) -> Path:
+    """The config to use: given, $FLEET_TUI_CONFIG, ./config.toml, the user's, the shipped one."""
+    named = given or os.environ.get("FLEET_TUI_CONFIG")
+    if named:
+        return Path(named).expanduser()
+    places = [Path("config.toml"), platformdirs.user_config_path("fleet-tui") / "config.toml"]
+    return next((place for place in places if place.is_file()), shipped())
+
+
+def load(path: Path) -> Config:
+    """Read and check a file. Raises ConfigError with every problem found."""
+    try:
+        table = tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise ConfigError([f"{path}: no such file: give another with --config FILE"]) from None
+    except OSError as problem:
+        raise ConfigError([f"{path}: can't be read: {problem.strerror}"]) from None
+    except UnicodeDecodeError:
+        raise ConfigError([f"{path}: is not UTF-8 text"]) from None
+    except (tomllib.TOMLDecodeError, RecursionError) as problem:
+        raise ConfigError([f"{path}: is not TOML: {problem}"]) from None
+    problems: list[str] = []
+    config: Config | None = _read(Config, table, "", problems)
+    if "path" in table:
+        problems.append("path: unknown key")
+    if config is not None:
+        config = msgspec.structs.replace(config, path=path.absolute())
+        problems += checked(config)
+    if problems or config is None:
+        raise ConfigError([f"{path}: {line}" for line in problems])
+    return config
+
+
+def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> Any | None:
+    """`table` as `struct`; what is wrong goes to `problems`, key by key, and the default stands in."""
+    if not isinstance(table, Mapping):
+        problems.append(f"{where.rstrip('.')}: must be a table")
+        return None
+    fields = {field.name: field for field in msgspec.structs.fields(struct)}
+    problems.extend(
+        f"{where}{key}: unknown key{did_you_mean(key, fields)}" for key in table if key not in fields
+    )
+    values: dict[str, Any] = {}
+    for name, field in fields.items():
+        if name in table and name != "path":
+            value = _read_value(field.type, table[name], where + name, problems)
+            if value is not None:
+                values[name] = value
+        elif field.required:
+            problems.append(f"{where}{name}: is missing")
+    missing = [name for name, field in fields.items() if field.required and name not in values]
+    return None if missing else struct(**values)
+
+
+def _is_struct(kind: object) -> bool:
+    return isinstance(kind, type) and issubclass(kind, msgspec.Struct)
+
+
+def _read_value(kind: Any, value: Any, where: str, problems: list[str]) -> Any | None:
+    origin, inner = typing.get_origin(kind), typing.get_args(kind)
+    if _is_struct(kind):
+        return _read(kind, value, where + ".", problems)
+    if origin is list and _is_struct(inner[0]) and isinstance(value, list):
+        rows = (_read(inner[0], entry, f"{where}[{n}].", problems) for n, entry in enumerate(value))
+        return [row for row in rows if row is not None]
+    if origin is dict and isinstance(value, Mapping):
+        entries = [
+            (key, _read_value(inner[1], entry, f"{where}.{key}", problems)) for key, entry in value.items()
+        ]
+        return {key: entry for key, entry in entries if entry is not None}
+    try:
+        return msgspec.convert(value, kind)
+    except msgspec.ValidationError as problem:
+        problems.append(f"{where}: {_in_words(kind, value, str(problem))}")
+        return None
+
+
+def _in_words(kind: Any, value: object, problem: str) -> str:
+    """msgspec's complaint as a person would say it."""
+    if typing.get_origin(kind) is UnionType:
+        kind = next(one for one in typing.get_args(kind) if one is not type(None))
+    if typing.get_origin(kind) is Literal and isinstance(value, str):
+        choices = typing.get_args(kind)
+        return f"{value!r} is not one of {', '.join(choices)}{did_you_mean(value, choices)}"
+    for name, words in _WORDS.items():
+        problem = problem.replace(f"`{name}`", words)
+    return problem[0].lower() + problem[1:]

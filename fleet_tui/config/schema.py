@@ -1,0 +1,95 @@
+"""The shape of config.toml. Every key has a default, so that little is enough."""
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import msgspec
+
+from fleet_tui.config.profile import Profile
+
+DEFAULT_LINK = "rosbridge"
+
+Positive = Annotated[float, msgspec.Meta(gt=0)]
+Percent = Annotated[float, msgspec.Meta(ge=0, le=100)]
+
+
+class Link(msgspec.Struct, frozen=True):
+    """`[rosbridge]` and `[links.NAME]`: where a bridge listens."""
+
+    url: str = "ws://127.0.0.1:9090"
+
+
+class FloorEntry(msgspec.Struct, frozen=True):
+    """`[[floors]]`; `map` is relative to the config file, `frame_id` defaults to the name."""
+
+    name: str
+    map: str = ""
+    frame_id: str = ""
+
+    @property
+    def frame(self) -> str:
+        """The frame_id of poses on this floor, without a leading slash."""
+        return (self.frame_id or self.name).lstrip("/")
+
+
+class RobotEntry(msgspec.Struct, frozen=True):
+    """`[[robots]]`; no floors means every floor, no link the one of `[rosbridge]`; size in metres."""
+
+    name: str
+    floors: list[str] = []
+    link: str = DEFAULT_LINK
+    size: tuple[Positive, Positive] | None = None
+
+
+class Operator(msgspec.Struct, frozen=True):
+    """`[operator]`: who commands, and whether they may."""
+
+    name: str = ""
+    read_only: bool = False
+    armed: bool = True
+
+
+class Ui(msgspec.Struct, frozen=True):
+    """`[ui]`: ticks per second of the screen, milliseconds between messages of a topic."""
+
+    theme: str = "dark"
+    drawing: Literal["auto", "braille", "half-block", "ascii"] = "auto"
+    ticks_per_second: Annotated[float, msgspec.Meta(ge=1, le=30)] = 10.0
+    pose_ms: Annotated[int, msgspec.Meta(ge=0, le=60_000)] = 100
+    status_ms: Annotated[int, msgspec.Meta(ge=0, le=60_000)] = 500
+
+
+class Alarms(msgspec.Struct, frozen=True):
+    """`[alarms]`: limits in seconds and per cent."""
+
+    offline_after: Positive = 5.0
+    obstacle_after: Positive = 3.0
+    battery_low: Percent = 20.0
+    battery_critical: Percent = 10.0
+    no_link_after: Positive = 2.0
+    no_answer_after: Positive = 5.0
+
+
+class Config(msgspec.Struct, frozen=True):
+    """A whole configuration; `path` is the file it came from."""
+
+    rosbridge: Link = Link()
+    links: dict[str, Link] = {}
+    floors: list[FloorEntry] = []
+    robots: list[RobotEntry] = []
+    operator: Operator = Operator()
+    keys: dict[str, str] = {}
+    ui: Ui = Ui()
+    alarms: Alarms = Alarms()
+    profile: Profile = Profile()
+    path: Path = Path()
+
+    @property
+    def bridges(self) -> dict[str, Link]:
+        """Every bridge some robot hangs on, by name."""
+        known = {DEFAULT_LINK: self.rosbridge, **self.links}
+        return {name: known[name] for name in dict.fromkeys(robot.link for robot in self.robots)}
+
+    def floors_of(self, robot: RobotEntry) -> list[str]:
+        """The floors a robot can be on."""
+        return robot.floors or [floor.name for floor in self.floors]

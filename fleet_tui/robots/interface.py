@@ -1,0 +1,51 @@
+"""What an interpreter gives: which topics to ask for, what their messages mean, how to say a command."""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from fleet_tui.model.commands import Command, Outcome
+from fleet_tui.model.events import Event
+
+# (robot, floor, message still encoded, monotonic seconds of arrival) -> the fact; raises WireError.
+Translate = Callable[[str, str, object, float], Event]
+
+
+@dataclass(frozen=True, slots=True)
+class TopicKind:
+    """One kind of topic. `per_floor`: there is one for each floor; `heavy`: a map, asked for when
+    its floor is shown and decoded off the loop; `fast`: limited to the pose's rate, not the status's."""
+
+    key: str
+    translate: Translate
+    per_floor: bool = False
+    heavy: bool = False
+    fast: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A service call, complete and typed: a bridge would fill gaps with zeros."""
+
+    service: str
+    args: Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class Interface:
+    """A kind of robot. `topics` are in the order in which they are subscribed."""
+
+    topics: Sequence[TopicKind]
+    call: Callable[[Command, int], Call]
+    outcome: Callable[[object, bool], tuple[Outcome, str]]
+
+
+def judge(values: object, result: bool, refusals: Sequence[re.Pattern[str]]) -> tuple[Outcome, str]:
+    """How a call ended. A refusal may come in an answer that says the call went well."""
+    if not result:
+        return Outcome.REFUSED, str(values)
+    if not isinstance(values, dict):
+        return Outcome.ACCEPTED, "" if values is None else str(values)
+    words = str(values.get("status", values.get("message", "")))
+    refused = values.get("success") is False or any(pattern.search(words) for pattern in refusals)
+    return (Outcome.REFUSED if refused else Outcome.ACCEPTED), words
