@@ -1,1 +1,1 @@
-
+"""The door to the robots: connections, subscriptions, calls with deadlines."""

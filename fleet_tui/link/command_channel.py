@@ -1,0 +1,123 @@
+"""The connection on which commands leave, and which finds out whether they would get through."""
+
+import asyncio
+import logging
+import time
+
+from fleet_tui.errors import CommandError, LinkError, WireError
+from fleet_tui.link.calls import Calls, LinkLostError, NoAnswerError
+from fleet_tui.link.transport import Connection
+from fleet_tui.link.writer import Writer
+from fleet_tui.model.commands import Command, Outcome, PauseRobot
+from fleet_tui.model.events import CommandFinished, CommandPathChanged
+from fleet_tui.model.link import CommandPath
+from fleet_tui.robots.interface import Interface
+from fleet_tui.rosbridge import operations
+
+LOG = logging.getLogger(__name__)
+
+HEARTBEAT_EVERY, HEARTBEAT_TIMEOUT = 5.0, 5.0
+# A command that waited longer for a stalled console was not meant for this moment any more.
+LATEST = 1.0
+
+
+class CommandChannel:
+    """Sends commands now or not at all; each ends exactly once. Runs on the network loop."""
+
+    def __init__(self, link: str, url: str, interface: Interface, writer: Writer, timeout: float) -> None:
+        self._link = link
+        self._interface = interface
+        self._writer = writer
+        self._timeout = timeout
+        self._path = CommandPath.UNTRIED
+        self._path_reason = ""
+        self._heartbeat: asyncio.Task[None] | None = None
+        # A task that nobody holds may be collected in the middle.
+        self._under_way: set[asyncio.Task[None]] = set()
+        self.connection = Connection(url, self)
+        self._calls = Calls(self.connection)
+
+    def _set_path(self, path: CommandPath, reason: str = "") -> None:
+        if (path, reason) != (self._path, self._path_reason):
+            self._path, self._path_reason = path, reason
+            self._writer.store.tell(CommandPathChanged(self._link, path, reason))
+
+    def on_connecting(self) -> None:
+        """A try has begun."""
+
+    def on_open(self) -> None:
+        """Find out whether commands get through, and keep finding out."""
+        self._heartbeat = asyncio.ensure_future(self._beat())
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """Every command under way ends now: its answer can't come any more."""
+        if self._heartbeat is not None:
+            self._heartbeat.cancel()
+        self._calls.on_lost()
+        self._set_path(CommandPath.DEAD, reason or "connection lost")
+
+    async def _beat(self) -> None:
+        while True:
+            try:
+                response = await self._calls.call("/rosapi/get_time", {}, HEARTBEAT_TIMEOUT)
+            except NoAnswerError:
+                self._set_path(CommandPath.DEAD, "the bridge does not answer calls")
+            except LinkError:
+                return
+            else:
+                words = "" if response.result else str(response.values)
+                if "unable to communicate" in words.lower():
+                    self._set_path(CommandPath.DEAD, "the ROS master is gone")
+                else:
+                    # "does not exist" is an answer: the bridge lives and only rosapi is missing.
+                    self._set_path(CommandPath.ALIVE)
+            await asyncio.sleep(HEARTBEAT_EVERY)
+
+    def on_frame(self, payload: bytes, is_binary: bool) -> None:
+        """Only answers come here."""
+        try:
+            operation = None if is_binary else operations.decode(payload)
+        except WireError as problem:
+            LOG.warning("%s", problem)
+            return
+        if isinstance(operation, operations.ServiceResponse) and not self._calls.on_response(operation):
+            LOG.warning("a late answer to %s: %s", operation.id, operation.values)
+
+    def submit(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command that was given at `given_at` (monotonic)."""
+        task = asyncio.ensure_future(self._run(command_id, command, given_at))
+        self._under_way.add(task)
+        task.add_done_callback(self._under_way.discard)
+
+    async def _run(self, command_id: int, command: Command, given_at: float) -> None:
+        try:
+            outcome, words = await self._send(command_id, command, given_at)
+        except NoAnswerError as problem:
+            outcome, words = Outcome.NO_ANSWER, str(problem)
+        except LinkLostError as problem:
+            outcome, words = Outcome.UNKNOWN, str(problem)
+        except (LinkError, CommandError) as problem:
+            outcome, words = Outcome.NOT_SENT, str(problem)
+        except Exception as problem:
+            # Whatever is wrong with us, the operator must learn that this command has ended.
+            LOG.exception("command %d", command_id)
+            outcome, words = Outcome.UNKNOWN, f"internal error: {problem}"
+        self._writer.store.tell(CommandFinished(command_id, outcome, words))
+
+    async def _send(self, command_id: int, command: Command, given_at: float) -> tuple[Outcome, str]:
+        late = time.monotonic() - given_at
+        if late > LATEST:
+            raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
+        # A pause is tried even where others are held back: it can only make things safer.
+        if self._path is CommandPath.DEAD and not isinstance(command, PauseRobot):
+            raise LinkError(f"no link for commands: {self._path_reason}")
+        call = self._interface.call(command, command_id)
+        response = await self._calls.call(call.service, call.args, self._timeout)
+        return self._interface.outcome(response.values, response.result)
+
+    def close(self) -> None:
+        """Close for good; what is under way ends as unknown."""
+        if self._heartbeat is not None:
+            self._heartbeat.cancel()
+        self._calls.on_lost()
+        self.connection.shut()

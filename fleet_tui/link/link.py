@@ -1,0 +1,39 @@
+"""One bridge: telemetry on one connection, commands on another, so that no map delays a command."""
+
+from fleet_tui.config.schema import Config
+from fleet_tui.link.command_channel import CommandChannel
+from fleet_tui.link.telemetry import Telemetry
+from fleet_tui.link.writer import Writer
+from fleet_tui.model.commands import Command
+from fleet_tui.robots import KINDS
+
+
+class Link:
+    """Everything between one bridge and the store. Any thread may call."""
+
+    def __init__(self, name: str, config: Config, writer: Writer) -> None:
+        self.name = name
+        self._writer = writer
+        url = config.bridges[name].url
+        interface = KINDS[config.profile.name](config.profile)
+        self._telemetry = Telemetry(name, url, config, interface, writer)
+        timeout = config.alarms.no_answer_after
+        self._commands = CommandChannel(name, url, interface, writer, timeout)
+
+    def open(self) -> None:
+        """Connect, and stay connected."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
+        self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
+
+    def submit(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command; its end arrives in the store as CommandFinished, exactly once."""
+        self._writer.loop.call_soon_threadsafe(self._commands.submit, command_id, command, given_at)
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Ask for the live map of one robot's floor, no other one; an empty name for none."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)
+
+    def close(self) -> None:
+        """Close both connections."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.close)
+        self._writer.loop.call_soon_threadsafe(self._commands.close)
