@@ -1,0 +1,29 @@
+"""The picture of the world before anything has been heard."""
+
+from fleet_tui.config.schema import Config
+from fleet_tui.model.fleet import FleetState, Floor, Limits
+from fleet_tui.model.link import LinkState
+from fleet_tui.model.robot import Chart, Robot
+
+
+def initial_state(config: Config, now: float) -> FleetState:
+    """Every floor, robot and link of the config, nothing known of them. `now` is monotonic."""
+    alarms = config.alarms
+    return FleetState(
+        floors={floor.name: Floor(floor.name, floor.frame) for floor in config.floors},
+        robots={
+            robot.name: Robot(
+                robot.name, number, robot.link, {floor: Chart() for floor in config.floors_of(robot)}
+            )
+            for number, robot in enumerate(config.robots, 1)
+        },
+        links={name: LinkState(name, link.url, since=now) for name, link in config.bridges.items()},
+        limits=Limits(
+            alarms.offline_after,
+            alarms.obstacle_after,
+            alarms.battery_low,
+            alarms.battery_critical,
+            alarms.no_link_after,
+        ),
+        now=now,
+    )

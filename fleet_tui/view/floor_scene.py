@@ -1,0 +1,171 @@
+"""From the fleet's state to what the map shows of one floor.
+
+The picture is the selected robot's: its map, graph and labels. The others are placed through
+their own map_metadata into it.
+"""
+
+from dataclasses import replace
+from functools import lru_cache
+
+from fleet_tui.model.fleet import FleetState, Floor, is_paused
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.selection import Selection
+from fleet_tui.view.text import visible
+
+MARGIN, BLOCK = 2.0, 10.0
+EMPTY_RESOLUTION = 0.05
+
+Drawn = tuple[tuple[SceneVertex, ...], tuple[tuple[float, float, float, float], ...]]
+
+
+class _ById:
+    """Lets a value be remembered by which object it is."""
+
+    def __init__(self, value: Chart) -> None:
+        self.value = value
+
+    def __hash__(self) -> int:
+        return hash((id(self.value.graph), id(self.value.labels)))
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, _ById)
+            and other.value.graph is self.value.graph
+            and other.value.labels is self.value.labels
+        )
+
+
+@lru_cache(maxsize=8)
+def _drawn(chart: _ById) -> Drawn:
+    """Vertices and edges of a chart; the same objects as long as graph and labels are the same."""
+    graph, labels = chart.value.graph or RouteGraph(), chart.value.labels
+    vertices = tuple(
+        SceneVertex(vertex.id, vertex.x, vertex.y, vertex.role, visible(labels.get(vertex.id, "")))
+        for vertex in graph.vertices.values()
+    )
+    places = graph.vertices
+    edges = tuple(
+        (places[edge.start].x, places[edge.start].y, places[edge.end].x, places[edge.end].y)
+        for edge in graph.edges
+    )
+    return vertices, edges
+
+
+def chart_robot(state: FleetState, selection: Selection) -> Robot | None:
+    """Whose map and graph stand for the floor: the selected robot's, else the first that knows it."""
+    selected = state.robots[selection.robot]
+    if selection.floor in selected.charts:
+        return selected
+    return next((robot for robot in state.robots.values() if selection.floor in robot.charts), None)
+
+
+def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) -> MapFrame:
+    """Without a map: room around the vertices, else around the robots in steps so that it stands still."""
+    points = [(vertex.x, vertex.y) for vertex in vertices]
+    if not points:
+        for robot in state.robots.values():
+            if robot.pose is not None and state.floor_of(robot) == floor:
+                x, y = robot.pose.value.x // BLOCK * BLOCK, robot.pose.value.y // BLOCK * BLOCK
+                points += [(x, y), (x + BLOCK, y + BLOCK)]
+    points = points or [(0.0, 0.0), (BLOCK, BLOCK)]
+    left, low = min(x for x, _ in points) - MARGIN, min(y for _, y in points) - MARGIN
+    width = max(x for x, _ in points) + MARGIN - left
+    height = max(y for _, y in points) + MARGIN - low
+    pixels = (max(1, round(width / EMPTY_RESOLUTION)), max(1, round(height / EMPTY_RESOLUTION)))
+    return MapFrame(EMPTY_RESOLUTION, *pixels, Pose(left, low))
+
+
+def _with_map(floor: Floor, chart: Chart, scene: Scene) -> Scene:
+    """The floor's configured file first, then the live map, then empty ground that says what is missing."""
+    grid, frame = floor.grid, chart.frame
+    if grid is not None and floor.tied:
+        note = ""
+        if frame is not None and not _same_size(frame, grid.frame):
+            note = "map_metadata differs from the map file"
+        return replace(scene, grid=grid, frame=grid.frame, note=note)
+    if grid is not None and frame is not None:
+        if (frame.width, frame.height) == (grid.frame.width, grid.frame.height):
+            return replace(scene, grid=grid, frame=frame)
+        image, told = grid.frame, f"{frame.width} x {frame.height}"
+        return replace(
+            scene, note=f"map image is {image.width} x {image.height} px, map_metadata says {told}"
+        )
+    if floor.problem:
+        return replace(scene, note=floor.problem)
+    if grid is not None:
+        return replace(scene, note="map image waits for map_metadata")
+    if chart.grid is not None:
+        return replace(scene, grid=chart.grid, frame=chart.grid.frame)
+    missing = "no map yet" if chart.graph is not None else "no map and no graph yet"
+    return replace(scene, frame=frame or scene.frame, note=missing)
+
+
+def _same_size(one: MapFrame, other: MapFrame) -> bool:
+    same_pixels = (one.width, one.height) == (other.width, other.height)
+    return same_pixels and abs(one.resolution - other.resolution) < 1e-6
+
+
+def _placed(pose: Pose, own: MapFrame | None, picture: MapFrame) -> tuple[Pose, bool]:
+    """A pose in the picture's world, and whether the robot's own map is another one."""
+    if own is None or own == picture:
+        return pose, False
+    column, row = own.to_pixel(pose.x, pose.y)
+    scale = own.resolution / picture.resolution
+    x, y = picture.to_world(column * scale, picture.height - (own.height - row) * scale)
+    turn = picture.origin.yaw - own.origin.yaw
+    return Pose(x, y, pose.yaw + turn), not _same_size(own, picture)
+
+
+def _robot(
+    state: FleetState, robot: Robot, selection: Selection, picture: MapFrame, tied: bool
+) -> SceneRobot | None:
+    if robot.pose is None or state.floor_of(robot) != selection.floor:
+        return None
+    own = None if tied else robot.charts.get(selection.floor, Chart()).frame
+    pose, other_map = _placed(robot.pose.value, own, picture)
+    return SceneRobot(
+        name=robot.name,
+        number=robot.number,
+        pose=pose,
+        cargo=robot.has_cargo,
+        selected=robot.name == selection.robot,
+        online=state.is_online(robot) and state.now - robot.pose.at <= state.limits.offline_after,
+        paused=is_paused(robot),
+        obstacle=state.is_obstructed(robot),
+        other_map=other_map,
+        age=state.now - robot.pose.at,
+    )
+
+
+def _elsewhere(state: FleetState, selection: Selection) -> str:
+    """Where the selected robot is, if not here."""
+    robot = state.robots[selection.robot]
+    actual = state.floor_of(robot)
+    if robot.pose is None:
+        return f"{robot.name} has no pose yet"
+    if actual is None:
+        return f"{robot.name} is on unknown floor {visible(robot.frame_id)}"
+    return f"{robot.name} is on {actual}" if actual != selection.floor else ""
+
+
+def floor_scene(state: FleetState, selection: Selection) -> Scene:
+    """What the map shows of the selected floor."""
+    owner = chart_robot(state, selection)
+    chart = owner.charts[selection.floor] if owner else Chart()
+    vertices, edges = _drawn(_ById(chart))
+    floor = state.floors[selection.floor]
+    scene = Scene(floor.name, _ground(state, floor.name, vertices), vertices=vertices, edges=edges)
+    scene = _with_map(floor, chart, scene)
+    tied = floor.grid is not None and floor.tied
+    robots = (_robot(state, robot, selection, scene.frame, tied) for robot in state.robots.values())
+    current = state.robots[selection.robot].orders.current
+    notes = [note for note in (_elsewhere(state, selection), scene.note) if note]
+    return replace(
+        scene,
+        robots=tuple(robot for robot in robots if robot is not None),
+        target_vertices=(current.start, current.end) if current else (),
+        note=", ".join(notes),
+    )

@@ -1,0 +1,77 @@
+"""The queue pane: a robot's orders, the current one first, each with its Cancel."""
+
+from collections.abc import Iterable
+
+from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.order import STATUS_WORDS, Order
+from fleet_tui.model.robot import Robot
+from fleet_tui.view.fleet_rows import mission
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.table import Button, Row, Run, Table, column, cut, width_of
+from fleet_tui.view.text import fit, visible
+
+CANCEL, CLEAR = "[Cancel]", "[Clear all]"
+
+Listed = tuple[Robot, int, Order]
+
+
+def listed(state: FleetState, selected: str, all_robots: bool) -> list[Listed]:
+    """(robot, position from 0, order) of the selected robot's orders, or of all robots'."""
+    robots = state.robots.values() if all_robots else [state.robots[selected]]
+    return [
+        (robot, position, order)
+        for robot in robots
+        for position, order in enumerate(robot.orders.in_sequence())
+    ]
+
+
+def _status(order: Order) -> str:
+    word = STATUS_WORDS.get(order.status)
+    return f"{order.status} {word}" if word else visible(order.status)
+
+
+def _row(entry: Listed, names: int, missions: int, width: int) -> Row:
+    robot, position, order = entry
+    current = order.id == robot.orders.current_order_id
+    ink = Ink.TEXT if current else Ink.DIM
+    unknown = robot.knows_all_graphs() and None in (robot.name_of(order.start), robot.name_of(order.end))
+    runs: list[Run] = [
+        (fit(robot.name, names) + " " if names else "", Ink.TEXT),
+        (f"{position:2d} {order.id:4d}  ", Ink.DIM),
+        (fit(mission(robot, order), missions) + "  ", Ink.WARN if unknown else Ink.TEXT),
+        (_status(order), ink),
+        ("  unknown vertex" if unknown else "", Ink.WARN),
+    ]
+    room = width - len(CANCEL) - 1
+    button = Button(room, room + len(CANCEL), "cancel")
+    return Row((robot.name, order.id), (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
+
+
+def _title(robot: Robot, state: FleetState, entries: Iterable[Listed], all_robots: bool) -> list[Run]:
+    count = len(list(entries))
+    runs: list[Run] = [("Queue ", Ink.TITLE), ("all robots" if all_robots else robot.name, Ink.TITLE)]
+    runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
+    if not all_robots and robot.has_cargo:
+        runs.append((" cargo on board", Ink.CARGO))
+    if not all_robots and robot.queue is not None:
+        behind = state.now - robot.queue.at
+        if behind > state.limits.offline_after:
+            runs.append((f" {age(behind)} old", Ink.WARN))
+    return runs
+
+
+def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) -> Table:
+    """The orders in a pane of `width` cells."""
+    entries = listed(state, selected, all_robots)
+    robot = state.robots[selected]
+    names = column((entry[0].name for entry in entries), 6, 12) if all_robots else 0
+    missions = column((mission(entry[0], entry[2]) for entry in entries), 10, 40)
+    rows = tuple(_row(entry, names, missions, width) for entry in entries)
+    title = _title(robot, state, entries, all_robots)
+    buttons: tuple[Button, ...] = ()
+    if not all_robots and rows:
+        start = width - len(CLEAR) - 1
+        title = [*cut(title, max(0, start - 1)), (" " + CLEAR, Ink.KEY)] if start > width_of(title) else title
+        buttons = (Button(start, start + len(CLEAR), "clear"),) if title[-1][0].endswith(CLEAR) else ()
+    empty = "no orders: o places one" if robot.queue is not None else "the queue has not been heard yet"
+    return Table(tuple(title), rows, "no orders" if all_robots else empty, buttons)

@@ -1,0 +1,99 @@
+"""The line that is always in view: the link, the alarms, the selected robot."""
+
+from collections.abc import Iterator
+
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    CommandRecord,
+    Outcome,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+)
+from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.view.fleet_rows import place
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.table import Run
+from fleet_tui.view.text import visible
+
+
+def _link_runs(link: LinkState, now: float) -> Iterator[Run]:
+    if link.phase is not Phase.UP:
+        yield "○ no link ", Ink.ALARM
+        yield f"{visible(link.url)} ", Ink.TEXT
+        if link.reason:
+            yield f"{visible(link.reason)}, ", Ink.WARN
+        if link.phase is Phase.CONNECTING or link.next_try is None:
+            yield "trying now", Ink.TEXT
+        else:
+            yield f"next try {max(0.0, link.next_try - now):.0f} s", Ink.TEXT
+        yield f", since {age(now - link.since)}", Ink.DIM
+        return
+    yield "● ", Ink.GOOD
+    yield f"{visible(link.url)} ", Ink.TEXT
+    yield ("nothing heard yet" if link.heard is None else f"{max(0.0, now - link.heard):.1f} s"), Ink.DIM
+    if link.command_path is CommandPath.DEAD:
+        yield f" commands dead: {visible(link.command_reason)}", Ink.ALARM
+    if link.faults:
+        yield f" {link.faults} bad frames", Ink.WARN
+
+
+def _worst(state: FleetState) -> LinkState:
+    """The link that needs a person most; all of them in the order of the config."""
+    return min(
+        state.links.values(),
+        key=lambda link: (
+            link.phase is Phase.UP,
+            link.command_path is not CommandPath.DEAD,
+            link.heard or 0.0,
+        ),
+    )
+
+
+def status_line(state: FleetState, selected: str, notes: str = "") -> tuple[Run, ...]:
+    """What stands first is what must not be cut: alarms, the selected robot, the link."""
+    fresh, alarms = state.unacknowledged, len(state.alarms)
+    runs: list[Run] = [(f" {visible(selected)}  ", Ink.ACCENT)]
+    sign, ink = ("▲", Ink.ALARM) if fresh else ("△", Ink.TEXT if alarms else Ink.DIM)
+    runs.append((f"{sign} {alarms} alarm{'s' * (alarms != 1)}" + (f" ({fresh} new)" if fresh else ""), ink))
+    runs.append(("  ", Ink.TEXT))
+    if notes:
+        runs.append((notes + "  ", Ink.WARN))
+    others = len(state.links) - 1
+    runs.extend(_link_runs(_worst(state), state.now))
+    if others > 0:
+        up = sum(link.phase is Phase.UP for link in state.links.values())
+        runs.append((f"  {up} of {others + 1} links up", Ink.DIM))
+    return tuple(runs)
+
+
+def command_text(state: FleetState, command: Command) -> str:
+    """A command in the words of the operator."""
+    robot = state.robots[command.robot]
+    match command:
+        case PlaceOrder(name, start, end):
+            return f"{name} order {place(robot, start)} -> {place(robot, end)}"
+        case PlaceOrderWithCargo(name, end):
+            return f"{name} bring cargo -> {place(robot, end)}"
+        case CancelOrder(name, order_id):
+            return f"{name} cancel order {order_id}"
+        case ClearOrders(name):
+            return f"{name} clear all orders"
+        case PauseRobot(name):
+            return f"{name} pause"
+        case ResumeRobot(name):
+            return f"{name} resume"
+
+
+def command_runs(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
+    """One command and where it stands."""
+    text = command_text(state, record.command)
+    if record.outcome is None:
+        return (text, Ink.TEXT), (f": sent {age(state.now - record.issued_at)} ago", Ink.DIM)
+    ink = Ink.GOOD if record.outcome is Outcome.ACCEPTED else Ink.ALARM
+    words = f" ({visible(record.words)})" if record.words else ""
+    return (text, Ink.TEXT), (f": {record.outcome.value}", ink), (words, Ink.DIM)
