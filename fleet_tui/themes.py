@@ -1,0 +1,163 @@
+"""Colour themes: one TOML file each, shipped ones first, then the user's own."""
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from rich.style import Style
+
+from fleet_tui.errors import ConfigError
+from fleet_tui.view.roles import Ink
+
+_COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
+_ATTRIBUTES = ("bold", "reverse", "underline", "dim")
+BASE = ("background", "surface", "foreground", "accent")
+
+
+@dataclass(frozen=True, slots=True)
+class InkLook:
+    """How one ink looks: colours as `#rrggbb` or None for the terminal's own."""
+
+    color: str | None = None
+    on: str | None = None
+    bold: bool = False
+    reverse: bool = False
+    underline: bool = False
+    dim: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class FleetTheme:
+    """A name, the screen's base colours, and a look per ink."""
+
+    name: str
+    dark: bool
+    base: Mapping[str, str]
+    inks: Mapping[Ink, InkLook]
+
+    def styles(self, colour: bool = True) -> dict[Ink, Style]:
+        """Every ink as a Rich style; without colour (NO_COLOR) only bold, reverse, underline, dim stay."""
+        return {ink: _style(look, self.base["background"], colour) for ink, look in self.inks.items()}
+
+    def textual(self) -> dict[str, Any]:
+        """The arguments of a `textual.theme.Theme`."""
+        colours = {name: self.inks[ink].color for name, ink in _TEXTUAL.items()}
+        base = {name: self.base[name] for name in BASE}
+        return {
+            "name": f"fleet-{self.name}",
+            "primary": self.base["accent"],
+            "panel": self.base["surface"],
+            "dark": self.dark,
+            **base,
+            **colours,
+        }
+
+
+_TEXTUAL = {"secondary": Ink.DIM, "warning": Ink.WARN, "error": Ink.ALARM, "success": Ink.GOOD}
+
+
+def _style(look: InkLook, background: str, colour: bool) -> Style:
+    # None, not False: an explicit "off" would be one more code on the wire.
+    return Style(
+        color=look.color if colour else None,
+        bgcolor=(look.on or background) if colour else None,
+        bold=look.bold or None,
+        reverse=look.reverse or None,
+        underline=look.underline or None,
+        dim=look.dim or None,
+    )
+
+
+def shipped_folder() -> Path:
+    """Where the themes that come with the program lie: in a wheel inside the package, else beside it."""
+    package = Path(__file__).parent
+    inside = package / "themes_shipped"
+    return inside if inside.is_dir() else package.parent / "themes"
+
+
+def load_themes(user_folder: Path | None = None) -> tuple[dict[str, FleetTheme], list[str]]:
+    """All themes by name (a user's replaces a shipped one of its name), and a line per broken file.
+
+    A user's theme may be short: what it leaves out is as in the shipped dark or light one.
+    """
+    themes: dict[str, FleetTheme] = {}
+    problems: list[str] = []
+    for folder in (shipped_folder(), user_folder):
+        for path in sorted(folder.glob("*.toml")) if folder else ():
+            try:
+                theme = read_theme(path, themes)
+            except ConfigError as error:
+                problems += [f"{path}: {problem}" for problem in error.problems]
+            else:
+                themes[theme.name] = theme
+    return themes, problems
+
+
+def read_theme(path: Path, others: Mapping[str, FleetTheme]) -> FleetTheme:
+    """One theme from its file; ConfigError with all that is wrong in it."""
+    try:
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise ConfigError([f"can't be read: {error}"]) from error
+    problems = list(_problems(content))
+    dark = content.get("dark", True) is not False
+    start = others.get("dark" if dark else "light")
+    if not problems and start is None:
+        problems = list(_gaps(content))
+    if problems:
+        raise ConfigError(problems)
+    base, inks = (start.base, start.inks) if start else ({}, {})
+    own = {Ink[name.upper()]: _look(value) for name, value in content.get("inks", {}).items()}
+    return FleetTheme(path.stem, dark, {**base, **content.get("base", {})}, {**inks, **own})
+
+
+def _look(value: str | dict[str, Any]) -> InkLook:
+    return InkLook(color=value) if isinstance(value, str) else replace(InkLook(), **value)
+
+
+def _problems(content: dict[str, Any]) -> Iterator[str]:
+    """Everything in a theme that is not as it must be."""
+    yield from _strangers("", content, ("dark", "base", "inks"))
+    if not isinstance(content.get("dark", True), bool):
+        yield "dark must be true or false"
+    for table, names in (("base", BASE), ("inks", [ink.name.lower() for ink in Ink])):
+        entries = content.get(table, {})
+        if not isinstance(entries, dict):
+            yield f"{table} must be a table"
+            continue
+        yield from _strangers(f"{table}.", entries, names)
+        for name, value in entries.items():
+            yield from _value_problems(f"{table}.{name}", value, table == "inks")
+
+
+def _value_problems(key: str, value: object, table_allowed: bool) -> Iterator[str]:
+    if isinstance(value, dict) and table_allowed:
+        yield from _strangers(f"{key}.", value, ("color", "on", *_ATTRIBUTES))
+        for name, part in value.items():
+            if name in _ATTRIBUTES and not isinstance(part, bool):
+                yield f"{key}.{name} must be true or false"
+            elif name in ("color", "on"):
+                yield from _value_problems(f"{key}.{name}", part, False)
+    elif not (isinstance(value, str) and _COLOUR.match(value)):
+        yield f'{key} = {value!r} is no colour: write it as "#rrggbb"'
+
+
+def _strangers(
+    prefix: str, entries: Mapping[str, object], names: list[str] | tuple[str, ...]
+) -> Iterator[str]:
+    for name in entries:
+        if name not in names:
+            near = get_close_matches(name, names, 1)
+            yield f"{prefix}{name} is unknown" + (f": did you mean {near[0]}" if near else "")
+
+
+def _gaps(content: dict[str, Any]) -> Iterator[str]:
+    """What a theme lacks that has none to fall back on."""
+    for table, names in (("base", BASE), ("inks", tuple(ink.name.lower() for ink in Ink))):
+        for name in names:
+            if name not in content.get(table, {}):
+                yield f"{table}.{name} is missing"

@@ -1,0 +1,110 @@
+"""Which part of the map is seen: an immutable camera over map pixels, snapped to whole cells.
+
+A cell is 2 x 4 dots; `scale` is map pixels per dot. Cells are counted from the map's upper left
+pixel, so a dot always covers the same pixels and panning does not shimmer.
+"""
+
+import math
+from dataclasses import dataclass, replace
+
+from fleet_tui.model.geometry import MapFrame
+
+DOTS_X, DOTS_Y = 2, 4
+MIN_SCALE = 0.125
+ZOOM_STEP = math.sqrt(2.0)
+_DEAD_ZONE = 0.3  # of the view, to each side of its middle: a followed robot moves freely in it
+
+
+@dataclass(frozen=True, slots=True)
+class Camera:
+    """column, row: the view's centre in map pixels; scale: pixels per dot; width, height: cells;
+    extent: the map's width and height in pixels."""
+
+    column: float
+    row: float
+    scale: float
+    width: int
+    height: int
+    extent: tuple[int, int]
+
+    @classmethod
+    def fit(cls, extent: tuple[int, int], width: int, height: int) -> "Camera":
+        """The camera that shows the whole map, as large as it goes."""
+        scale = _fit_scale(extent, width, height)
+        return cls(extent[0] / 2, extent[1] / 2, scale, width, height, extent)
+
+    @property
+    def origin(self) -> tuple[int, int]:
+        """The upper left cell of the view, in whole cells from the map's upper left corner."""
+        across, down = self.column / (DOTS_X * self.scale), self.row / (DOTS_Y * self.scale)
+        return round(across - self.width / 2), round(down - self.height / 2)
+
+    def to_cell(self, column: float, row: float) -> tuple[int, int]:
+        """The cell (x, y) of the view that a map pixel falls into; may lie outside the view."""
+        left, top = self.origin
+        x = math.floor(column / (DOTS_X * self.scale)) - left
+        return x, math.floor(row / (DOTS_Y * self.scale)) - top
+
+    def to_pixel(self, x: int, y: int) -> tuple[float, float]:
+        """The map pixel (column, row) in the middle of cell (x, y)."""
+        left, top = self.origin
+        return (left + x + 0.5) * DOTS_X * self.scale, (top + y + 0.5) * DOTS_Y * self.scale
+
+    def shows(self, x: int, y: int) -> bool:
+        """Whether cell (x, y) is in the view."""
+        return 0 <= x < self.width and 0 <= y < self.height
+
+    def centred(self, column: float, row: float) -> "Camera":
+        """With the centre there, or on the nearest point of the map: the map can't be lost."""
+        columns, rows = self.extent
+        return replace(self, column=min(max(column, 0.0), columns), row=min(max(row, 0.0), rows))
+
+    def panned(self, right: int, down: int) -> "Camera":
+        """Moved by whole cells."""
+        return self.centred(self.column + right * DOTS_X * self.scale, self.row + down * DOTS_Y * self.scale)
+
+    def zoomed(self, factor: float, about: tuple[float, float] | None = None) -> "Camera":
+        """Nearer by `factor` (above 1) or further, with map pixel `about` staying where it is."""
+        furthest = max(2.0 * _fit_scale(self.extent, self.width, self.height), MIN_SCALE)
+        scale = min(max(self.scale / factor, MIN_SCALE), furthest)
+        column, row = about or (self.column, self.row)
+        ratio = scale / self.scale
+        nearer = replace(self, scale=scale)
+        return nearer.centred(column + (self.column - column) * ratio, row + (self.row - row) * ratio)
+
+    def resized(self, width: int, height: int) -> "Camera":
+        """The same centre in a view of another size in cells."""
+        return replace(self, width=width, height=height)
+
+    def followed(self, column: float, row: float) -> "Camera":
+        """Unchanged while the point is near the middle, else centred on it.
+
+        One jump now and then instead of a step per tick: the background mostly stands still.
+        """
+        x, y = self.to_cell(column, row)
+        far_x = abs(x - self.width / 2) > self.width * _DEAD_ZONE
+        far_y = abs(y - self.height / 2) > self.height * _DEAD_ZONE
+        return self.centred(column, row) if far_x or far_y else self
+
+    def reframed(self, old: MapFrame, new: MapFrame) -> "Camera":
+        """The same place and size of view in metres, after the map's frame changed."""
+        scale = self.scale * old.resolution / new.resolution
+        moved = replace(self, scale=scale, extent=(new.width, new.height))
+        return moved.centred(*new.to_pixel(*old.to_world(self.column, self.row))).zoomed(1.0)
+
+
+def _fit_scale(extent: tuple[int, int], width: int, height: int) -> float:
+    across = extent[0] / max(DOTS_X * width, 1)
+    return max(across, extent[1] / max(DOTS_Y * height, 1), MIN_SCALE)
+
+
+def scale_bar(camera: Camera, frame: MapFrame, width: int) -> tuple[str, int]:
+    """A round length (1, 2 or 5 x 10^k metres) of at most `width` cells: its text and its cells.
+
+    Of at least one cell, even if `width` is too small for it.
+    """
+    cell = DOTS_X * camera.scale * frame.resolution
+    power = 10.0 ** math.floor(math.log10(max(width, 1) * cell))
+    length = max((step * power for step in (1, 2, 5) if step * power <= width * cell), default=power)
+    text = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
+    return text, max(round(length / cell), 1)

@@ -1,0 +1,62 @@
+"""The map's first row: a thin rule that carries the floor, the scale and what is switched on."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+from fleet_tui.model.geometry import MapFrame
+from fleet_tui.view.camera import Camera, scale_bar
+from fleet_tui.view.cells import Cells
+from fleet_tui.view.raster import Drawing
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.text import cell_width, visible
+
+Piece = tuple[str, Ink]
+_BAR = 14  # cells that the scale bar may take
+
+
+@dataclass(frozen=True, slots=True)
+class Caption:
+    """What the first row says."""
+
+    floor: str
+    note: str
+    frame: MapFrame
+    camera: Camera
+    drawing: Drawing
+    follow: bool
+    zoom_robot: bool
+    focused: bool
+
+
+@lru_cache(maxsize=8)
+def caption_row(facts: Caption) -> Cells:
+    """One row of cells, not to be drawn on; where it is narrow what is less important is left out."""
+    row = Cells.blank(facts.camera.width, 1, Ink.RULE)
+    row.codes[:] = ord("-" if facts.drawing is Drawing.ASCII else "─")
+    x = 1
+    for piece, ink in _pieces(facts):
+        text = f" {piece} "
+        if x + cell_width(text) <= facts.camera.width:
+            row.write(x, 0, text, ink)
+            x += cell_width(text) + 2
+    return row
+
+
+def _pieces(facts: Caption) -> list[Piece]:
+    """The pieces from left to right, which is also the order of their importance."""
+    pieces: list[Piece] = [(visible(facts.floor), Ink.TITLE_FOCUSED if facts.focused else Ink.TITLE)]
+    if facts.note:
+        pieces.append((visible(facts.note), Ink.WARN))
+    return [
+        *pieces,
+        (_bar(facts), Ink.DIM),
+        (f"follow {'on' if facts.follow else 'off'}", Ink.TEXT if facts.follow else Ink.DIM),
+        (f"zoom {'robot' if facts.zoom_robot else 'centre'}", Ink.DIM),
+        (facts.drawing.value, Ink.DIM),
+    ]
+
+
+def _bar(facts: Caption) -> str:
+    metres, cells = scale_bar(facts.camera, facts.frame, _BAR)
+    left, line, right = "|-|" if facts.drawing is Drawing.ASCII else "├─┤"
+    return f"{metres} {left}{line * (cells - 2)}{right}" if cells > 2 else metres

@@ -1,0 +1,94 @@
+"""A picture in terminal cells: one plane of characters, one of inks; and how it becomes text."""
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.text import cells_of
+
+Codes = NDArray[np.uint32]
+Inks = NDArray[np.uint8]
+Run = tuple[str, int]
+"""Text and the ink (an `Ink`'s number) that all of it has."""
+
+_TAIL = 0  # the code in the second cell of a wide character
+_BLANK = 0x20
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cells:
+    """codes: uint32 code points, inks: uint8 `Ink`s, both of shape (height, width)."""
+
+    codes: Codes
+    inks: Inks
+
+    @classmethod
+    def blank(cls, width: int, height: int, ink: Ink) -> Self:
+        """Spaces in one ink."""
+        shape = (height, width)
+        return cls(np.full(shape, _BLANK, np.uint32), np.full(shape, ink, np.uint8))
+
+    def copy(self) -> "Cells":
+        """Planes of their own, to draw on."""
+        return Cells(self.codes.copy(), self.inks.copy())
+
+    def write(self, x: int, y: int, text: str, ink: Ink) -> None:
+        """Put safe `text` at cell (x, y) in place; what does not fit in the row is left out."""
+        height, width = self.codes.shape
+        if not 0 <= y < height:
+            return
+        for letter, size in cells_of(text):
+            if x >= 0 and x + size <= width:
+                self._put(x, y, ord(letter), size)
+                self.inks[y, x : x + size] = ink
+            x += size
+
+    def _put(self, x: int, y: int, code: int, size: int) -> None:
+        """Write one character; a wide one that loses a half loses the other too."""
+        row = self.codes[y]
+        if row[x] == _TAIL:
+            row[x - 1] = _BLANK
+        after = x + size
+        if after < len(row) and row[after] == _TAIL:
+            row[after] = _BLANK
+        row[x] = code
+        if size == 2:
+            row[x + 1] = _TAIL
+
+    def changes(self, before: "Cells | None") -> list[tuple[int, int, int]]:
+        """Where this differs from `before`: (y, first x, end x) per row that does."""
+        height, width = self.codes.shape
+        if before is None or before.codes.shape != self.codes.shape:
+            return [(y, 0, width) for y in range(height)]
+        differs = (self.codes != before.codes) | (self.inks != before.inks)
+        rows = np.flatnonzero(differs.any(axis=1))
+        first = differs[rows].argmax(axis=1)
+        last = width - differs[rows, ::-1].argmax(axis=1)
+        return list(zip(rows.tolist(), first.tolist(), last.tolist(), strict=True))
+
+    def runs(self, y: int) -> list[Run]:
+        """Row y as runs of one ink each, which together take exactly the picture's width."""
+        return _runs(self.codes[y], self.inks[y])
+
+    def all_runs(self) -> list[list[Run]]:
+        """The runs of every row."""
+        return [_runs(codes, inks) for codes, inks in zip(self.codes, self.inks, strict=True)]
+
+    def text(self) -> str:
+        """The characters alone, one line per row."""
+        return "\n".join("".join(text for text, _ in runs) for runs in self.all_runs())
+
+
+def _runs(codes: Codes, inks: Inks) -> list[Run]:
+    text = codes.tobytes().decode("utf-32-le")
+    starts = [0, *(np.flatnonzero(inks[1:] != inks[:-1]) + 1).tolist()]
+    ends = [*starts[1:], len(text)]
+    found = [
+        (text[start:end], ink) for start, end, ink in zip(starts, ends, inks[starts].tolist(), strict=True)
+    ]
+    if "\0" in text:
+        return [(part.replace("\0", ""), ink) for part, ink in found]
+    return found

@@ -1,0 +1,41 @@
+"""The map's picture: all layers, in two parts so that robots can move over a backdrop that stands."""
+
+from collections.abc import Callable
+
+from fleet_tui.view.camera import Camera
+from fleet_tui.view.cells import Cells
+from fleet_tui.view.layers import (
+    Look,
+    draw_cursor,
+    draw_edges,
+    draw_ground,
+    draw_labels,
+    draw_robots,
+    draw_vertices,
+)
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.scene import Scene
+
+Layer = Callable[[Cells, Scene, Camera, Look], None]
+
+STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_vertices, draw_labels)
+"""Drawn again only when the map, the graph, the mission, the camera or the look changes."""
+
+MOVING: tuple[Layer, ...] = (draw_robots, draw_cursor)
+"""Drawn at every tick."""
+
+
+def backdrop(scene: Scene, camera: Camera, look: Look) -> Cells:
+    """The picture without what moves."""
+    cells = Cells.blank(camera.width, camera.height, Ink.UNKNOWN)
+    for draw in STILL:
+        draw(cells, scene, camera, look)
+    return cells
+
+
+def picture(behind: Cells, scene: Scene, camera: Camera, look: Look) -> Cells:
+    """What moves, drawn over a copy of `behind` (made by `backdrop`)."""
+    cells = behind.copy()
+    for draw in MOVING:
+        draw(cells, scene, camera, look)
+    return cells

@@ -1,0 +1,174 @@
+"""The map's ground in terminal cells: braille, half-blocks or ASCII, sampled from the pyramid.
+
+Every mode folds the same dots (2 x 4 per cell), each the maximum of exactly the pixels it
+covers, so that a wall one pixel thick is in the picture at any zoom.
+"""
+
+import math
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, OccupancyGrid
+from fleet_tui.view.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.cells import Cells
+from fleet_tui.view.roles import Ink
+
+COARSE = 12.0
+"""Pixels per dot from which nearly every dot holds some wall: then only edges stay solid."""
+
+
+class Drawing(Enum):
+    """How the map is drawn: dots per cell 2 x 4, 2 x 2 blocks folded to 1 x 2, or 1."""
+
+    BRAILLE = "braille"
+    HALF_BLOCK = "half-block"
+    ASCII = "ascii"
+
+
+def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cells:
+    """The map as the camera sees it; without a grid the extent is empty floor."""
+    left, top = camera.origin
+    shape = (camera.height * DOTS_Y, camera.width * DOTS_X)
+    if grid is None:
+        dots = _empty(camera, left * DOTS_X, top * DOTS_Y, shape)
+    else:
+        dots = sample(grid, camera.scale, left * DOTS_X, top * DOTS_Y, shape)
+    if drawing is Drawing.BRAILLE:
+        return _braille(dots, camera.scale > COARSE)
+    if drawing is Drawing.HALF_BLOCK:
+        return _half_block(dots)
+    return _ascii(dots)
+
+
+def sample(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
+    """Classes of the dots from (left, top) on, shape (rows, columns); unknown outside the map.
+
+    scale: map pixels per dot; dot k covers pixels k * scale to (k + 1) * scale.
+    """
+    depth = min(max(math.floor(math.log2(scale)), 0), len(grid.levels) - 1)
+    level = grid.levels[depth]
+    step = scale / 2**depth
+    rows, columns = shape
+    top_in, first_y, last_y = _partition(top, rows, step, level.shape[0])
+    left_in, first_x, last_x = _partition(left, columns, step, level.shape[1])
+    if not (first_y.size and first_x.size):
+        return np.zeros(shape, np.uint8)
+    seen = level[first_y[0] : last_y[-1] + 1, first_x[0] : last_x[-1] + 1]
+    seen = _pooled(_pooled(seen, first_y, last_y, 0), first_x, last_x, 1)
+    if seen.shape == shape:
+        return seen
+    dots = np.zeros(shape, np.uint8)
+    dots[top_in : top_in + seen.shape[0], left_in : left_in + seen.shape[1]] = seen
+    return dots
+
+
+_Indices = NDArray[np.intp]
+
+
+def _partition(start: int, count: int, step: float, size: int) -> tuple[int, _Indices, _Indices]:
+    """The first and last entry that each dot covers, of the dots that touch 0..size at all.
+
+    Also how many dots come before the first of them. Dot k ends where dot k + 1 begins.
+    """
+    bounds = np.floor(np.arange(start, start + count + 1) * step).astype(np.intp)
+    first, last = bounds[:-1], np.maximum(bounds[1:] - 1, bounds[:-1])
+    inside = (last >= 0) & (first < size)
+    before = int(inside.argmax()) if inside.any() else 0
+    return before, np.maximum(first[inside], 0), np.minimum(last[inside], size - 1)
+
+
+def _pooled(level: Classes, first: _Indices, last: _Indices, axis: int) -> Classes:
+    """Maximum over first..last (inclusive) for each dot along one axis."""
+    first, last = first - first[0], last - first[0]
+    found: Classes = level.take(first, axis)
+    between = int((last - first).max())
+    for further in range(1, between + 1):
+        np.maximum(found, level.take(np.minimum(first + further, last), axis), out=found)
+    return found
+
+
+def _empty(camera: Camera, left: int, top: int, shape: tuple[int, int]) -> Classes:
+    """Floor over the whole extent of a map that is not there."""
+    rows = (np.arange(top, top + shape[0]) + 0.5) * camera.scale
+    columns = (np.arange(left, left + shape[1]) + 0.5) * camera.scale
+    in_rows = (rows >= 0) & (rows < camera.extent[1])
+    in_columns = (columns >= 0) & (columns < camera.extent[0])
+    return (in_rows[:, None] & in_columns).astype(np.uint8) * np.uint8(FREE)
+
+
+def _folded(dots: Classes, rows: int, columns: int) -> Classes:
+    """Maximum over blocks of rows x columns dots."""
+    found = dots[::rows]
+    for row in range(1, rows):
+        found = np.maximum(found, dots[row::rows])
+    wide = found
+    found = wide[:, ::columns]
+    for column in range(1, columns):
+        found = np.maximum(found, wide[:, column::columns])
+    return found
+
+
+# Unicode numbers a braille cell's dots 0 3 / 1 4 / 2 5 / 6 7; seen as bits.
+_BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
+BRAILLE = np.arange(0x2800, 0x2900, dtype=np.uint32)
+BRAILLE[0] = ord(" ")  # some fonts draw rings for the empty pattern
+_HATCH = ord("⠂")
+_WALLS = np.array([Ink.UNKNOWN, Ink.FLOOR, Ink.WALL_BEYOND, Ink.WALL], np.uint8)
+
+
+def pack(mask: NDArray[np.bool_]) -> Classes:
+    """A mask of dots to the bits of its braille cells (uint8, a quarter as high, half as wide)."""
+    dots = mask.view(np.uint8)
+    bits = dots[0::DOTS_Y, 0::DOTS_X] * np.uint8(_BITS[0][0])
+    for y in range(DOTS_Y):
+        for x in range(DOTS_X):
+            if x or y:
+                bits |= dots[y::DOTS_Y, x::DOTS_X] * np.uint8(_BITS[y][x])
+    return bits
+
+
+def _braille(dots: Classes, coarse: bool) -> Cells:
+    walls = dots == OCCUPIED
+    known = _folded(dots == FREE, DOTS_Y, DOTS_X)
+    bits = pack(_hollow(walls) if coarse else walls)
+    codes = BRAILLE[bits]
+    inks = _WALLS[(bits > 0) * np.uint8(2) + known]
+    unknown = inks == Ink.UNKNOWN
+    codes[unknown] = _HATCH
+    return Cells(codes, inks)
+
+
+def _hollow(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Walls with a solid edge and every other dot of the inside."""
+    inside = np.zeros_like(walls)
+    inside[1:-1, 1:-1] = walls[:-2, 1:-1] & walls[2:, 1:-1] & walls[1:-1, :-2] & walls[1:-1, 2:]
+    inside[0::2, 0::2] = False
+    inside[1::2, 1::2] = False
+    return walls & ~inside
+
+
+_HALVES = np.array([ord(" "), ord("▀"), ord("▄"), ord("█")], np.uint32)
+
+
+def _half_block(dots: Classes) -> Cells:
+    pixels = _folded(dots, DOTS_Y // 2, DOTS_X)
+    upper, lower = pixels[0::2], pixels[1::2]
+    walls = (upper == OCCUPIED) + np.uint8(2) * (lower == OCCUPIED)
+    known = _folded(dots == FREE, DOTS_Y, DOTS_X)
+    codes = _HALVES[walls]
+    inks = _WALLS[(walls > 0) * np.uint8(2) + known]
+    codes[inks == Ink.UNKNOWN] = ord("░")
+    return Cells(codes, inks)
+
+
+_ASCII = np.zeros(3, np.uint32)
+_ASCII[[UNKNOWN, FREE, OCCUPIED]] = [ord(" "), ord("."), ord("#")]
+_ASCII_INKS = np.zeros(3, np.uint8)
+_ASCII_INKS[[UNKNOWN, FREE, OCCUPIED]] = [Ink.UNKNOWN, Ink.FLOOR, Ink.WALL]
+
+
+def _ascii(dots: Classes) -> Cells:
+    classes = _folded(dots, DOTS_Y, DOTS_X)
+    return Cells(_ASCII[classes], _ASCII_INKS[classes])

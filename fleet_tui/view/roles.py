@@ -1,0 +1,38 @@
+"""Every colour there is, by what it means. A theme gives each a look; nothing else knows colours."""
+
+from enum import IntEnum, auto
+
+
+class Ink(IntEnum):
+    """What a piece of text on the map or in a pane means; fits in a uint8 plane."""
+
+    FLOOR = 0
+    UNKNOWN = auto()
+    WALL = auto()
+    WALL_BEYOND = auto()
+    """A wall with only unknown around it: it stands on the darker ground."""
+    EDGE = auto()
+    VERTEX = auto()
+    VERTEX_LABELLED = auto()
+    ELEVATOR = auto()
+    DOCKING = auto()
+    LABEL = auto()
+    TARGET = auto()
+    """The ends of the selected robot's order, vertex and label."""
+    CURSOR = auto()
+    ROBOT = auto()
+    ROBOT_SELECTED = auto()
+    ROBOT_OFFLINE = auto()
+    ROBOT_ALARM = auto()
+    CARGO = auto()
+    TEXT = auto()
+    DIM = auto()
+    TITLE = auto()
+    TITLE_FOCUSED = auto()
+    RULE = auto()
+    ACCENT = auto()
+    GOOD = auto()
+    WARN = auto()
+    ALARM = auto()
+    KEY = auto()
+    ROW_CURSOR = auto()

@@ -1,0 +1,84 @@
+"""Text from outside made safe to show, and measured in terminal cells."""
+
+import unicodedata
+from collections.abc import Iterator
+
+_UNSEEN = frozenset({"Cf", "Zl", "Zp", "Cs", "Co", "Cn"})
+# Letters that fill a cell with nothing: Hangul fillers, the braille blank, variation selectors.
+_BLANK = frozenset("\u115f\u1160\u3164\uffa0\u2800") | {chr(c) for c in range(0xFE00, 0xFE10)}
+MAX_MARKS = 2  # combining marks that one letter may carry; more of them climb into other rows
+
+
+def _safe(letter: str) -> str:
+    code = ord(letter)
+    if code < 0x20:
+        return chr(0x2400 + code)
+    if code == 0x7F:
+        return "␡"
+    if 0x80 <= code < 0xA0 or letter in _BLANK or unicodedata.category(letter) in _UNSEEN:
+        return "\ufffd"
+    return " " if letter.isspace() else letter
+
+
+def visible(text: str) -> str:
+    """`text` without anything that moves the cursor, hides, or turns the reading direction.
+
+    Control characters become their pictures (ESC: ␛), everything else unseen U+FFFD.
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    shown: list[str] = []
+    marks = 0
+    for letter in text:
+        if unicodedata.combining(letter) or unicodedata.category(letter) in ("Mn", "Me"):
+            marks += 1
+            if not shown or marks > MAX_MARKS or letter in _BLANK:
+                continue
+        else:
+            marks = 0
+        shown.append(_safe(letter) if not marks else letter)
+    return "".join(shown)
+
+
+def letter_width(letter: str) -> int:
+    """How many terminal cells one character takes: 0, 1 or 2."""
+    if unicodedata.category(letter) in ("Mn", "Me"):
+        return 0
+    return 2 if unicodedata.east_asian_width(letter) in ("W", "F") else 1
+
+
+def cell_width(text: str) -> int:
+    """How many terminal cells `text` takes."""
+    return len(text) if text.isascii() else sum(map(letter_width, text))
+
+
+def cells_of(text: str) -> Iterator[tuple[str, int]]:
+    """Each character with its width in cells; marks without a width of their own are left out."""
+    for letter in text:
+        width = letter_width(letter)
+        if width:
+            yield letter, width
+
+
+def fit(text: str, cells: int, right: bool = False) -> str:
+    """`text`, made safe, in exactly `cells` cells: cut with `…`, or padded (at the left if `right`)."""
+    text = visible(text)
+    width = cell_width(text)
+    if width > cells:
+        text, width = _cut(text, cells)
+    pad = " " * (cells - width)
+    return pad + text if right else text + pad
+
+
+def _cut(text: str, cells: int) -> tuple[str, int]:
+    """The start of `text` with an ellipsis in at most `cells` cells, and how many it takes."""
+    if cells < 1:
+        return "", 0
+    kept, width = [], 0
+    for letter in text:
+        width += letter_width(letter)
+        if width > cells - 1:
+            width -= letter_width(letter)
+            break
+        kept.append(letter)
+    return "".join(kept) + "…", width + 1

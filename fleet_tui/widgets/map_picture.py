@@ -1,0 +1,135 @@
+"""The map's picture on the screen, and the mouse on it."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from rich.style import Style
+from textual import events
+
+from fleet_tui.view.camera import ZOOM_STEP, Camera
+from fleet_tui.view.caption import Caption, caption_row
+from fleet_tui.view.cells import Cells
+from fleet_tui.view.layers import Look
+from fleet_tui.view.picture import backdrop, picture
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.scene import Scene, SceneRobot
+from fleet_tui.view.viewport import Viewport, pick
+from fleet_tui.widgets.cells_view import CellsView
+from fleet_tui.widgets.messages import RobotPicked, VertexPicked
+
+CAPTION_ROWS = 1
+
+
+class MapPicture(CellsView, can_focus=True):
+    """Shows a Scene below a caption; wheel zooms, drag pans, click picks."""
+
+    def __init__(self, inks: Mapping[Ink, Style] | None = None, *, id: str | None = None) -> None:
+        super().__init__(inks, id=id)
+        self.look = Look()
+        self.viewport = Viewport()
+        self.scene: Scene | None = None
+        self._behind: Cells | None = None
+        self._behind_of: tuple[Scene, Camera, Look] | None = None
+        self._drag: tuple[int, int] | None = None
+        self._dragged = False
+
+    def show(self, scene: Scene) -> None:
+        """Show the newest scene. Cheap where little changed: call it at every tick."""
+        self.scene = scene
+        self.draw()
+
+    def draw(self) -> None:
+        """Paint the scene as it is seen now."""
+        scene, view, (width, height) = self.scene, self.viewport, self.size
+        if scene is None or width < 1 or height <= CAPTION_ROWS:
+            return
+        view.width, view.height = width, height - CAPTION_ROWS
+        camera = view.camera(scene)
+        head = caption_row(
+            Caption(
+                floor=scene.floor,
+                note=scene.note,
+                frame=scene.frame,
+                camera=camera,
+                drawing=self.look.drawing,
+                follow=view.follow,
+                zoom_robot=view.zoom_robot,
+                focused=self.has_focus,
+            )
+        )
+        body = picture(self._backdrop(scene, camera), scene, camera, self.look)
+        self.paint(Cells(np.vstack((head.codes, body.codes)), np.vstack((head.inks, body.inks))))
+
+    def _backdrop(self, scene: Scene, camera: Camera) -> Cells:
+        """What stands behind the robots, made again only when something in it changed."""
+        key = (scene, camera, replace(self.look, cursor=None))
+        if self._behind is None or self._behind_of is None or not _same(self._behind_of, key):
+            self._behind = backdrop(*key)
+            self._behind_of = key
+        return self._behind
+
+    def on_resize(self) -> None:
+        """Draw for the new size; the centre stays."""
+        self.draw()
+
+    def watch_has_focus(self, _has_focus: bool) -> None:
+        """Brighten the caption of the focused map."""
+        super().watch_has_focus(_has_focus)
+        self.draw()
+
+    def pick_at(self, x: int, y: int) -> None:
+        """Tell what is shown at cell (x, y) of the map, if anything is."""
+        if self.scene is None:
+            return
+        found = pick(self.scene, self.viewport.camera(self.scene), x, y)
+        if isinstance(found, SceneRobot):
+            self.post_message(RobotPicked(found.name))
+        elif found is not None:
+            self.post_message(VertexPicked(found.id))
+
+    def _zoom_at(self, event: events.MouseEvent, factor: float) -> None:
+        event.stop()
+        if self.scene is not None and event.y >= CAPTION_ROWS:
+            self.viewport.zoom(self.scene, factor, (event.x, event.y - CAPTION_ROWS))
+            self.draw()
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        """Zoom in at the pointer."""
+        self._zoom_at(event, ZOOM_STEP)
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        """Zoom out at the pointer."""
+        self._zoom_at(event, 1 / ZOOM_STEP)
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        """Start what becomes a drag or a click."""
+        self.capture_mouse()
+        self._drag, self._dragged = (event.x, event.y), False
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        """Drag the map along."""
+        if self._drag is None or self.scene is None or (event.x, event.y) == self._drag:
+            return
+        self.viewport.pan(self.scene, self._drag[0] - event.x, self._drag[1] - event.y)
+        self._drag, self._dragged = (event.x, event.y), True
+        self.draw()
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        """Pick, unless it was a drag."""
+        self.release_mouse()
+        if self._drag is not None and not self._dragged and event.y >= CAPTION_ROWS:
+            self.pick_at(event.x, event.y - CAPTION_ROWS)
+        self._drag = None
+
+
+def _same(before: tuple[Scene, Camera, Look], now: tuple[Scene, Camera, Look]) -> bool:
+    """Whether the same backdrop serves both; the large parts are compared by identity."""
+    old, new = before[0], now[0]
+    same_parts = old.grid is new.grid and old.vertices is new.vertices and old.edges is new.edges
+    return (
+        same_parts
+        and before[1:] == now[1:]
+        and old.frame == new.frame
+        and old.target_vertices == new.target_vertices
+    )

@@ -1,0 +1,108 @@
+"""What an operator does with the map. Keys are attached by whoever composes it."""
+
+from dataclasses import replace
+from typing import ClassVar
+
+from fleet_tui.view.camera import ZOOM_STEP
+from fleet_tui.view.raster import Drawing
+from fleet_tui.widgets.map_picture import MapPicture
+
+_PAN_COLUMNS, _PAN_ROWS = 8, 4  # cells per step: about as far in both directions
+
+
+class MapView(MapPicture, can_focus=True):
+    """The map pane: `show` it a Scene at every tick."""
+
+    DEFAULT_CSS: ClassVar[str] = "MapView { width: 1fr; height: 1fr; }"
+
+    def action_pan_map(self, dx: int, dy: int) -> None:
+        """Move the view by steps, or the cursor by cells while it is on."""
+        if self.scene is None:
+            return
+        if self.look.cursor is None:
+            self.viewport.pan(self.scene, dx * _PAN_COLUMNS, dy * _PAN_ROWS)
+        else:
+            self._point(self.viewport.stepped(self.scene, self.look.cursor, dx, dy))
+        self.draw()
+
+    def action_zoom_in(self) -> None:
+        """Nearer, about the robot or the centre."""
+        self._zoom(ZOOM_STEP)
+
+    def action_zoom_out(self) -> None:
+        """Further away."""
+        self._zoom(1 / ZOOM_STEP)
+
+    def _zoom(self, factor: float) -> None:
+        if self.scene is not None:
+            self.viewport.zoom(self.scene, factor)
+            self.draw()
+
+    def action_fit(self) -> None:
+        """Show the whole floor."""
+        if self.scene is not None:
+            self.viewport.fit(self.scene)
+            self.draw()
+
+    def action_zoom_about(self) -> None:
+        """Zoom about the selected robot, or about the centre of the view."""
+        self.viewport.zoom_robot = not self.viewport.zoom_robot
+        self.draw()
+
+    def action_follow(self) -> None:
+        """Follow the selected robot, or let it go."""
+        self.viewport.follow = not self.viewport.follow
+        self.draw()
+
+    def action_centre(self) -> None:
+        """Centre on the selected robot, once."""
+        if self.scene is not None:
+            self.viewport.centre(self.scene)
+            self.draw()
+
+    def centre_on(self, x: float, y: float) -> None:
+        """Centre on a place in metres of the shown floor."""
+        if self.scene is not None:
+            self.viewport.centre(self.scene, (x, y))
+            self.draw()
+
+    def action_edges(self) -> None:
+        """Show or hide the graph's edges."""
+        self.look = replace(self.look, edges=not self.look.edges)
+        self.draw()
+
+    def action_labels(self) -> None:
+        """Show or hide the labels."""
+        self.look = replace(self.look, labels=not self.look.labels)
+        self.draw()
+
+    def action_drawing(self) -> None:
+        """The next drawing mode."""
+        modes = list(Drawing)
+        following = modes[(modes.index(self.look.drawing) + 1) % len(modes)]
+        self.look = replace(self.look, drawing=following)
+        self.draw()
+
+    def action_cursor(self) -> None:
+        """The cursor on, in the middle of the view, or off."""
+        if self.look.cursor is None and self.scene is not None:
+            camera = self.viewport.camera(self.scene)
+            self._point(camera.to_pixel(camera.width // 2, camera.height // 2))
+        else:
+            self._point(None)
+        self.draw()
+
+    def action_next_vertex(self, step: int) -> None:
+        """The cursor to the next (1) or previous (-1) labelled vertex, brought into the view."""
+        place = self.viewport.next_labelled(self.scene, self.look.cursor, step) if self.scene else None
+        if place:
+            self._point(place)
+            self.draw()
+
+    def action_pick(self) -> None:
+        """Tell what is under the cursor."""
+        if self.scene is not None and self.look.cursor is not None:
+            self.pick_at(*self.viewport.camera(self.scene).to_cell(*self.look.cursor))
+
+    def _point(self, cursor: tuple[float, float] | None) -> None:
+        self.look = replace(self.look, cursor=cursor)
