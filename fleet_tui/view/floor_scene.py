@@ -21,27 +21,10 @@ EMPTY_RESOLUTION = 0.05
 Drawn = tuple[tuple[SceneVertex, ...], tuple[tuple[float, float, float, float], ...]]
 
 
-class _ById:
-    """Lets a value be remembered by which object it is."""
-
-    def __init__(self, value: Chart) -> None:
-        self.value = value
-
-    def __hash__(self) -> int:
-        return hash((id(self.value.graph), id(self.value.labels)))
-
-    def __eq__(self, other: object) -> bool:
-        return (
-            isinstance(other, _ById)
-            and other.value.graph is self.value.graph
-            and other.value.labels is self.value.labels
-        )
-
-
-@lru_cache(maxsize=8)
-def _drawn(chart: _ById) -> Drawn:
-    """Vertices and edges of a chart; the same objects as long as graph and labels are the same."""
-    graph, labels = chart.value.graph or RouteGraph(), chart.value.labels
+@lru_cache(maxsize=2)
+def _drawn(chart: Chart) -> Drawn:
+    """Vertices and edges of a chart; the same objects as long as the chart is the same."""
+    graph, labels = chart.graph or RouteGraph(), chart.labels
     vertices = tuple(
         SceneVertex(vertex.id, vertex.x, vertex.y, vertex.role, visible(labels.get(vertex.id, "")))
         for vertex in graph.vertices.values()
@@ -155,7 +138,7 @@ def floor_scene(state: FleetState, selection: Selection) -> Scene:
     """What the map shows of the selected floor."""
     owner = chart_robot(state, selection)
     chart = owner.charts[selection.floor] if owner else Chart()
-    vertices, edges = _drawn(_ById(chart))
+    vertices, edges = _drawn(chart)
     floor = state.floors[selection.floor]
     scene = Scene(floor.name, _ground(state, floor.name, vertices), vertices=vertices, edges=edges)
     scene = _with_map(floor, chart, scene)
