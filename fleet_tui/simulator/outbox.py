@@ -1,0 +1,94 @@
+"""What one client still has to be sent: answers in full, of each topic only the newest few."""
+
+import heapq
+from collections import deque
+from dataclasses import dataclass, field
+from itertools import count
+
+from fleet_tui.simulator.frames import Compression, Frame
+
+UNBUFFERED = 1000  # the real bridge blocks everybody at queue_length 0; here a slow client loses the oldest
+SLACK = 0.005  # seconds a throttled message may come early, so that a 10 Hz topic fits a throttle of 100 ms
+
+
+@dataclass
+class Wish:
+    """What one subscribe asked for: throttle in seconds, queue length in messages."""
+
+    throttle: float = 0.0
+    queue_length: int = 0
+    compression: Compression = "none"
+
+
+@dataclass
+class Subscription:
+    """A client's interest in one topic: all its subscribes together, by id, make one stream of frames."""
+
+    wishes: dict[str | None, Wish] = field(default_factory=dict)
+    waiting: deque[Frame] = field(default_factory=deque)
+    due: float = 0.0
+    throttle: float = 0.0
+    queue_length: int = 0
+    compression: Compression = "none"
+
+    def settle(self) -> None:
+        """Take the strictest of all wishes, as the bridge does."""
+        wishes = self.wishes.values()
+        self.throttle = min(wish.throttle for wish in wishes)
+        self.queue_length = min(wish.queue_length for wish in wishes)
+        asked = {wish.compression for wish in wishes}
+        self.compression = "cbor" if "cbor" in asked else "png" if "png" in asked else "none"
+        self.waiting = deque(self.waiting, maxlen=self.queue_length or UNBUFFERED)
+
+    def sent(self, now: float) -> None:
+        """Hold the next frame back for the throttle, without adding up how late this one was."""
+        self.due = max(self.due, now - SLACK) + self.throttle
+
+
+class Outbox:
+    """Frames for one client in the order in which they fall due. `now` is monotonic, in seconds."""
+
+    def __init__(self) -> None:
+        self._replies: deque[Frame] = deque()
+        self._due: list[tuple[float, int, Subscription]] = []
+        self._number = count()
+
+    def reply(self, frame: Frame) -> None:
+        """Queue a frame that nothing may replace or hold back."""
+        self._replies.append(frame)
+
+    def offer(self, subscription: Subscription, frame: Frame, now: float) -> None:
+        """Queue a topic's frame; throttled and without a queue it is lost, with one the newest stay."""
+        early = subscription.due > now + SLACK
+        if early and subscription.queue_length == 0:
+            return
+        if not subscription.waiting:
+            self._plan(subscription, now)
+        subscription.waiting.append(frame)
+        if subscription.queue_length == 0:
+            subscription.sent(now)
+
+    def take(self, now: float) -> Frame | None:
+        """The next frame to send now, None if there is none yet."""
+        if self._replies:
+            return self._replies.popleft()
+        while self._due and self._due[0][0] <= now + SLACK:
+            subscription = heapq.heappop(self._due)[2]
+            if not subscription.waiting:  # unsubscribed meanwhile
+                continue
+            frame = subscription.waiting.popleft()
+            if subscription.queue_length:
+                subscription.sent(now)
+            if subscription.waiting:
+                self._plan(subscription, now)
+            return frame
+        return None
+
+    @property
+    def next_due(self) -> float | None:
+        """When `take` will have something, if nothing new comes."""
+        return self._due[0][0] if self._due else None
+
+    def _plan(self, subscription: Subscription, now: float) -> None:
+        at = max(now, subscription.due) if subscription.queue_length else now
+        heapq.heappush(self._due, (at, next(self._number), subscription))

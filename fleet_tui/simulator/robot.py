@@ -1,0 +1,194 @@
+"""One simulated robot: what it does is a generator that moves on by STEP seconds at each `next`."""
+
+import math
+import random
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.warehouse import Building, Floor
+
+STEP = 0.05  # seconds of world time per step
+SPEED = 1.1  # m/s
+TURN = 1.5  # rad/s, in place
+LOADING = 3.0  # seconds to take or leave the cargo
+RIDE = 6.0  # seconds in the elevator
+
+DRAIN, DRAIN_STANDING, CHARGE = 0.05, 0.01, 0.5  # per cent per second
+EMPTY, LOW, FULL = 10.0, 25.0, 80.0  # per cent: orders wait / an idle robot docks / it has charged
+
+Work = Iterator[None]
+
+
+@dataclass
+class Order:
+    """A transport order; status is `Q` queued or `W` in process."""
+
+    id: int
+    start: int
+    end: int
+    loaded: bool = False
+    status: str = "Q"
+
+
+class Robot:
+    """A robot and its queue. `quiet` turns off obstacles and trips to the docking station."""
+
+    def __init__(self, index: int, building: Building, vertex: int, rng: random.Random, quiet: bool) -> None:
+        self.name, self.index = f"robot_{index}", index
+        self._building, self._rng, self._quiet = building, rng, quiet
+        self.vertex = vertex
+        """The id of the vertex it reached last."""
+        self.bound: int | None = None
+        """The id of the vertex it is on the way to now, or None at `vertex`."""
+        self.pose = Pose(*self._spot(vertex), yaw=rng.uniform(-math.pi, math.pi))
+        self.battery = rng.uniform(28.0, 33.0) if index == 1 and not quiet else rng.uniform(45.0, 95.0)
+        self.cargo = False
+        self.paused = False
+        self.obstacle = 0.0
+        """Seconds in front of an obstacle, 0 = none."""
+        self.idle = 0.0
+        """Seconds since it has nothing to do."""
+        self.silence = 0.0
+        """Seconds for which nothing of it is published."""
+        self.orders: list[Order] = []
+        self.last_order_id = self.request_id = 0
+        self._driving = False
+        self._obstacle_in = rng.uniform(25.0, 90.0)
+        self._obstacle_for = 0.0
+        self._work = self._live()
+
+    @property
+    def floor(self) -> Floor:
+        """The floor it stands on."""
+        return self._building.floor_of(self.vertex)
+
+    @property
+    def current_order_id(self) -> int:
+        """The id of the order in process, -1 = none."""
+        return next((order.id for order in self.orders if order.status == "W"), -1)
+
+    def take(self, start: int, end: int, request_id: int, loaded: bool = False) -> None:
+        """Queue an order between two vertices; `loaded`: the cargo is on board, drive to `end` at once."""
+        self.last_order_id += 1
+        self.request_id = request_id
+        self.orders.append(Order(self.last_order_id, start, end, loaded))
+        if self.current_order_id == -1:
+            self._start_anew()
+
+    def drop(self, ids: set[int]) -> int:
+        """Forget these orders, driven or not, and say how many there were. Cargo stays on board."""
+        gone = [order for order in self.orders if order.id in ids]
+        self.orders = [order for order in self.orders if order.id not in ids]
+        if any(order.status == "W" for order in gone):
+            self._start_anew()
+        return len(gone)
+
+    def step(self) -> None:
+        """Live on for STEP seconds."""
+        self.silence = max(0.0, self.silence - STEP)
+        self._use_battery()
+        if not self._blocked() and not self.paused:
+            next(self._work)
+
+    def _start_anew(self) -> None:
+        self._driving = False
+        self._work = self._live()
+
+    def _live(self) -> Work:
+        while True:
+            if self.orders and (self.battery > EMPTY or self._quiet):
+                yield from self._carry_out(self.orders[0])
+            elif self.battery < LOW and not self._quiet:
+                yield from self._charge()
+            elif self.bound is not None:
+                yield from self._go(self.bound)
+            else:
+                self.idle += STEP
+                yield
+
+    def _carry_out(self, order: Order) -> Work:
+        self.idle = 0.0
+        order.status = "W"
+        if not order.loaded:
+            yield from self._drive(order.start)
+            yield from _wait(LOADING)
+            self.cargo = True
+        yield from self._drive(order.end)
+        yield from _wait(LOADING)
+        self.cargo = False
+        self.orders.remove(order)
+
+    def _charge(self) -> Work:
+        """Dock until the battery is full, or, where orders are waiting, until it is no longer low."""
+        self.idle = 0.0
+        yield from self._drive(self.floor.vertex_of("charger"))
+        while self.battery < (LOW if self.orders else FULL):
+            yield
+
+    def _drive(self, target: int) -> Work:
+        """Drive the shortest way. A way between two vertices, once begun, is driven to its end."""
+        if self.bound is not None:
+            yield from self._go(self.bound)
+        for vertex in self._building.graph.path(self.vertex, target)[1:]:
+            yield from self._go(vertex)
+
+    def _go(self, vertex: int) -> Work:
+        """Reach a neighbouring vertex: ride to it, or turn towards it and drive."""
+        self.bound = vertex
+        if self._building.floor_of(vertex) is not self.floor:
+            yield from _wait(RIDE)
+        else:
+            yield from self._turn(vertex)
+            yield from self._roll(vertex)
+        self.vertex, self.bound = vertex, None
+
+    def _turn(self, vertex: int) -> Work:
+        x, y = self._spot(vertex)
+        if math.dist((x, y), (self.pose.x, self.pose.y)) < 1e-9:
+            return
+        wanted = math.atan2(y - self.pose.y, x - self.pose.x)
+        while abs(left := math.remainder(wanted - self.pose.yaw, math.tau)) > 1e-9:
+            turned = math.copysign(min(abs(left), TURN * STEP), left)
+            yaw = math.remainder(self.pose.yaw + turned, math.tau)
+            self.pose = Pose(self.pose.x, self.pose.y, yaw)
+            yield
+
+    def _roll(self, vertex: int) -> Work:
+        x, y = self._spot(vertex)
+        self._driving = True
+        while (left := math.dist((x, y), (self.pose.x, self.pose.y))) > 1e-9:
+            part = min(1.0, SPEED * STEP / left)
+            at = self.pose
+            self.pose = Pose(at.x + part * (x - at.x), at.y + part * (y - at.y), at.yaw)
+            yield
+        self._driving = False
+
+    def _spot(self, vertex: int) -> tuple[float, float]:
+        found = self._building.graph.vertices[vertex]
+        return found.x, found.y
+
+    def _use_battery(self) -> None:
+        at_charger = self.bound is None and self.floor.types[self.vertex] == "charger"
+        charging = at_charger and self.current_order_id == -1
+        rate = CHARGE if charging else -DRAIN if self._driving else -DRAIN_STANDING
+        self.battery = min(100.0, max(0.0, self.battery + rate * STEP))
+
+    def _blocked(self) -> bool:
+        """Whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
+        if self.obstacle == 0.0:
+            if self._quiet or self.paused or not self._driving:
+                return False
+            self._obstacle_in -= STEP
+            if self._obstacle_in > 0.0:
+                return False
+            self._obstacle_in, self._obstacle_for = self._rng.uniform(60.0, 90.0), self._rng.uniform(2.0, 8.0)
+        self.obstacle += STEP
+        if self.obstacle > self._obstacle_for:
+            self.obstacle = 0.0
+        return self.obstacle > 0.0
+
+
+def _wait(seconds: float) -> Work:
+    for _ in range(round(seconds / STEP)):
+        yield

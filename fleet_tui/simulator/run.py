@@ -1,0 +1,59 @@
+"""The simulator as a process of its own: serves until it is told to stop."""
+
+import asyncio
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable
+
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
+
+
+def run(
+    robots: int,
+    floors: int,
+    port: int,
+    rate: float,
+    seed: int,
+    announce: Callable[[str], None],
+    stop_with_stdin: bool = False,
+) -> None:
+    """Serve a simulated fleet on loopback and announce its ws:// URL; returns on SIGTERM.
+
+    `rate`: poses per robot in Hz; port 0: a free one. `stop_with_stdin`: also return when stdin closes,
+    so that the death of the parent, however sudden, is the end of this process too.
+    Raises FleetError where the port can't be had, SystemExit(130) on Ctrl-C.
+    """
+    world = World(robots, floors, seed)
+    if asyncio.run(_serve(RosbridgeServer(world, port=port, rate=rate), announce, stop_with_stdin)):
+        raise SystemExit(130)
+
+
+async def _serve(server: RosbridgeServer, announce: Callable[[str], None], stop_with_stdin: bool) -> bool:
+    """Serve until something ends it, and say whether that was Ctrl-C."""
+    loop = asyncio.get_running_loop()
+    ended: asyncio.Future[bool] = loop.create_future()
+
+    def end(interrupted: bool) -> None:
+        if not ended.done():
+            ended.set_result(interrupted)
+
+    loop.add_signal_handler(signal.SIGINT, end, True)
+    loop.add_signal_handler(signal.SIGTERM, end, False)
+    await server.start()
+    try:
+        announce(server.url)
+        if stop_with_stdin:
+            threading.Thread(target=_await_stdin, args=(loop, end), daemon=True).start()
+        return await ended
+    finally:
+        await server.stop()
+
+
+def _await_stdin(loop: asyncio.AbstractEventLoop, end: Callable[[bool], None]) -> None:
+    # os.read, not sys.stdin.read: a daemon thread inside a buffered read aborts the interpreter's exit.
+    while os.read(sys.stdin.fileno(), 4096):
+        pass
+    loop.call_soon_threadsafe(end, False)

@@ -1,0 +1,123 @@
+"""The simulated fleet as a value that steps: no clock, no I/O; the seed is the only chance in it."""
+
+import random
+from collections.abc import Mapping
+from typing import Any
+
+from fleet_tui.simulator.robot import LOW, STEP, Robot
+from fleet_tui.simulator.warehouse import build_building
+
+Values = dict[str, Any]
+
+OWN_REQUESTS = 9000  # request ids of orders the warehouse itself makes start above this
+
+
+class World:
+    """`robots` robots on `floors` floors. The same seed and the same answers asked at the same steps
+    give the same run. `quiet`: no orders of its own, no obstacles, no silence, no low batteries."""
+
+    def __init__(self, robots: int, floors: int, seed: int = 0, quiet: bool = False) -> None:
+        self._rng = random.Random(seed)
+        self._quiet = quiet
+        self.building = build_building(floors)
+        self.robots = {f"robot_{i}": self._new_robot(i) for i in range(robots)}
+        self.time = 0.0
+        """Seconds since the start."""
+        self._owed = 0.0
+        self._requests = OWN_REQUESTS
+        self._silence_in = self._rng.uniform(180.0, 240.0)
+        self._patience = dict.fromkeys(self.robots, 0.0)
+        if not quiet:
+            self._employ()
+
+    def step(self, dt: float) -> None:
+        """Let dt seconds pass, in steps of fixed length; a remainder waits for the next call."""
+        self._owed += dt
+        while self._owed > STEP - 1e-9:
+            self._owed -= STEP
+            self.time += STEP
+            for robot in self.robots.values():
+                robot.step()
+            if not self._quiet:
+                self._employ()
+                self._silence()
+
+    def answer(self, service: str, args: Mapping[str, Any]) -> Values:
+        """The answer of one of a robot's services; `args` complete and of the right types."""
+        _, name, _, verb = service.split("/")
+        robot = self.robots[name]
+        match verb:
+            case "Execute_order":
+                return self._order(robot, args["request_id"], args["initial_point"], args["end_point"])
+            case "Execute_order_with_cargo":
+                if not robot.cargo:
+                    return _status(args["request_id"], "REJECTED: no cargo on board")
+                return self._order(robot, args["request_id"], robot.vertex, args["end_point"], loaded=True)
+            case "Cancel_order":
+                return _cancel(robot, args["ind"])
+            case "Clear_orders":
+                return {"success": True, "status": f"cleared {_drop_all(robot)}"}
+            case "Pause" | "Resume":
+                robot.paused = verb == "Pause"
+                return {"success": True, "message": "paused" if robot.paused else "running"}
+        raise KeyError(service)
+
+    def _order(self, robot: Robot, request_id: int, start: int, end: int, loaded: bool = False) -> Values:
+        for vertex in (start, end):
+            if vertex not in self.building.graph.vertices:
+                return _status(request_id, f"REJECTED: no vertex {vertex}")
+        robot.take(start, end, request_id, loaded)
+        return _status(request_id, "ACCEPTED")
+
+    def _new_robot(self, index: int) -> Robot:
+        """Robots start in turn on all floors, spread over the vertices."""
+        floor = self.building.floors[index % len(self.building.floors)]
+        vertices = tuple(floor.graph.vertices)
+        spot = 7 * (index // len(self.building.floors)) + 3 * index
+        return Robot(index, self.building, vertices[spot % len(vertices)], self._rng, self._quiet)
+
+    def _employ(self) -> None:
+        """The warehouse's own orders: one for every robot that has been idle long enough."""
+        for name, robot in self.robots.items():
+            if robot.idle < self._patience[name] or robot.orders or robot.battery < LOW:
+                continue
+            self._patience[name] = self._rng.uniform(6.0, 15.0)
+            self._requests += 1
+            start, end = self._trip(robot)
+            if robot.cargo:
+                robot.take(robot.vertex, end, self._requests, loaded=True)
+            else:
+                robot.take(start, end, self._requests)
+
+    def _trip(self, robot: Robot) -> tuple[int, int]:
+        """Two labelled vertices: mostly on the robot's floor, every fifth trip ends on any floor."""
+        start, end = self._rng.sample(tuple(robot.floor.labels), 2)
+        if self._rng.random() < 0.2:
+            end = self._rng.choice(
+                [id_ for id_ in self._rng.choice(self.building.floors).labels if id_ != start]
+            )
+        return start, end
+
+    def _silence(self) -> None:
+        """Every 3 to 4 minutes one robot of the fleet can't be heard for a while."""
+        self._silence_in -= STEP
+        if self._silence_in <= 0.0 and self.robots:
+            self._silence_in = self._rng.uniform(180.0, 240.0)
+            self._rng.choice(tuple(self.robots.values())).silence = self._rng.uniform(8.0, 20.0)
+
+
+def _status(request_id: int, status: str) -> Values:
+    return {"request_id": request_id, "status": status}
+
+
+def _drop_all(robot: Robot) -> int:
+    return robot.drop({order.id for order in robot.orders})
+
+
+def _cancel(robot: Robot, ind: int) -> Values:
+    """As the real bridge has it: an `ind` of 0 or less means every order."""
+    if ind <= 0:
+        return {"success": True, "status": f"cancelled {_drop_all(robot)}"}
+    if robot.drop({ind}):
+        return {"success": True, "status": f"cancelled {ind}"}
+    return {"success": False, "status": f"REJECTED: no order {ind}"}
