@@ -94,8 +94,9 @@ class Camera:
 
 
 def _fit_scale(extent: tuple[int, int], width: int, height: int) -> float:
-    across = extent[0] / max(DOTS_X * width, 1)
-    return max(across, extent[1] / max(DOTS_Y * height, 1), MIN_SCALE)
+    # A cell to spare each way: snapping to whole cells then never cuts the map's rim off.
+    across = extent[0] / (DOTS_X * max(width - 2, 1))
+    return max(across, extent[1] / (DOTS_Y * max(height - 1, 1)), MIN_SCALE)
 
 
 def scale_bar(camera: Camera, frame: MapFrame, width: int) -> tuple[str, int]:

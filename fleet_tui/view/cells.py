@@ -1,6 +1,7 @@
 """A picture in terminal cells: one plane of characters, one of inks; and how it becomes text."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Self
 
 import numpy as np
@@ -38,25 +39,19 @@ class Cells:
     def write(self, x: int, y: int, text: str, ink: Ink) -> None:
         """Put safe `text` at cell (x, y) in place; what does not fit in the row is left out."""
         height, width = self.codes.shape
-        if not 0 <= y < height:
+        codes = _codes_of(text)
+        if x < 0 or x + len(codes) > width:
+            codes, x = _clipped(codes, x, width)
+        if not (codes and 0 <= y < height):
             return
-        for letter, size in cells_of(text):
-            if x >= 0 and x + size <= width:
-                self._put(x, y, ord(letter), size)
-                self.inks[y, x : x + size] = ink
-            x += size
-
-    def _put(self, x: int, y: int, code: int, size: int) -> None:
-        """Write one character; a wide one that loses a half loses the other too."""
-        row = self.codes[y]
+        row, after = self.codes[y], x + len(codes)
+        # A wide character that loses one half loses the other too.
         if row[x] == _TAIL:
             row[x - 1] = _BLANK
-        after = x + size
-        if after < len(row) and row[after] == _TAIL:
+        if after < width and row[after] == _TAIL:
             row[after] = _BLANK
-        row[x] = code
-        if size == 2:
-            row[x + 1] = _TAIL
+        row[x:after] = codes
+        self.inks[y, x:after] = ink
 
     def changes(self, before: "Cells | None") -> list[tuple[int, int, int]]:
         """Where this differs from `before`: (y, first x, end x) per row that does."""
@@ -92,3 +87,23 @@ def _runs(codes: Codes, inks: Inks) -> list[Run]:
     if "\0" in text:
         return [(part.replace("\0", ""), ink) for part, ink in found]
     return found
+
+
+@lru_cache(maxsize=4096)
+def _codes_of(text: str) -> tuple[int, ...]:
+    """A code per cell."""
+    codes: list[int] = []
+    for letter, size in cells_of(text):
+        codes += (ord(letter),) if size == 1 else (ord(letter), _TAIL)
+    return tuple(codes)
+
+
+def _clipped(codes: tuple[int, ...], x: int, width: int) -> tuple[tuple[int, ...], int]:
+    """The codes inside 0..width of those at x, and where they start; half characters become blanks."""
+    start, end = max(-x, 0), max(width - x, 0)
+    kept = list(codes[start:end])
+    if kept and kept[0] == _TAIL:
+        kept[0] = _BLANK
+    if kept and codes[end : end + 1] == (_TAIL,):
+        kept[-1] = _BLANK
+    return tuple(kept), max(x, 0)

@@ -56,9 +56,16 @@ class Room:
         spots = [(right, y), (left, y)]
         for away in (1, 2):
             spots += [(at, y + side) for side in (-away, away) for at in (right, x, x - cells + 1, left)]
-        spot = next((spot for spot in spots if self.free(*spot, cells)), (right, y))
+        spot = next((spot for spot in spots if self._clear(*spot, cells, x, y)), None)
+        spot = spot or next((spot for spot in spots if self.free(*spot, cells)), (right, y))
         self.take(*spot, cells)
         return spot
+
+    def _clear(self, start: int, row: int, cells: int, x: int, y: int) -> bool:
+        """Whether a tag there is free and touches nothing but its own glyph at (x, y)."""
+        before = 0 if row == y and start > x else 1
+        after = 0 if row == y and start < x else 1
+        return self.free(start - before, row, cells + before + after)
 
 
 def _hidden(inks: Inks) -> int:

@@ -117,17 +117,19 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
 
 def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     """Every robot as an arrow with its number beside it, the selected one last and so on top."""
-    placed = _seen_robots(scene, camera)
     turned = scene.frame.origin.yaw
+    placed = [
+        (robot, at, robot_glyph(robot, turned, look.plain)) for robot, at in _seen_robots(scene, camera)
+    ]
     room = Room(camera.width, camera.height)
-    for robot, (x, y) in placed:
-        room.take(x, y, len(robot_glyph(robot, turned, look.plain)))
-    for robot, (x, y) in reversed(placed):
-        glyph, tag = robot_glyph(robot, turned, look.plain), robot_tag(robot, look.plain)
+    for _, (x, y), glyph in placed:
+        room.take(x, y, len(glyph))
+    for robot, (x, y), glyph in reversed(placed):
+        tag = robot_tag(robot, look.plain)
         spot = room.tag_spot(x, y, len(glyph), len(tag))
         cells.write(*spot, tag, robot_inks(robot)[1])
-    for robot, (x, y) in placed:
-        cells.write(x, y, robot_glyph(robot, turned, look.plain), robot_inks(robot)[0])
+    for robot, (x, y), glyph in placed:
+        cells.write(x, y, glyph, robot_inks(robot)[0])
 
 
 def _seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, tuple[int, int]]]:

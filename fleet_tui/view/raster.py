@@ -6,6 +6,7 @@ covers, so that a wall one pixel thick is in the picture at any zoom.
 
 import math
 from enum import Enum
+from typing import TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -98,7 +99,10 @@ def _empty(camera: Camera, left: int, top: int, shape: tuple[int, int]) -> Class
     return (in_rows[:, None] & in_columns).astype(np.uint8) * np.uint8(FREE)
 
 
-def _folded(dots: Classes, rows: int, columns: int) -> Classes:
+_Dots = TypeVar("_Dots", np.uint8, np.bool_)
+
+
+def _folded(dots: NDArray[_Dots], rows: int, columns: int) -> NDArray[_Dots]:
     """Maximum over blocks of rows x columns dots."""
     found = dots[::rows]
     for row in range(1, rows):
@@ -129,14 +133,19 @@ def pack(mask: NDArray[np.bool_]) -> Classes:
     return bits
 
 
+def _known(dots: Classes) -> NDArray[np.bool_]:
+    """The cells that stand on known ground: some of it free, or none of it unknown."""
+    free = _folded(dots == FREE, DOTS_Y, DOTS_X)
+    unknown = _folded(dots == UNKNOWN, DOTS_Y, DOTS_X)
+    return cast("NDArray[np.bool_]", free | ~unknown)
+
+
 def _braille(dots: Classes, coarse: bool) -> Cells:
     walls = dots == OCCUPIED
-    known = _folded(dots == FREE, DOTS_Y, DOTS_X)
     bits = pack(_hollow(walls) if coarse else walls)
     codes = BRAILLE[bits]
-    inks = _WALLS[(bits > 0) * np.uint8(2) + known]
-    unknown = inks == Ink.UNKNOWN
-    codes[unknown] = _HATCH
+    inks = _WALLS[(bits > 0) * np.uint8(2) + _known(dots)]
+    codes[inks == Ink.UNKNOWN] = _HATCH
     return Cells(codes, inks)
 
 
@@ -156,9 +165,8 @@ def _half_block(dots: Classes) -> Cells:
     pixels = _folded(dots, DOTS_Y // 2, DOTS_X)
     upper, lower = pixels[0::2], pixels[1::2]
     walls = (upper == OCCUPIED) + np.uint8(2) * (lower == OCCUPIED)
-    known = _folded(dots == FREE, DOTS_Y, DOTS_X)
     codes = _HALVES[walls]
-    inks = _WALLS[(walls > 0) * np.uint8(2) + known]
+    inks = _WALLS[(walls > 0) * np.uint8(2) + _known(dots)]
     codes[inks == Ink.UNKNOWN] = ord("░")
     return Cells(codes, inks)
 
