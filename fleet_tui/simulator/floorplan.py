@@ -113,7 +113,14 @@ def _room(cells: Cells, rect: Rect, inside: int) -> None:
 def _cut(cells: Cells, start: Spot, end: Spot) -> None:
     """Free every cell that is nearer than AISLE to the line from start to end."""
     (x, y), (dx, dy) = start, (end[0] - start[0], end[1] - start[1])
-    xs = ORIGIN[0] + (np.arange(WIDTH) + 0.5) * RESOLUTION - x
-    ys = (ORIGIN[1] + (np.arange(HEIGHT) + 0.5) * RESOLUTION - y)[:, np.newaxis]
+    left, bottom = (
+        math.floor((min(a, b) - AISLE - o) / RESOLUTION) for a, b, o in zip(start, end, ORIGIN, strict=True)
+    )
+    right, top = (
+        math.ceil((max(a, b) + AISLE - o) / RESOLUTION) for a, b, o in zip(start, end, ORIGIN, strict=True)
+    )
+    xs = ORIGIN[0] + (np.arange(left, right) + 0.5) * RESOLUTION - x
+    ys = (ORIGIN[1] + (np.arange(bottom, top) + 0.5) * RESOLUTION - y)[:, np.newaxis]
     along = np.clip((xs * dx + ys * dy) / (dx * dx + dy * dy), 0.0, 1.0)
-    cells[np.hypot(xs - along * dx, ys - along * dy) < AISLE] = FREE
+    near = np.hypot(xs - along * dx, ys - along * dy) < AISLE
+    cells[bottom:top, left:right][near] = FREE

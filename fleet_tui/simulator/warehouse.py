@@ -5,7 +5,7 @@ Metres throughout, in the frame the robots drive in. The elevator stands at one 
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import combinations
 
 import numpy as np
@@ -79,6 +79,7 @@ def build_building(floors: int) -> Building:
     return Building(tuple(build_floor(number) for number in range(floors)))
 
 
+@cache
 def build_floor(number: int) -> Floor:
     """The floor of this number, counting from 0."""
     plan = (_GROUND, _UPPER)[number % 2]

@@ -1,0 +1,169 @@
+"""The simulator against recordings of a real bridge: same answers, same shapes, same bytes on the wire."""
+
+import base64
+import gzip
+import json
+from collections.abc import AsyncIterator
+from pathlib import Path
+from typing import Any
+
+import cbor2
+import pytest
+from websockets.asyncio.client import ClientConnection, connect
+
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
+
+WIRE = Path(__file__).parent.parent / "wire"
+# The recording's robots and floors, and ours that stand for them.
+NAMES = {"/ground": "/floor_0", "/first": "/floor_1"}
+ELSEWHERE = ("scan", "camera", "connected_clients")  # topics the simulated robots don't have
+
+Json = dict[str, Any]
+
+
+def recording(name: str) -> list[Json]:
+    path = WIRE / name
+    text = gzip.decompress(path.read_bytes()).decode() if path.suffix == ".gz" else path.read_text()
+    return [json.loads(line) for line in text.splitlines()]
+
+
+def ours(text: str) -> str:
+    for theirs, name in NAMES.items():
+        text = text.replace(theirs, name)
+    return text
+
+
+def shape(value: object) -> object:
+    """What a value is made of: the names and their order, and the types of what they hold."""
+    if isinstance(value, dict):
+        return [(name, shape(inner)) for name, inner in value.items()]
+    if isinstance(value, list):
+        return [shape(inner) for inner in value[:1]]
+    return type(value)
+
+
+def frames(lines: list[Json], direction: str) -> list[str]:
+    return [line["text"] for line in lines if line["dir"] == direction and "text" in line]
+
+
+def parsed(text: str) -> Json:
+    try:
+        value: Json = json.loads(text)
+    except ValueError:
+        return {}
+    return value
+
+
+async def until_answer(client: ClientConnection, id_: str) -> Json:
+    while True:
+        frame = json.loads(await client.recv())
+        if frame.get("id") == id_:
+            answer: Json = frame
+            return answer
+
+
+@pytest.fixture
+async def server() -> AsyncIterator[RosbridgeServer]:
+    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0)
+    await server.start()
+    yield server
+    await server.stop()
+
+
+async def test_every_call_is_answered_in_the_same_words(server: RosbridgeServer) -> None:
+    lines = recording("telemetry-and-orders.jsonl")
+    theirs = {frame["id"]: frame for frame in map(parsed, frames(lines, "in")) if "id" in frame}
+    async with connect(server.url) as client:
+        for text in frames(lines, "out"):
+            if "with_cargo" in text:  # the recorded robot took such an order without cargo
+                server.world.robots["robot_1"].cargo = True
+            await client.send(ours(text))
+            operation = parsed(text)
+            if operation.get("op") == "call_service":
+                answer = await until_answer(client, operation["id"])
+                assert answer == theirs.pop(operation["id"])
+                assert list(answer) == ["op", "service", "values", "result", "id"]
+    assert theirs == {}
+
+
+async def test_every_topic_says_messages_of_the_same_shape(server: RosbridgeServer) -> None:
+    lines = recording("telemetry-and-orders.jsonl")
+    server.world.robots["robot_1"].take(0, 7, request_id=1)
+    theirs: dict[str, object] = {}
+    for frame in map(parsed, frames(lines, "in")):
+        if frame["op"] == "publish":  # the last message of each topic: the queue is not empty there
+            theirs[ours(frame["topic"])] = shape(frame)
+    found: dict[str, object] = {}
+    async with connect(server.url) as client:
+        for text in frames(lines, "out"):
+            if parsed(text).get("op") == "subscribe":
+                await client.send(ours(text))
+        while found.keys() != theirs.keys():
+            text = str(await client.recv())
+            assert text.startswith('{"op":"publish","topic":"\\/robot_1\\/')
+            frame = parsed(text)
+            found[frame["topic"]] = shape(frame)
+    assert found == theirs
+
+
+async def test_rosapi_answers_alike(server: RosbridgeServer) -> None:
+    lines = recording("rosapi-and-scan.jsonl")
+    theirs = {frame["id"]: frame for frame in map(parsed, frames(lines, "in")) if "id" in frame}
+    answers: dict[str, Json] = {}
+    async with connect(server.url) as client:
+        for text in frames(lines, "out"):
+            await client.send(ours(text))
+            if "id" in parsed(text) and parsed(text)["op"] == "call_service":
+                answers[parsed(text)["id"]] = await until_answer(client, parsed(text)["id"])
+    assert {id_: shape(frame) for id_, frame in answers.items()} == {
+        id_: shape(frame) for id_, frame in theirs.items()
+    }
+    for id_ in ("a4", "a5", "a6"):
+        assert answers[id_] == theirs[id_]
+    topics = dict(zip(*answers["a1"]["values"].values(), strict=True))
+    recorded = dict(zip(*theirs["a1"]["values"].values(), strict=True))
+    wanted = {ours(topic): type_ for topic, type_ in recorded.items() if not topic.endswith(ELSEWHERE)}
+    assert wanted.items() <= topics.items()
+    robots = [name for name in theirs["a2"]["values"]["services"] if name.startswith("/robot_")]
+    assert set(robots) <= set(answers["a2"]["values"]["services"])
+
+
+async def test_the_number_of_clients_is_told_alike(server: RosbridgeServer) -> None:
+    lines = recording("rosapi-and-scan.jsonl")
+    (told,) = [text for text in frames(lines, "in") if text.startswith('{"op":"publish","topic":"\\/client')]
+    (asked,) = [text for text in frames(lines, "out") if '"/client_count"' in text]
+    async with connect(server.url) as client:
+        await client.send(asked)
+        assert await client.recv() == told
+
+
+async def test_a_map_is_sent_alike_as_json(server: RosbridgeServer) -> None:
+    lines = recording("map-json.jsonl.gz")
+    async with connect(server.url, max_size=None) as client:
+        await client.send(ours(frames(lines, "out")[0]))
+        text = str(await client.recv())
+    theirs = frames(lines, "in")[0]
+    assert shape(parsed(text)) == shape(parsed(theirs))
+    assert text.startswith('{"op":"publish","topic":"\\/robot_1\\/floor_0\\/map","msg":{"header":{"seq":1,')
+    info, data = parsed(text)["msg"]["info"], parsed(text)["msg"]["data"]
+    assert len(data) == info["width"] * info["height"]
+    assert set(data) == set(parsed(theirs)["msg"]["data"]) == {-1, 0, 100}
+    assert info["resolution"] == parsed(theirs)["msg"]["info"]["resolution"]
+
+
+async def test_a_map_is_sent_alike_as_cbor(server: RosbridgeServer) -> None:
+    lines = recording("map-cbor.jsonl.gz")
+    async with connect(server.url, max_size=None) as client:
+        await client.send(ours(frames(lines, "out")[0]))
+        binary = await client.recv()
+    (theirs,) = [base64.b64decode(line["binary"]) for line in lines if "binary" in line]
+    assert isinstance(binary, bytes)
+    message, recorded = cbor2.loads(binary), cbor2.loads(theirs)
+    assert shape(message) == shape(recorded)
+    data = message["msg"]["data"]
+    assert data.tag == recorded["msg"]["data"].tag == 72
+    assert len(data.value) == 800 * 520
+    assert set(data.value) == {255, 0, 100}
+    head = b"\xa3bopgpublishetopic"
+    assert binary.startswith(head) and theirs.startswith(head)
