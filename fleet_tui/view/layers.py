@@ -118,18 +118,21 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
 def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     """Every robot as an arrow with its number beside it, the selected one last and so on top."""
     turned = scene.frame.origin.yaw
-    placed = [
-        (robot, at, robot_glyph(robot, turned, look.plain)) for robot, at in _seen_robots(scene, camera)
-    ]
+    placed = _seen_robots(scene, camera)
+    heads = {at for _, at in placed}
+    glyphs = {}  # of two robots in one cell the later one is seen
     room = Room(camera.width, camera.height)
-    for _, (x, y), glyph in placed:
-        room.take(x, y, len(glyph))
-    for robot, (x, y), glyph in reversed(placed):
+    for robot, (x, y) in placed:
+        glyph = robot_glyph(robot, turned, look.plain)
+        glyphs[x, y] = (glyph[:1] if (x + 1, y) in heads else glyph), robot_inks(robot)[0]
+    for at, (glyph, _) in glyphs.items():
+        room.take(*at, len(glyph))
+    for robot, (x, y) in reversed(placed):
         tag = robot_tag(robot, look.plain)
-        spot = room.tag_spot(x, y, len(glyph), len(tag))
+        spot = room.tag_spot(x, y, len(glyphs[x, y][0]), len(tag))
         cells.write(*spot, tag, robot_inks(robot)[1])
-    for robot, (x, y), glyph in placed:
-        cells.write(x, y, glyph, robot_inks(robot)[0])
+    for at, (glyph, ink) in glyphs.items():
+        cells.write(*at, glyph, ink)
 
 
 def _seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, tuple[int, int]]]:
@@ -169,5 +172,7 @@ def seen_vertices(scene: Scene, camera: Camera) -> list[tuple[SceneVertex, tuple
 
 def pixels(frame: MapFrame, points: Points) -> Points:
     """World metres (n x 2) to map pixels (column, row), as `MapFrame.to_pixel` does for one."""
+    # Robots send what they like: infinities become "not in the view".
     zero, right, up = (np.array(frame.to_pixel(*p)) for p in ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0)))
-    return np.asarray(points @ np.array([right - zero, up - zero]) + zero, np.float64)
+    with np.errstate(invalid="ignore", over="ignore"):
+        return np.asarray(points @ np.array([right - zero, up - zero]) + zero, np.float64)

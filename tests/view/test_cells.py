@@ -1,0 +1,66 @@
+"""Runs cover exactly the width, wide characters stay whole, changes are found."""
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.view.cells import Cells
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.text import cell_width, visible
+
+texts = st.text(st.sampled_from("abz仓库한 ·▶e\u0301"), max_size=8)
+writes = st.lists(st.tuples(st.integers(-4, 14), st.integers(-1, 3), texts, st.sampled_from(list(Ink))))
+
+
+@given(writes)
+def test_runs_cover_exactly_the_width(written: list[tuple[int, int, str, Ink]]) -> None:
+    cells = Cells.blank(12, 3, Ink.FLOOR)
+    for x, y, text, ink in written:
+        cells.write(x, y, visible(text), ink)
+    for y, runs in enumerate(cells.all_runs()):
+        assert sum(cell_width(text) for text, _ in runs) == 12
+        assert all(runs[i][1] != runs[i + 1][1] for i in range(len(runs) - 1))
+        assert runs == cells.runs(y)
+
+
+@given(writes, writes)
+def test_changes_are_exactly_what_differs(
+    first: list[tuple[int, int, str, Ink]], then: list[tuple[int, int, str, Ink]]
+) -> None:
+    before = Cells.blank(12, 3, Ink.FLOOR)
+    for x, y, text, ink in first:
+        before.write(x, y, text, ink)
+    after = before.copy()
+    for x, y, text, ink in then:
+        after.write(x, y, text, ink)
+    patched = before.copy()
+    for y, start, end in after.changes(before):
+        assert start < end
+        patched.codes[y, start:end] = after.codes[y, start:end]
+        patched.inks[y, start:end] = after.inks[y, start:end]
+    assert np.array_equal(patched.codes, after.codes)
+    assert np.array_equal(patched.inks, after.inks)
+
+
+def test_a_wide_character_loses_both_halves() -> None:
+    cells = Cells.blank(6, 1, Ink.FLOOR)
+    cells.write(1, 0, "仓", Ink.LABEL)
+    cells.write(2, 0, "x", Ink.ROBOT)
+    assert cells.text() == "  x   "
+    cells.write(4, 0, "仓", Ink.LABEL)
+    cells.write(4, 0, "y", Ink.LABEL)
+    assert cells.text() == "  x y "
+
+
+def test_what_does_not_fit_is_left_out() -> None:
+    cells = Cells.blank(4, 1, Ink.FLOOR)
+    cells.write(3, 0, "仓", Ink.LABEL)
+    cells.write(-1, 0, "仓a", Ink.LABEL)
+    assert cells.text() == " a  "
+    cells.write(-9, 0, "far", Ink.LABEL)
+    cells.write(99, 0, "far", Ink.LABEL)
+    assert cells.text() == " a  "
+
+
+def test_everything_changed_for_another_size() -> None:
+    assert Cells.blank(3, 2, Ink.FLOOR).changes(Cells.blank(4, 2, Ink.FLOOR)) == [(0, 0, 3), (1, 0, 3)]

@@ -1,0 +1,172 @@
+"""The whole picture of a small floor, in every mode, and what each layer promises.
+
+The golden pictures are written anew with FLEET_TUI_REGENERATE=1; look at them before committing.
+"""
+
+import math
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import Role
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, OccupancyGrid, build_grid
+from fleet_tui.view.camera import Camera
+from fleet_tui.view.cells import Cells
+from fleet_tui.view.layers import Look
+from fleet_tui.view.picture import backdrop, picture
+from fleet_tui.view.raster import Drawing
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
+
+GOLDEN = Path(__file__).parent / "golden"
+WIDTH, HEIGHT = 64, 20
+
+
+def hall() -> OccupancyGrid:
+    """12 x 7.6 m: a hall with a dividing wall, two racks and unknown ground at the right."""
+    classes = np.full((152, 240), FREE, np.uint8)
+    classes[:, 210:] = UNKNOWN
+    classes[4:-4, 4] = classes[4:-4, 209] = OCCUPIED
+    classes[4, 4:210] = classes[-5, 4:210] = OCCUPIED
+    classes[4:90, 90] = OCCUPIED
+    classes[30:46, 120:180] = classes[80:96, 120:180] = OCCUPIED
+    return build_grid(MapFrame(0.05, 240, 152), classes)
+
+
+VERTICES = (
+    SceneVertex(1, 1.5, 6.2, label="Base"),
+    SceneVertex(2, 9.5, 2.2, label="Consumidores"),
+    SceneVertex(3, 1.5, 1.2, Role.DOCKING, "Dock"),
+    SceneVertex(4, 7.2, 4.6, Role.ELEVATOR, "仓库"),
+    SceneVertex(5, 3.0, 2.2),
+    SceneVertex(6, 5.2, 2.2),
+)
+EDGES = ((1.5, 6.2, 3.0, 2.2), (1.5, 1.2, 3.0, 2.2), (3.0, 2.2, 5.2, 2.2), (5.2, 2.2, 9.5, 2.2))
+ROBOTS = (
+    SceneRobot("robot_0", 1, Pose(2.4, 4.0, -1.2), cargo=True, selected=True),
+    SceneRobot("robot_1", 2, Pose(6.0, 2.3, math.pi), obstacle=True),
+    SceneRobot("robot_2", 3, Pose(6.1, 2.3, 0.8), paused=True, cargo=True),
+    SceneRobot("robot_3", 4, Pose(7.2, 6.6, math.pi / 2), online=False, age=41.2),
+    SceneRobot("robot_4", 5, Pose(3.5, 5.8, 2.3), other_map=True),
+)
+HALL = hall()
+SCENE = Scene("floor_0", HALL.frame, HALL, VERTICES, EDGES, ROBOTS, (1, 2))
+FIT = Camera.fit((240, 152), WIDTH, HEIGHT)
+
+
+def drawn(scene: Scene = SCENE, camera: Camera = FIT, look: Look | None = None) -> Cells:
+    look = look or Look()
+    return picture(backdrop(scene, camera, look), scene, camera, look)
+
+
+@pytest.mark.parametrize("drawing", list(Drawing))
+@pytest.mark.parametrize("zoomed", [False, True])
+def test_golden(drawing: Drawing, zoomed: bool) -> None:
+    camera = FIT.zoomed(2, SCENE.frame.to_pixel(6.0, 2.3)) if zoomed else FIT
+    text = drawn(camera=camera, look=Look(drawing, edges=zoomed)).text() + "\n"
+    path = GOLDEN / f"{drawing.value}{'_zoomed_edges' if zoomed else ''}.txt"
+    if os.environ.get("FLEET_TUI_REGENERATE"):
+        path.write_text(text, encoding="utf-8")
+    assert text == path.read_text(encoding="utf-8")
+
+
+def test_ascii_is_ascii_whatever_the_labels_say() -> None:
+    assert drawn(look=Look(Drawing.ASCII, edges=True)).text().isascii()
+
+
+@pytest.mark.parametrize("eighth", range(8))
+def test_the_arrow_points_where_the_robot_heads(eighth: int) -> None:
+    for cargo, arrows in ((False, "→↗↑↖←↙↓↘"), (True, "▶◥▲◤◀◣▼◢")):
+        robot = SceneRobot("r", 1, Pose(6.0, 2.3, eighth * math.pi / 4 + 0.3), cargo=cargo)
+        scene = replace(SCENE, vertices=(), robots=(robot,))
+        x, y = FIT.to_cell(*scene.frame.to_pixel(6.0, 2.3))
+        assert drawn(scene).text().split("\n")[y][x] == arrows[eighth]
+
+
+def test_a_turned_map_turns_the_arrows() -> None:
+    frame = MapFrame(0.05, 240, 152, Pose(0, 0, math.pi / 2))
+    robot = SceneRobot("r", 1, Pose(-2, 3, math.pi / 2))
+    assert "→1" in drawn(Scene("f", frame, robots=(robot,))).text()
+
+
+def test_states_are_words_and_glyphs_not_only_colours() -> None:
+    text = drawn().text()
+    for part in ("41 s", "2!", "3‖", "5≈", "Base", "Consumidores", "↕", "⌂"):
+        assert part in text
+
+
+def test_the_selected_robot_lies_on_top() -> None:
+    pose = Pose(6.0, 2.3, 0.0)
+    robots = tuple(SceneRobot(f"r{n}", n, replace(pose, yaw=n), selected=n == 2) for n in (1, 2, 3))
+    cells = drawn(replace(SCENE, robots=robots))
+    x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 2.3))
+    assert cells.inks[y, x] == Ink.ROBOT_SELECTED
+    rows = cells.text().split("\n")
+    assert all(str(n) in "".join(rows[y - 2 : y + 3]) for n in (1, 2, 3))
+
+
+def test_robots_that_are_nowhere_are_not_drawn_and_break_nothing() -> None:
+    robots = tuple(
+        SceneRobot(f"r{n}", n, Pose(x, 0.0)) for n, x in enumerate((math.nan, math.inf, 1e300, -1e300))
+    )
+    vertices = (*VERTICES, SceneVertex(9, math.nan, 1.0, label="x"), SceneVertex(10, 1e300, math.inf))
+    edges = (*EDGES, (math.nan, 0.0, 1.0, 1.0), (0.0, 0.0, math.inf, 1.0), (-1e9, 1.0, 1e9, 1.0))
+    scene = replace(SCENE, robots=robots, vertices=vertices, edges=edges)
+    assert "Base" in drawn(scene, look=Look(edges=True)).text()
+
+
+def test_edges_hide_no_wall() -> None:
+    without, with_edges = (backdrop(SCENE, FIT, Look(edges=on, labels=False)) for on in (False, True))
+    walls = (without.inks == Ink.WALL) | (without.inks == Ink.WALL_BEYOND)
+    assert np.array_equal(without.codes[walls], with_edges.codes[walls])
+    assert (with_edges.inks == Ink.EDGE).sum() > 40
+
+
+def test_a_long_edge_far_outside_costs_no_more_than_its_visible_part() -> None:
+    scene = replace(SCENE, edges=((-1e7, 3.0, 1e7, 3.0),))
+    y = FIT.to_cell(*SCENE.frame.to_pixel(6, 3.0))[1]
+    assert (backdrop(scene, FIT, Look(edges=True)).inks[y] == Ink.EDGE).sum() > 40
+
+
+labels = st.text(st.sampled_from("abcXYZ 仓é\x1b\u202e\n"), min_size=1, max_size=14)
+places = st.lists(st.tuples(st.floats(0, 12), st.floats(0, 7.6), labels), max_size=25)
+
+
+@settings(deadline=None)
+@given(places, st.floats(0.5, 4))
+def test_labels_are_whole_or_absent_and_never_overlap(
+    at: list[tuple[float, float, str]], zoom: float
+) -> None:
+    vertices = tuple(SceneVertex(n, x, y, label=label) for n, (x, y, label) in enumerate(at))
+    scene = replace(SCENE, vertices=vertices, robots=(), target_vertices=(0,))
+    cells = backdrop(scene, FIT.zoomed(zoom), Look())
+    shown = {run for runs in cells.all_runs() for run in runs}
+    wanted = [vertex.label for vertex in vertices]
+    for text, ink in shown:
+        assert "\x1b" not in text
+        assert "\u202e" not in text
+        if ink in (Ink.LABEL, Ink.TARGET) and text not in ("o", "·"):
+            assert text in {_safe(label) for label in wanted}
+
+
+def _safe(label: str) -> str:
+    return label.replace("\x1b", "␛").replace("\u202e", "\ufffd").replace("\n", "␊")
+
+
+def test_the_missions_ends_get_their_labels_first() -> None:
+    crowd = tuple(SceneVertex(n, 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
+    cells = backdrop(replace(SCENE, vertices=crowd, target_vertices=(29,)), FIT, Look())
+    assert "place 29" in cells.text()
+    assert "place 28" not in cells.text()
+
+
+def test_the_cursor_marks_its_cell() -> None:
+    look = Look(cursor=SCENE.frame.to_pixel(6.0, 3.0))
+    x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 3.0))
+    assert drawn(look=look).inks[y, x] == Ink.CURSOR

@@ -1,0 +1,121 @@
+"""No wall is lost, in any mode, at any zoom or offset; and what the ground looks like."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fleet_tui.model.geometry import MapFrame
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, OccupancyGrid, build_grid
+from fleet_tui.view.camera import Camera
+from fleet_tui.view.raster import COARSE, Drawing, ground, sample
+from fleet_tui.view.roles import Ink
+
+
+def grid_of(classes: np.ndarray) -> OccupancyGrid:
+    height, width = classes.shape
+    return build_grid(MapFrame(0.05, width, height), classes.astype(np.uint8))
+
+
+def exact(classes: np.ndarray, scale: float, left: int, top: int, shape: tuple[int, int]) -> np.ndarray:
+    """The definition, in plain Python: the maximum of the pixels each dot covers."""
+    found = np.zeros(shape, np.uint8)
+    depth = max(math.floor(math.log2(scale)), 0)
+    step = scale / 2**depth
+    for y in range(shape[0]):
+        for x in range(shape[1]):
+            spans = []
+            for dot, size in ((top + y, classes.shape[0]), (left + x, classes.shape[1])):
+                first = math.floor(dot * step)
+                last = max(math.floor((dot + 1) * step) - 1, first)
+                spans.append((max(first << depth, 0), max(min((last + 1) << depth, size), 0)))
+            block = classes[spans[0][0] : spans[0][1], spans[1][0] : spans[1][1]]
+            if block.size:
+                found[y, x] = block.max()
+    return found
+
+
+@given(
+    side=st.integers(3, 40),
+    scale=st.floats(0.13, 20.0),
+    left=st.integers(-30, 60),
+    top=st.integers(-30, 60),
+    seed=st.integers(0, 99),
+)
+def test_a_dot_is_the_maximum_of_exactly_the_pixels_it_covers(
+    side: int, scale: float, left: int, top: int, seed: int
+) -> None:
+    classes = np.random.default_rng(seed).choice([0, 0, 1, 1, 1, 2], (side, side + 3)).astype(np.uint8)
+    shape = (16, 12)
+    dots = sample(grid_of(classes), scale, left, top, shape)
+    depth = max(math.floor(math.log2(scale)), 0)
+    if depth < len(grid_of(classes).levels):
+        assert np.array_equal(dots, exact(classes, scale, left, top, shape))
+
+
+@settings(max_examples=1000, deadline=None)
+@given(
+    side=st.integers(30, 300),
+    place=st.floats(0.0, 0.999),
+    zoom=st.floats(-1.0, 5.0),
+    pan=st.integers(-5, 5),
+    upright=st.booleans(),
+)
+def test_no_wall_is_lost(side: int, place: float, zoom: float, pan: int, upright: bool) -> None:
+    """3,000 cases: 1,000 maps, each in three modes."""
+    at = int(place * side)
+    classes = np.full((side, side), FREE, np.uint8)
+    classes[:, at] = OCCUPIED
+    if not upright:
+        classes = classes.T
+    centre = (at + 0.5, side / 2)
+    column, row = centre if upright else centre[::-1]
+    fit = Camera.fit((side, side), 24, 12)
+    camera = fit.zoomed(2**zoom, (column, row)).centred(column, row).panned(pan, pan)
+    for drawing in Drawing:
+        inks = ground(grid_of(classes), camera, drawing).inks
+        if not upright:
+            inks = inks.T
+        walls = (inks == Ink.WALL) | (inks == Ink.WALL_BEYOND)
+        inside = (walls | (inks == Ink.FLOOR)).any(axis=1)
+        assert inside.any()
+        assert walls[inside].any(axis=1).all()
+
+
+def test_a_coarse_view_keeps_the_edges_of_a_solid_block_and_thins_its_inside() -> None:
+    classes = np.full((1600, 1600), FREE, np.uint8)
+    classes[400:1200, 400:1200] = OCCUPIED
+    camera = Camera.fit((1600, 1600), 40, 20)
+    assert camera.scale > COARSE
+    text = ground(grid_of(classes), camera, Drawing.BRAILLE).text()
+    assert "⡯" in text or "⢕" in text or "⡪" in text
+    fine = ground(grid_of(classes), camera.zoomed(4), Drawing.BRAILLE).text()
+    assert set(fine) <= set("⣿ \n⡇⢸⠉⣀⡏⢹⣇⣸⠿⣶⣤⠛⠏⠹⣆⣰⡄⢠⠋⠙")
+
+
+@pytest.mark.parametrize(
+    ("drawing", "row"), [(Drawing.ASCII, " .#"), (Drawing.HALF_BLOCK, "░ █"), (Drawing.BRAILLE, "⠂ ⣿")]
+)
+def test_unknown_free_and_wall_have_glyphs_of_their_own(drawing: Drawing, row: str) -> None:
+    classes = np.repeat(np.repeat([[UNKNOWN, FREE, OCCUPIED]], 4, axis=0), 2, axis=1)
+    cells = ground(grid_of(classes), Camera(3.0, 2.0, 1.0, 3, 1, (6, 4)), drawing)
+    assert cells.text() == row
+    assert cells.inks[0].tolist() == [Ink.UNKNOWN, Ink.FLOOR, Ink.WALL]
+
+
+@pytest.mark.parametrize("drawing", list(Drawing))
+def test_panning_by_a_cell_moves_every_cell_and_changes_none(drawing: Drawing) -> None:
+    classes = np.random.default_rng(3).choice([0, 1, 1, 2], (200, 200))
+    camera = Camera.fit((200, 200), 40, 20).zoomed(1.7).centred(100, 100)
+    before, after = (ground(grid_of(classes), c, drawing) for c in (camera, camera.panned(3, -2)))
+    assert np.array_equal(before.codes[:-2, 3:], after.codes[2:, :-3])
+    assert np.array_equal(before.inks[:-2, 3:], after.inks[2:, :-3])
+
+
+def test_without_a_map_the_extent_is_empty_floor() -> None:
+    cells = ground(None, Camera.fit((100, 100), 30, 10), Drawing.BRAILLE)
+    assert (cells.inks == Ink.FLOOR).sum() > 100
+    assert (cells.inks == Ink.WALL).sum() == 0
+    assert cells.inks[5, 0] == Ink.UNKNOWN

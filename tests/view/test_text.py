@@ -1,0 +1,60 @@
+"""Nothing hostile gets through, and widths are those of the terminal."""
+
+import unicodedata
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from rich.cells import cell_len
+
+from fleet_tui.view.text import cell_width, fit, visible
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("Base", "Base"),
+        ("\x1b[2J", "␛[2J"),
+        ("a\nb\tc\x00\x7f", "a␊b␉c␀␡"),
+        ("\x9b31m", "\ufffd31m"),
+        ("abc\u202edef", "abc\ufffddef"),
+        ("\u2066x\u2069", "\ufffdx\ufffd"),
+        ("a\u200bb\ufeff", "a\ufffdb\ufffd"),
+        ("\u2028", "\ufffd"),
+        ("\ud800", "\ufffd"),
+        ("a\u00a0b", "a b"),
+        ("仓库", "仓库"),
+        ("e\u0301", "e\u0301"),
+        ("\u0301x", "x"),
+    ],
+)
+def test_visible(text: str, shown: str) -> None:
+    assert visible(text) == shown
+
+
+def test_a_tower_of_marks_is_cut_down() -> None:
+    assert len(visible("a" + "\u0301" * 500)) <= 3
+
+
+@given(st.text())
+def test_nothing_unseen_is_left(text: str) -> None:
+    shown = visible(text)
+    assert not {unicodedata.category(letter) for letter in shown} & {"Cc", "Cf", "Cs", "Zl", "Zp"}
+    assert visible(shown) == shown
+
+
+@given(st.text(), st.integers(0, 30), st.booleans())
+def test_fit_takes_exactly_its_cells(text: str, cells: int, right: bool) -> None:
+    assert cell_width(fit(text, cells, right)) == cells
+
+
+def test_fit_cuts_with_an_ellipsis_and_pads() -> None:
+    assert fit("Consumidores", 6) == "Consu…"
+    assert fit("仓库仓库", 6) == "仓库… "
+    assert fit("7", 3, right=True) == "  7"
+
+
+@given(st.text(st.characters(categories=["Lu", "Ll", "Nd", "Lo", "Sm"], max_codepoint=0xFFFF)))
+def test_widths_agree_with_the_painter_where_it_matters(text: str) -> None:
+    shown = "".join(letter for letter in visible(text) if cell_len(letter) in (1, 2))
+    assert cell_width(shown) >= cell_len(shown)
