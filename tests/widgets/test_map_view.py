@@ -161,7 +161,7 @@ async def test_follow_keeps_the_robot_in_view_and_a_pan_lets_it_go() -> None:
         assert "follow on" in app.rows()[0]
         alone = replace(SCENE, robots=SCENE.robots[:1])
         for step in range(40):
-            view.show(moved(SCENE, 1.0 + step * 0.45, 5.0))
+            view.show(moved(alone, 1.0 + step * 0.45, 5.0))
             assert any("→1" in row for row in app.rows())
         view.action_pan_map(-1, 0)
         assert "follow off" in app.rows()[0]
