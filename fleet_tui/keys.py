@@ -8,8 +8,8 @@ from difflib import get_close_matches
 @dataclass(frozen=True, slots=True)
 class Key:
     """`id` names it in the config; `keys` are the defaults; `action` is Textual's action string;
-    `pane` is where it works; `hint` is the footer's word, empty to stay out of the footer;
-    `everywhere` reaches through text fields, forms and modals."""
+    `pane` is where it works: "map", "table", "console", or "anywhere", which reaches through text
+    fields, forms and modals; `hint` is the footer's word, empty to stay out of the footer."""
 
     id: str
     keys: tuple[str, ...]
@@ -17,12 +17,11 @@ class Key:
     text: str
     pane: str = "console"
     hint: str = ""
-    everywhere: bool = False
 
 
 KEYS: tuple[Key, ...] = (
     Key("help", ("?",), "help", "Help: every key, searchable", hint="help"),
-    Key("help_anywhere", ("f1",), "help", "Help, also while typing", everywhere=True),
+    Key("help_anywhere", ("f1",), "help", "Help, also while typing", pane="anywhere"),
     Key(
         "palette",
         (":", "ctrl+p"),
@@ -52,7 +51,7 @@ KEYS: tuple[Key, ...] = (
         ("f12",),
         "pause_all",
         "Pause every robot, also while typing. Not a safety device",
-        everywhere=True,
+        pane="anywhere",
     ),
     Key(
         "all_orders",
@@ -63,19 +62,31 @@ KEYS: tuple[Key, ...] = (
     ),
     Key("acknowledge", ("a",), "acknowledge", "Acknowledge the alarm under the cursor", hint="ack"),
     Key("acknowledge_all", ("A",), "acknowledge_all", "Acknowledge all alarms"),
-    Key("zoom_in", ("+", "="), "zoom_in", "Zoom in", hint="zoom"),
-    Key("zoom_out", ("-",), "zoom_out", "Zoom out"),
-    Key("fit", ("0",), "fit", "Fit the whole floor", hint="fit"),
-    Key("zoom_about", ("z",), "zoom_about", "Zoom about the robot, or about the centre of the view"),
-    Key("follow", ("f",), "follow", "Follow the selected robot on or off", hint="follow"),
-    Key("centre", ("c",), "centre", "Centre on the selected robot, once", hint="centre"),
-    Key("edges", ("e",), "edges", "Edges on or off"),
-    Key("labels", ("v",), "labels", "Labels on or off"),
-    Key("drawing", ("m",), "drawing", "Drawing: braille, half-block, ASCII"),
+    Key("zoom_in", ("+", "="), "on_map('zoom_in')", "Zoom in", hint="zoom"),
+    Key("zoom_out", ("-",), "on_map('zoom_out')", "Zoom out"),
+    Key("fit", ("0",), "on_map('fit')", "Fit the whole floor", hint="fit"),
+    Key(
+        "zoom_about", ("z",), "on_map('zoom_about')", "Zoom about the robot, or about the centre of the view"
+    ),
+    Key("follow", ("f",), "on_map('follow')", "Follow the selected robot on or off", hint="follow"),
+    Key("centre", ("c",), "on_map('centre')", "Centre on the selected robot, once", hint="centre"),
+    Key("edges", ("e",), "on_map('edges')", "Edges on or off"),
+    Key("labels", ("v",), "on_map('labels')", "Labels on or off"),
+    Key("drawing", ("m",), "on_map('drawing')", "Drawing: braille, half-block, ASCII"),
+    Key("map_cursor", ("g",), "on_map('cursor')", "Map cursor on or off: arrows move it"),
+    Key("next_vertex", ("n",), "on_map('next_vertex', 1)", "Next labelled vertex under the map cursor"),
+    Key("previous_vertex", ("N",), "on_map('next_vertex', -1)", "Previous labelled vertex"),
     Key("pan_left", ("left", "h"), "pan_map(-1, 0)", "Pan left", pane="map"),
     Key("pan_right", ("right", "l"), "pan_map(1, 0)", "Pan right", pane="map"),
     Key("pan_up", ("up", "k"), "pan_map(0, -1)", "Pan up", pane="map"),
     Key("pan_down", ("down", "j"), "pan_map(0, 1)", "Pan down", pane="map"),
+    Key(
+        "pick",
+        ("enter",),
+        "pick",
+        "Order to the vertex, or select the robot, under the map cursor",
+        pane="map",
+    ),
     Key("row_up", ("up", "k"), "move(-1)", "Row up", pane="table"),
     Key("row_down", ("down", "j"), "move(1)", "Row down", pane="table"),
     Key("column_left", ("left", "h"), "slide(-1)", "Scroll left", pane="table"),
@@ -118,7 +129,7 @@ def _problem_of_key(key: str) -> str | None:
 
 def _same_place(one: Key, other: Key) -> bool:
     """Whether two keys can be pressed at the same moment."""
-    return one.pane == other.pane or "console" in (one.pane, other.pane)
+    return one.pane == other.pane or not {"console", "anywhere"}.isdisjoint((one.pane, other.pane))
 
 
 def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list[str]]:
@@ -135,7 +146,7 @@ def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list
         chosen[id_] = tuple(keys)
         for key in chosen[id_]:
             wrong = _problem_of_key(key)
-            if _BY_ID[id_].everywhere and len(key) == 1:
+            if _BY_ID[id_].pane == "anywhere" and len(key) == 1:
                 wrong = "works while typing too, so it must be a function key or a ctrl key"
             if wrong:
                 problems.append(f"keys.{id_}: {key!r}: {wrong}")

@@ -89,8 +89,13 @@ class Robot:
         return self.queue.value if self.queue else OrderQueue(0, -1, ())
 
     def name_of(self, vertex: int) -> str | None:
-        """The label or id of a vertex in any of this robot's graphs, None where none has it."""
-        names = (chart.name_of(vertex) for chart in self.charts.values())
+        """The label or id of a vertex in any of this robot's graphs, None where none has it.
+
+        Ids of different floors may be the same: the floor it is on comes first.
+        """
+        here = self.charts.get(self.frame_id)
+        charts = [here, *self.charts.values()] if here else self.charts.values()
+        names = (chart.name_of(vertex) for chart in charts)
         return next((name for name in names if name is not None), None)
 
     def knows_all_graphs(self) -> bool:

@@ -1,6 +1,6 @@
 """The line that is always in view: the link, the alarms, the selected robot."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.commands import (
     CancelOrder,
@@ -19,6 +19,9 @@ from fleet_tui.view.fleet_rows import place
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run
 from fleet_tui.view.text import visible
+
+# Commands given within this many seconds were meant as one.
+TOGETHER = 0.3
 
 
 def _link_runs(link: LinkState, now: float) -> Iterator[Run]:
@@ -54,15 +57,14 @@ def _worst(state: FleetState) -> LinkState:
     )
 
 
-def status_line(state: FleetState, selected: str, notes: str = "") -> tuple[Run, ...]:
+def status_line(state: FleetState, selected: str, notes: Sequence[str] = ()) -> tuple[Run, ...]:
     """What stands first is what must not be cut: alarms, the selected robot, the link."""
     fresh, alarms = state.unacknowledged, len(state.alarms)
     runs: list[Run] = [(f" {visible(selected)}  ", Ink.ACCENT)]
     sign, ink = ("▲", Ink.ALARM) if fresh else ("△", Ink.TEXT if alarms else Ink.DIM)
     runs.append((f"{sign} {alarms} alarm{'s' * (alarms != 1)}" + (f" ({fresh} new)" if fresh else ""), ink))
     runs.append(("  ", Ink.TEXT))
-    if notes:
-        runs.append((notes + "  ", Ink.WARN))
+    runs.extend((note + "  ", Ink.WARN) for note in notes)
     others = len(state.links) - 1
     runs.extend(_link_runs(_worst(state), state.now))
     if others > 0:
@@ -97,3 +99,27 @@ def command_runs(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
     ink = Ink.GOOD if record.outcome is Outcome.ACCEPTED else Ink.ALARM
     words = f" ({visible(record.words)})" if record.words else ""
     return (text, Ink.TEXT), (f": {record.outcome.value}", ink), (words, Ink.DIM)
+
+
+def status_right(clock: str) -> tuple[Run, ...]:
+    """What fills the right end where there is room."""
+    return (("fleet-tui  ", Ink.DIM), (f"{clock} ", Ink.DIM))
+
+
+def message_line(state: FleetState, said: str, said_at: float) -> tuple[Run, ...]:
+    """The newest word to the operator: what the console says, else how the last commands stand.
+
+    Commands given together, as by pause all, stand together.
+    """
+    last = state.commands[-1] if state.commands else None
+    if said and (last is None or said_at > last.issued_at):
+        return ((f" {said}", Ink.WARN),)
+    if last is None:
+        return ()
+    together = [record for record in state.commands[-20:] if last.issued_at - record.issued_at < TOGETHER]
+    # What went wrong must not be cut off at the right end.
+    together.sort(key=lambda record: record.outcome in (Outcome.ACCEPTED, None))
+    runs: list[Run] = []
+    for record in together:
+        runs += [(" " if not runs else "   ", Ink.TEXT), *command_runs(state, record)]
+    return tuple(runs)

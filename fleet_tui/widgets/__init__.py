@@ -1,1 +1,1 @@
-
+"""The panes: each paints what it is shown and says what the operator did to it."""

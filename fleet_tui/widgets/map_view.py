@@ -5,6 +5,7 @@ from typing import ClassVar
 
 from fleet_tui.view.camera import ZOOM_STEP
 from fleet_tui.view.raster import Drawing
+from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.map_picture import MapPicture
 
 _PAN_COLUMNS, _PAN_ROWS = 8, 4  # cells per step: about as far in both directions
@@ -13,6 +14,7 @@ _PAN_COLUMNS, _PAN_ROWS = 8, 4  # cells per step: about as far in both direction
 class MapView(MapPicture, can_focus=True):
     """The map pane: `show` it a Scene at every tick."""
 
+    BINDINGS = bindings("map")
     DEFAULT_CSS: ClassVar[str] = "MapView { width: 1fr; height: 1fr; }"
 
     def action_pan_map(self, dx: int, dy: int) -> None:

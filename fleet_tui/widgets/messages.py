@@ -1,5 +1,7 @@
 """What crosses panes: each message says what happened, never what to do about it."""
 
+from collections.abc import Hashable
+
 from textual.message import Message
 
 
@@ -17,3 +19,31 @@ class VertexPicked(Message):
     def __init__(self, id: int) -> None:
         super().__init__()
         self.id = id
+
+
+class RowPicked(Message):
+    """The cursor of a pane came to a row."""
+
+    def __init__(self, pane: str, key: Hashable) -> None:
+        super().__init__()
+        self.pane = pane
+        self.key = key
+
+
+class RowChosen(Message):
+    """The menu of a pane's row is wanted."""
+
+    def __init__(self, pane: str, key: Hashable) -> None:
+        super().__init__()
+        self.pane = pane
+        self.key = key
+
+
+class ButtonPressed(Message):
+    """A button in a pane was pressed; `key` is its row's, None in the title."""
+
+    def __init__(self, pane: str, name: str, key: Hashable) -> None:
+        super().__init__()
+        self.pane = pane
+        self.name = name
+        self.key = key

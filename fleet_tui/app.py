@@ -1,0 +1,139 @@
+"""The roof: owns the store, the link and the tick; theme, keymap, which screen."""
+
+import logging
+import time
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, ClassVar
+
+from textual.app import App
+from textual.binding import BindingType
+from textual.command import CommandPalette
+from textual.theme import Theme
+
+from fleet_tui.config.check import map_path
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.keys import keymap
+from fleet_tui.map_files import load_floor_map
+from fleet_tui.model.commands import Command
+from fleet_tui.model.events import Event
+from fleet_tui.screens.main import MainScreen
+from fleet_tui.screens.palette import FleetProvider
+from fleet_tui.store import Store
+from fleet_tui.themes import FleetTheme
+from fleet_tui.view.layers import Look
+from fleet_tui.view.raster import Drawing
+from fleet_tui.widgets.bindings import bindings, textual_keymap
+from fleet_tui.widgets.cells_view import CellsView
+
+if TYPE_CHECKING:
+    from fleet_tui.link.fleet_link import FleetLink
+
+LOG = logging.getLogger(__name__)
+
+
+def clock(wall: float) -> str:
+    """Unix seconds as a local time of day."""
+    return time.strftime("%H:%M:%S", time.localtime(wall)) if wall else ""
+
+
+class FleetApp(App[None], inherit_bindings=False):
+    """The console. The link is made after the first paint: importing it takes longer than drawing."""
+
+    TITLE = "fleet-tui"
+    CSS_PATH = "fleet.tcss"
+    COMMANDS: ClassVar = {FleetProvider}
+    BINDINGS: ClassVar[list[BindingType]] = bindings("anywhere")
+    ENABLE_COMMAND_PALETTE = True
+
+    def __init__(
+        self, config: Config, themes: dict[str, FleetTheme], drawing: Drawing, colour: bool = True
+    ) -> None:
+        # Without colour Textual must leave the terminal's own, or it sends greys.
+        super().__init__(ansi_color=not colour)
+        self._config = config
+        self._themes = themes
+        self._drawing = drawing
+        self._colour = colour
+        self.store = Store(initial_state(config, time.monotonic()))
+        self._link: FleetLink | None = None
+        keys, _ = keymap(config.keys)
+        self.main = MainScreen(self.store, self.submit, self.tell, self._show_map, keys, clock)
+        self.main.notes = ["read-only"] if config.operator.read_only else []
+        self.main.themes = {name: partial(self.use_theme, name) for name in themes}
+        self.set_keymap(textual_keymap(keys))
+
+    def get_default_screen(self) -> MainScreen:
+        """The one screen; everything else opens over its map."""
+        return self.main
+
+    def on_ready(self) -> None:
+        """Paint first, then connect."""
+        for theme in self._themes.values():
+            self.register_theme(Theme(**theme.textual()))
+        self.use_theme(self._config.ui.theme)
+        self.main.map.look = Look(drawing=self._drawing)
+        self.set_interval(1 / self._config.ui.ticks_per_second, self.main.tick)
+        self.call_after_refresh(self._connect)
+
+    def _connect(self) -> None:
+        self.run_worker(self._open_link, thread=True, exit_on_error=False)
+
+    def _open_link(self) -> None:
+        from fleet_tui.link.fleet_link import FleetLink
+
+        link = FleetLink(self._config, self.store)
+        link.open()
+        self._link = link
+        for floor in self._config.floors:
+            if floor.map:
+                path: Path = map_path(self._config, floor.map)
+                link.tell(load_floor_map(floor.name, path, self._config.profile.origin == "added"))
+
+    def submit(self, command: Command) -> None:
+        """Send a command now, or say why not."""
+        if self._link is None:
+            self.main.say("not sent: the console is still starting")
+        else:
+            self._link.submit(command)
+
+    def tell(self, event: Event) -> None:
+        """Tell the store something that happened here."""
+        if self._link is not None:
+            self._link.tell(event)
+
+    def _show_map(self, robot: str, floor: str) -> bool:
+        """Ask for a live map; False while there is nobody to ask."""
+        if self._link is None:
+            return False
+        self._link.show_map(robot, floor)
+        return True
+
+    def use_theme(self, name: str) -> None:
+        """Change every colour, at once."""
+        theme = self._themes[name]
+        self.theme = f"fleet-{name}"
+        styles = theme.styles(self._colour)
+        for view in self.main.query(CellsView):
+            view.set_inks(styles)
+
+    def leave_palette(self, then: Callable[[], None]) -> None:
+        """Close the command palette if it is open: what comes next belongs to the main screen."""
+        if isinstance(self.screen, CommandPalette):
+            self.pop_screen()
+        then()
+
+    def action_help(self) -> None:
+        """Help, also while typing."""
+        self.leave_palette(self.main.action_help)
+
+    def action_pause_all(self) -> None:
+        """Pause every robot from wherever the operator is."""
+        self.main.action_pause_all()
+
+    def on_unmount(self) -> None:
+        """Close the connections before the loop goes."""
+        if self._link is not None:
+            self._link.close()

@@ -1,0 +1,177 @@
+"""The command line: reads the config, builds the parts, hands over.
+
+What needs the screen or the simulator is imported where it is used: `check` answers without them.
+"""
+
+import os
+import sys
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, NoReturn, TypeVar
+
+import click
+
+from fleet_tui import __version__
+from fleet_tui.config.check import did_you_mean, missing_files
+from fleet_tui.config.load import find, load, user_folder
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import ConfigError, FleetError
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class Commands(click.Group):
+    """Names the nearest command where there is none, and keeps tracebacks to `--debug`."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command, or say which one was meant."""
+        if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
+            ctx.fail(f"no such command {args[0]!r}{did_you_mean(args[0], self.commands)}")
+        return super().resolve_command(ctx, args)
+
+
+def _common(command: F) -> F:
+    """`--config` and `--debug` work before and after a command's name."""
+    command = click.option("--config", "config_file", metavar="FILE", help="Use this configuration.")(command)
+    return click.option("--debug", is_flag=True, help="Show tracebacks, log everything.")(command)
+
+
+def _merged(run: Callable[..., None]) -> Callable[..., None]:
+    """What was said before the command's name stands, unless it is said again after it."""
+
+    @wraps(run)
+    @click.pass_context
+    def merged(ctx: click.Context, /, config_file: str | None, debug: bool, **others: Any) -> None:
+        before = ctx.parent.params if ctx.parent else {}
+        ctx.obj = bool(debug or before.get("debug"))
+        run(config_file=config_file or before.get("config_file"), debug=ctx.obj, **others)
+
+    return merged
+
+
+@click.group(
+    cls=Commands, invoke_without_command=True, context_settings={"help_option_names": ["-h", "--help"]}
+)
+@click.version_option(__version__, prog_name="fleet-tui")
+@click.option("--read-only", is_flag=True, help="Watch only: no command leaves this console.")
+@_common
+@click.pass_context
+def commands(ctx: click.Context, config_file: str | None, debug: bool, read_only: bool) -> None:
+    """The terminal console for robot fleets behind a rosbridge server.
+
+    Without a command it opens the console. `fleet-tui demo` shows it with simulated robots.
+    """
+    ctx.obj = debug
+    if ctx.invoked_subcommand is None:
+        from fleet_tui.console import open_console
+
+        open_console(load(find(config_file)), read_only, debug)
+
+
+@commands.command()
+@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
+@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@click.option("--read-only", is_flag=True, help="Watch only: no command leaves this console.")
+@_common
+@_merged
+def demo(config_file: str | None, debug: bool, robots: int, floors: int, read_only: bool) -> None:
+    """Open the console on a simulated fleet. No ROS, no network."""
+    from fleet_tui.demo import simulated
+
+    with simulated(robots, floors) as url:
+        from fleet_tui.console import open_console
+        from fleet_tui.demo import demo_config
+
+        open_console(demo_config(load(find(config_file)), url, robots, floors), read_only, debug)
+
+
+@commands.command()
+@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
+@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@click.option(
+    "--port", type=click.IntRange(0, 65535), default=9090, show_default=True, help="0 takes a free one."
+)
+@click.option(
+    "--rate", type=click.FloatRange(0.1, 100), default=10.0, show_default=True, help="Poses per second."
+)
+@click.option("--seed", type=int, default=1, show_default=True)
+@click.option("--stop-with-stdin", is_flag=True, hidden=True)
+@_common
+@_merged
+def sim(
+    config_file: str | None,
+    debug: bool,
+    robots: int,
+    floors: int,
+    port: int,
+    rate: float,
+    seed: int,
+    stop_with_stdin: bool,
+) -> None:
+    """Serve a simulated fleet to several consoles, until Ctrl-C."""
+    from fleet_tui.simulator.run import run
+
+    run(robots, floors, port, rate, seed, lambda url: click.echo(url, nl=True), stop_with_stdin)
+
+
+@commands.command()
+@click.argument("file", required=False)
+@_common
+@_merged
+def check(config_file: str | None, debug: bool, file: str | None) -> None:
+    """Validate a configuration: every problem at once."""
+    path = find(file or config_file)
+    config = load(path)
+    problems = [*missing_files(config), *_theme_problems(config)]
+    if problems:
+        raise ConfigError([f"{path}: {line}" for line in problems])
+    robots, floors = len(config.robots), len(config.floors)
+    click.echo(f"{path}: fine: {robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}")
+
+
+def _theme_problems(config: Config) -> list[str]:
+    from fleet_tui.themes import load_themes
+
+    themes, _ = load_themes(user_folder() / "themes")
+    if config.ui.theme in themes:
+        return []
+    return [f"ui.theme: no theme {config.ui.theme!r}{did_you_mean(config.ui.theme, themes)}"]
+
+
+def _end(code: int, *lines: str) -> NoReturn:
+    for line in lines:
+        click.echo(line, err=True)
+    sys.exit(code)
+
+
+def main() -> None:
+    """Run the command line; every end has its exit code."""
+    # Tracebacks are for --debug, wherever it stands.
+    debug = "--debug" in sys.argv
+    try:
+        commands.main(standalone_mode=False)
+    except click.exceptions.Abort:
+        _end(130)
+    except click.ClickException as problem:
+        _end(2, f"fleet-tui: {problem.format_message()}", "fleet-tui --help lists what there is.")
+    except ConfigError as problem:
+        _end(2, *problem.problems)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _end(1)
+    except KeyboardInterrupt:
+        _end(130)
+    except FleetError as problem:
+        _end(1, f"fleet-tui: {problem}")
+    except Exception as problem:
+        if debug:
+            raise
+        import logging
+
+        from fleet_tui.log_file import log_to_file
+
+        path = log_to_file(debug)
+        logging.getLogger(__name__).exception("fatal")
+        _end(1, f"fleet-tui: internal error: {problem} (details in {path}, or with --debug)")

@@ -1,0 +1,51 @@
+"""Opens the console: what the terminal can do, themes, log, then the app."""
+
+import codecs
+import logging
+import os
+import sys
+
+import msgspec
+
+from fleet_tui.app import FleetApp
+from fleet_tui.config.check import did_you_mean
+from fleet_tui.config.load import user_folder
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import ConfigError, FleetError
+from fleet_tui.log_file import log_to_file
+from fleet_tui.themes import load_themes
+from fleet_tui.view.raster import Drawing
+
+LOG = logging.getLogger(__name__)
+
+
+def _drawing(wanted: str) -> Drawing:
+    """Braille where the terminal can: the Linux console's font has none, nor has a plain locale."""
+    if wanted != "auto":
+        return Drawing(wanted)
+    try:
+        unicode = codecs.lookup(sys.stdout.encoding or "ascii").name == "utf-8"
+    except LookupError:
+        unicode = False
+    return Drawing.BRAILLE if unicode and os.environ.get("TERM") != "linux" else Drawing.ASCII
+
+
+def open_console(config: Config, read_only: bool, debug: bool) -> None:
+    """Run the console until the operator leaves."""
+    if not all(stream.isatty() for stream in (sys.stdin, sys.stdout, sys.stderr)):
+        raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")
+    themes, problems = load_themes(user_folder() / "themes")
+    if config.ui.theme not in themes:
+        near = did_you_mean(config.ui.theme, themes)
+        raise ConfigError([f"{config.path}: ui.theme: no theme {config.ui.theme!r}{near}"])
+    if read_only:
+        config = msgspec.structs.replace(
+            config, operator=msgspec.structs.replace(config.operator, read_only=True)
+        )
+    log_to_file(debug)
+    app = FleetApp(config, themes, _drawing(config.ui.drawing), colour="NO_COLOR" not in os.environ)
+    for problem in problems:
+        LOG.warning("%s", problem)
+    app.run()
+    if app.return_code:
+        raise FleetError("the console ended with an error: the log file says more")

@@ -1,0 +1,58 @@
+"""All bridges of a configuration, as one: commands go to the robot's own."""
+
+import itertools
+import time
+
+from fleet_tui.config.schema import Config
+from fleet_tui.link.link import Link
+from fleet_tui.link.writer import Writer
+from fleet_tui.model.commands import Command, Outcome
+from fleet_tui.model.events import CommandFinished, CommandIssued, Event
+from fleet_tui.store import Store
+
+# request_id is an int32 on the wire: consoles and runs start at different places of it.
+ID_SPAN = 2**30
+
+
+class FleetLink:
+    """Feeds the store and takes the commands. Any thread may call."""
+
+    def __init__(self, config: Config, store: Store) -> None:
+        self._store = store
+        self._read_only = config.operator.read_only
+        self._writer = Writer(store)
+        self._ids = itertools.count(time.time_ns() // 1_000_000 * 1000 % ID_SPAN + 1)
+        self._links = {name: Link(name, config, self._writer) for name in config.bridges}
+
+    def open(self) -> None:
+        """Connect, and tell the time."""
+        self._writer.start()
+        for link in self._links.values():
+            link.open()
+
+    def tell(self, event: Event) -> None:
+        """Take a fact that came from elsewhere into the picture."""
+        self._writer.tell(event)
+
+    def submit(self, command: Command) -> int:
+        """Send a command now or not at all. Returns its id; its end is told exactly once."""
+        given_at = time.monotonic()
+        command_id = next(self._ids)
+        self.tell(CommandIssued(command_id, command, given_at, time.time()))
+        if self._read_only:
+            self.tell(CommandFinished(command_id, Outcome.NOT_SENT, "this console is read-only"))
+        else:
+            self._links[self._store.state.robots[command.robot].link].submit(command_id, command, given_at)
+        return command_id
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Ask for the live map of one robot's floor, and of no other; an empty floor for none."""
+        wanted = self._store.state.robots[robot].link
+        for name, link in self._links.items():
+            link.show_map(robot if name == wanted and floor else "", floor)
+
+    def close(self) -> None:
+        """Close every connection."""
+        for link in self._links.values():
+            link.close()
+        self._writer.stop()

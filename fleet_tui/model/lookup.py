@@ -1,0 +1,53 @@
+"""Finding a vertex by what an operator types: part of a label, or an id."""
+
+from dataclasses import dataclass
+
+from fleet_tui.model.robot import Robot
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A vertex that an order can name."""
+
+    vertex: int
+    name: str
+    floor: str
+
+
+def places(robot: Robot) -> list[Place]:
+    """Every labelled vertex of a robot's graphs, the floor it is on first, by label."""
+    found = [
+        Place(vertex, label, floor)
+        for floor, chart in robot.charts.items()
+        for vertex, label in chart.labels.items()
+        if chart.graph is None or vertex in chart.graph.vertices
+    ]
+    return sorted(found, key=lambda place: (place.floor != robot.frame_id, place.name.casefold()))
+
+
+def matches(robot: Robot, typed: str) -> list[Place]:
+    """The places that what was typed can mean, the best first: whole label, id, start, part."""
+    wanted = typed.strip().casefold()
+    everything = places(robot)
+    if not wanted:
+        return everything
+    whole = [place for place in everything if place.name.casefold() == wanted]
+    starts = [place for place in everything if place.name.casefold().startswith(wanted)]
+    parts = [place for place in everything if wanted in place.name.casefold()]
+    return list(dict.fromkeys([*whole, *_by_id(robot, wanted), *starts, *parts]))
+
+
+def _by_id(robot: Robot, typed: str) -> list[Place]:
+    if not (typed.isascii() and typed.isdigit() and len(typed) <= 10):
+        return []
+    vertex = int(typed)
+    return [
+        Place(vertex, chart.labels.get(vertex, str(vertex)), floor)
+        for floor, chart in robot.charts.items()
+        if chart.graph is not None and vertex in chart.graph.vertices
+    ]
+
+
+def destination_only(robot: Robot) -> bool:
+    """Whether an order needs no start: cargo on board and nothing to do with it."""
+    return robot.has_cargo and not robot.orders.orders

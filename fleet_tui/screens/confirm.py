@@ -1,0 +1,48 @@
+"""Asks once before something is lost. Only `y` does it."""
+
+from collections.abc import Callable, Iterable
+from typing import ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.containers import Horizontal
+from textual.widgets import Button, Static
+
+from fleet_tui.screens.overlay import Overlay
+
+
+class Confirm(Overlay):
+    """A question with what will be lost; the default is No."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        ("y", "confirm", "Do it"),
+        ("n,escape,enter", "close", "Don't"),
+    ]
+
+    def compose(self) -> ComposeResult:
+        """The question above its two answers."""
+        yield Static(id="question", markup=False)
+        with Horizontal():
+            yes, no = Button("y  yes", id="yes", compact=True), Button("n  no", id="no", compact=True)
+            # Enter must not press a button that happens to have the focus.
+            yes.can_focus = no.can_focus = False
+            yield yes
+            yield no
+
+    def ask(self, lines: Iterable[str], then: Callable[[], None]) -> None:
+        """Ask, and call `then` only after a yes."""
+        self._then = then
+        self.query_one("#question", Static).update("\n".join(lines))
+        self.open(self)
+
+    @on(Button.Pressed, "#yes")
+    def action_confirm(self) -> None:
+        """Yes."""
+        self.action_close()
+        self._then()
+
+    @on(Button.Pressed, "#no")
+    def refuse(self) -> None:
+        """No."""
+        self.action_close()

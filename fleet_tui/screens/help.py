@@ -1,0 +1,91 @@
+"""Help: every key there is, made from the table of keys; typing searches."""
+
+from collections.abc import Mapping
+from typing import ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.containers import VerticalScroll
+from textual.widgets import Input, Static
+
+from fleet_tui.keys import KEYS
+from fleet_tui.screens.overlay import Overlay
+
+PANES = {
+    "map": "Map",
+    "table": "Tables: fleet, alarms, queue",
+    "console": "Everywhere",
+    "anywhere": "Everywhere, also while typing",
+}
+
+NOTES = """\
+Order form: typing filters the labels, Enter takes the marked one and goes on; Enter in To sends.
+Questions: y does it; n, Esc and Enter don't.
+Mouse: wheel zooms at the pointer, drag pans, click picks; buttons click. To select text with the \
+terminal, hold Shift.
+Pausing from here is not a safety device: use the robot's own stop where people are near."""
+
+
+class Help(Overlay):
+    """The keys of the focused pane first, then the rest."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        ("escape", "close", "Close"),
+        ("up", "scroll(-1)", "Up"),
+        ("down", "scroll(1)", "Down"),
+        ("pageup", "scroll(-10)", "Page up"),
+        ("pagedown", "scroll(10)", "Page down"),
+    ]
+
+    def __init__(self, keys: Mapping[str, tuple[str, ...]]) -> None:
+        super().__init__(id="help")
+        self._keys = keys
+        self._pane = "console"
+
+    def compose(self) -> ComposeResult:
+        """A search field above the list."""
+        yield Input(id="search", compact=True, placeholder="type to search, Esc closes")
+        with VerticalScroll(can_focus=False):
+            yield Static(id="keys", markup=False)
+
+    def show(self, pane: str, detail: str) -> None:
+        """Open on the keys of a pane; `detail` says how the map is drawn."""
+        self._pane, self._detail = pane, detail
+        search = self.query_one("#search", Input)
+        search.value = ""
+        self._list("")
+        self.open(search)
+
+    @on(Input.Changed, "#search")
+    def search(self, event: Input.Changed) -> None:
+        """Only what was typed."""
+        event.stop()
+        self._list(event.value)
+
+    def _list(self, wanted: str) -> None:
+        lines = []
+        order = sorted(PANES, key=lambda pane: pane != self._pane)
+        for pane in order:
+            found = [
+                f"  {' '.join(self._keys[key.id]):<16} {key.text}  ({key.id})"
+                for key in KEYS
+                if key.pane == pane and self._is_wanted(wanted, key.text, key.id, *self._keys[key.id])
+            ]
+            if found:
+                lines += [PANES[pane], *found, ""]
+        if not wanted:
+            lines += [NOTES, "", self._detail]
+        self.query_one("#keys", Static).update("\n".join(lines) or f"no key for {wanted!r}")
+        self.query_one(VerticalScroll).scroll_home(animate=False)
+
+    @staticmethod
+    def _is_wanted(wanted: str, *texts: str) -> bool:
+        """A single character means the key itself."""
+        if len(wanted) == 1:
+            return wanted in texts
+        return any(wanted.casefold() in text.casefold() for text in texts)
+
+    def action_scroll(self, rows: int) -> None:
+        """Further up or down."""
+        self.query_one(VerticalScroll).scroll_relative(y=rows, animate=False)

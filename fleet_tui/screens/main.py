@@ -1,0 +1,130 @@
+"""The main screen: map, fleet, alarms, queue, and what opens over the map."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+from textual.app import ComposeResult
+from textual.containers import Container
+
+from fleet_tui.model import events
+from fleet_tui.model.commands import Command
+from fleet_tui.screens.confirm import Confirm
+from fleet_tui.screens.help import Help
+from fleet_tui.screens.menu import Menu
+from fleet_tui.screens.navigation import Navigation
+from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.store import Store
+from fleet_tui.view.alarm_rows import alarm_table
+from fleet_tui.view.fleet_rows import fleet_table
+from fleet_tui.view.floor_scene import chart_robot, floor_scene
+from fleet_tui.view.hints import hints
+from fleet_tui.view.queue_rows import queue_table
+from fleet_tui.view.selection import first_selection
+from fleet_tui.view.status_line import message_line, status_line, status_right
+from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.line_view import LineView
+from fleet_tui.widgets.map_view import MapView
+from fleet_tui.widgets.rows_pane import RowsPane
+
+
+class MainScreen(Navigation):
+    """Shows the newest state at every tick, and turns keys into wishes."""
+
+    BINDINGS = bindings("console")
+    AUTO_FOCUS = "#map"
+    HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
+    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall")]  # noqa: RUF012  # as Textual declares it
+
+    def __init__(
+        self,
+        store: Store,
+        submit: Callable[[Command], None],
+        tell: Callable[[events.Event], None],
+        show_map: Callable[[str, str], bool],
+        keys: dict[str, tuple[str, ...]],
+        clock: Callable[[float], str],
+    ) -> None:
+        super().__init__()
+        self.store, self.submit, self.tell = store, submit, tell
+        self.selection = first_selection(store.state)
+        self.notes: Sequence[str] = ()
+        self.themes: Mapping[str, Callable[[], None]] = {}
+        self._show_map, self._keys, self._clock = show_map, keys, clock
+        self._all_orders = False
+        self._said = ("", 0.0)
+        self._mapped: tuple[str, str] | None = None
+
+    def compose(self) -> ComposeResult:
+        """The panes in the order of Tab, then what opens over them."""
+        yield LineView(id="status")
+        with Container(id="panes"):
+            yield MapView(id="map")
+            yield RowsPane(id="fleet")
+            yield RowsPane(id="alarms")
+            yield RowsPane(id="queue")
+        yield LineView(id="message")
+        yield LineView(id="hints")
+        yield OrderForm(lambda: self.state, self.submit)
+        yield Confirm(id="confirm")
+        yield Menu(id="menu")
+        yield Help(self._keys)
+
+    def tick(self) -> None:
+        """Show the newest state."""
+        state = self.state
+        self.selection = self.selection.settled(state, self.map.viewport.follow)
+        self._ask_for_map()
+        self.map.show(floor_scene(state, self.selection))
+        self._pane("fleet").show(fleet_table(state, self.selection.robot))
+        self._pane("alarms").show(alarm_table(state, self._clock))
+        queue = self._pane("queue")
+        queue.show(queue_table(state, self.selection.robot, self._all_orders, queue.room))
+        self.query_one("#status", LineView).show(
+            status_line(state, self.selection.robot, self.notes), status_right(self._clock(state.wall))
+        )
+        self.query_one("#message", LineView).show(message_line(state, *self._said))
+        self.query_one("#hints", LineView).show(*hints(self._keys, self._focused_pane()))
+
+    def _focused_pane(self) -> str:
+        return "map" if self.focused is self.map else "table"
+
+    def _ask_for_map(self) -> None:
+        """The live map of what is shown, unless a file gives it."""
+        owner = chart_robot(self.state, self.selection)
+        has_file = self.state.floors[self.selection.floor].grid is not None
+        wanted = (owner.name, "" if has_file else self.selection.floor) if owner else None
+        if wanted is not None and wanted != self._mapped and self._show_map(*wanted):
+            self._mapped = wanted
+
+    def say(self, text: str) -> None:
+        """Tell the operator why nothing happened."""
+        self._said = (text, self.state.now)
+        self.tick()
+
+    def action_all_orders(self) -> None:
+        """The selected robot's orders, or all robots'."""
+        self._all_orders = not self._all_orders
+        self.tick()
+
+    def action_on_map(self, action: str, *args: int) -> None:
+        """Something that the map does, whatever pane has the focus."""
+        getattr(self.map, f"action_{action}")(*args)
+
+    def action_help(self) -> None:
+        """Every key there is."""
+        self.query_one(Help).show(self._focused_pane(), f"Map: {self.map.look.drawing.value}")
+
+    def action_back(self) -> None:
+        """One level back: the map's cursor goes, then the focus to the map."""
+        if self.map.look.cursor is not None:
+            self.map.action_cursor()
+        self.set_focus(self.map)
+
+    def action_acknowledge(self) -> None:
+        """Acknowledge the alarm under the cursor."""
+        key = self._pane("alarms").cursor
+        if isinstance(key, tuple):
+            self.tell(events.AlarmAcknowledged(*key))
+
+    def action_acknowledge_all(self) -> None:
+        """Acknowledge every alarm."""
+        self.tell(events.AlarmAcknowledged())

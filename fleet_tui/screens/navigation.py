@@ -1,0 +1,97 @@
+"""Moving about: which robot and floor are looked at, and what the panes ask for."""
+
+from dataclasses import replace
+
+from textual import on
+
+from fleet_tui.screens.command_actions import CommandActions
+from fleet_tui.widgets import messages
+from fleet_tui.widgets.map_view import MapView
+from fleet_tui.widgets.rows_pane import RowsPane
+
+
+class Navigation(CommandActions):
+    """The selection, by key, by mouse and by name."""
+
+    def tick(self) -> None:
+        """Show the newest state."""
+        raise NotImplementedError
+
+    def _pane(self, name: str) -> RowsPane:
+        return self.query_one(f"#{name}", RowsPane)
+
+    @property
+    def map(self) -> MapView:
+        """The map pane."""
+        return self.query_one("#map", MapView)
+
+    def select(self, robot: str) -> None:
+        """Select a robot."""
+        self.selection = self.selection.on_robot(robot)
+        self.tick()
+
+    def find_robot(self, robot: str) -> None:
+        """Select a robot and bring the map to it."""
+        self.selection = self.selection.on_robot(robot).settled(self.state, follow=True)
+        self.tick()
+        self.map.action_centre()
+
+    def find_floor(self, floor: str) -> None:
+        """Show a floor."""
+        self.selection = replace(self.selection, floor=floor, chosen=True)
+        self.tick()
+
+    def find_vertex(self, floor: str, x: float, y: float) -> None:
+        """Bring the map to a place of a floor."""
+        self.find_floor(floor)
+        self.map.centre_on(x, y)
+
+    def action_step_robot(self, step: int) -> None:
+        """The next or previous robot."""
+        self.select(self.selection.step_robot(self.state, step).robot)
+
+    def action_robot(self, number: int) -> None:
+        """A robot by its number."""
+        names = list(self.state.robots)
+        if number <= len(names):
+            self.select(names[number - 1])
+
+    def action_step_floor(self, step: int) -> None:
+        """The next or previous floor."""
+        self.find_floor(self.selection.step_floor(self.state, step).floor)
+
+    @on(messages.RobotPicked)
+    def robot_picked(self, event: messages.RobotPicked) -> None:
+        """A robot on the map."""
+        self.select(event.name)
+
+    @on(messages.VertexPicked)
+    def vertex_picked(self, event: messages.VertexPicked) -> None:
+        """A vertex on the map: an order to it."""
+        self.order_to(event.id, self.selection.floor)
+
+    @on(messages.RowPicked)
+    def row_picked(self, event: messages.RowPicked) -> None:
+        """The fleet's cursor selects."""
+        if event.pane == "fleet":
+            self.select(str(event.key))
+
+    @on(messages.RowChosen)
+    def row_chosen(self, event: messages.RowChosen) -> None:
+        """The menu of a row."""
+        match event.pane, event.key:
+            case "fleet", str(robot):
+                self.robot_menu(robot)
+            case "queue", (str(robot), int(order_id)):
+                self.queue_menu(robot, order_id)
+            case "alarms", (str(source), str(kind)):
+                self.alarm_menu(source, kind)
+
+    @on(messages.ButtonPressed)
+    def button_pressed(self, event: messages.ButtonPressed) -> None:
+        """A button of the queue."""
+        match event.name, event.key:
+            case "cancel", (str(robot), int(order_id)):
+                self.ask_cancel(robot, order_id)
+            case "clear", _:
+                self.action_clear()

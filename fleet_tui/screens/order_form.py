@@ -1,0 +1,196 @@
+"""The order form: robot, from, to. Typing filters the labels, Enter goes on, the last Enter sends."""
+
+from collections.abc import Callable
+from typing import ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.widgets import Input, OptionList, Static
+
+from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.lookup import Place, destination_only, matches
+from fleet_tui.model.robot import Robot
+from fleet_tui.screens.overlay import Overlay
+from fleet_tui.view.text import visible
+
+FIELDS = ("robot", "from", "to")
+SHOWN = 8
+
+
+class OrderForm(Overlay):
+    """`start` opens it for a robot; a complete order goes to `send`."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        ("escape", "close", "Close"),
+        ("up", "mark(-1)", "Match above"),
+        ("down", "mark(1)", "Match below"),
+        ("tab", "step(1)", "Next field"),
+        ("shift+tab", "step(-1)", "Previous field"),
+    ]
+
+    def __init__(self, state: Callable[[], FleetState], send: Callable[[Command], None]) -> None:
+        super().__init__(id="order-form")
+        self._state = state
+        self._send = send
+        self._found: list[Place] | list[str] = []
+        self._chosen: dict[str, Place] = {}
+
+    def compose(self) -> ComposeResult:
+        """Three fields, the matches of the one that is being filled, and what is missing."""
+        for field in FIELDS:
+            yield Input(id=field, compact=True, select_on_focus=True)
+        matches_list = OptionList(id="matches", markup=False)
+        matches_list.can_focus = False
+        yield matches_list
+        yield Static(id="missing", markup=False)
+
+    def on_mount(self) -> None:
+        """The fields carry their names."""
+        for field in FIELDS:
+            self._input(field).border_title = field.capitalize()
+
+    def _input(self, field: str) -> Input:
+        return self.query_one(f"#{field}", Input)
+
+    def _robot(self) -> Robot | None:
+        return self._state().robots.get(self._input("robot").value.strip())
+
+    def start(self, robot: str, destination: Place | None = None) -> None:
+        """Open with the robot chosen and the cursor in the first field to fill."""
+        self._chosen = {}
+        for field, text in (("robot", robot), ("from", ""), ("to", destination.name if destination else "")):
+            # Without the Changed messages: they would arrive after what is typed next.
+            with self._input(field).prevent(Input.Changed):
+                self._input(field).value = text
+        if destination:
+            self._chosen["to"] = destination
+        self._say("")
+        self._arrange()
+        self.open(self._input("to" if not self._input("from").display else "from"))
+        self._list()
+
+    def _arrange(self) -> None:
+        """With cargo on board and no orders there is only a destination."""
+        robot = self._robot()
+        self._input("from").display = robot is None or not destination_only(robot)
+        self.border_title = "Order" if self._input("from").display else "Come here: cargo is on board"
+
+    def _say(self, text: str) -> None:
+        self.query_one("#missing", Static).update(text)
+
+    def _field(self) -> str:
+        """The field that is being filled."""
+        focused = self.screen.focused
+        return focused.id if isinstance(focused, Input) and focused.id in FIELDS else "to"
+
+    def _list(self) -> None:
+        """The matches of what was typed, the first one marked."""
+        field, typed = self._field(), self._input(self._field()).value
+        robot = self._robot()
+        if field == "robot":
+            names = list(self._state().robots)
+            self._found = [name for name in names if typed.strip().casefold() in name.casefold()][:SHOWN]
+            texts = list(self._found)
+        else:
+            found = matches(robot, typed)[:SHOWN] if robot else []
+            self._found = found
+            texts = [f"{visible(place.name)}  ({place.vertex}, {place.floor})" for place in found]
+        options = self.query_one("#matches", OptionList)
+        options.clear_options()
+        options.add_options(texts)
+        options.highlighted = 0 if texts else None
+
+    @on(Input.Changed)
+    def filter(self, event: Input.Changed) -> None:
+        """What is typed names something else now."""
+        event.stop()
+        self._chosen.pop(event.input.id or "", None)
+        if event.input.id == "robot":
+            self._arrange()
+        self._say("")
+        self._list()
+
+    def on_descendant_focus(self) -> None:
+        """The matches are those of the field with the cursor."""
+        if self.is_open:
+            self._list()
+
+    def action_mark(self, step: int) -> None:
+        """Another match."""
+        options = self.query_one("#matches", OptionList)
+        (options.action_cursor_down if step > 0 else options.action_cursor_up)()
+
+    def action_step(self, step: int) -> None:
+        """Another field, around the ends."""
+        fields = [field for field in FIELDS if self._input(field).display]
+        at = fields.index(self._field())
+        self.screen.set_focus(self._input(fields[(at + step) % len(fields)]))
+
+    @on(OptionList.OptionSelected, "#matches")
+    def click_match(self, event: OptionList.OptionSelected) -> None:
+        """A match by mouse."""
+        event.stop()
+        self._accept(event.option_index)
+
+    @on(Input.Submitted)
+    def submit(self, event: Input.Submitted) -> None:
+        """Enter takes the marked match and goes on; in the last field it sends."""
+        event.stop()
+        # What was typed last may not have been listed yet: look again before choosing.
+        marked = self.query_one("#matches", OptionList).highlighted or 0
+        before = list(self._found)
+        self._list()
+        self._accept(marked if before == self._found else 0)
+
+    def _accept(self, index: int) -> None:
+        field = self._field()
+        box = self._input(field)
+        if not box.value.strip() and field not in self._chosen and index == 0:
+            self._say(f"{field.capitalize()} is missing: type a label or a vertex id")
+            return
+        if field not in self._chosen or box.value.strip():
+            if index >= len(self._found):
+                self._say(f"{field.capitalize()}: nothing is called {box.value.strip()!r}")
+                return
+            self._take(field, box, self._found[index])
+        if field == "to":
+            self._finish()
+        else:
+            self.action_step(1)
+
+    def _take(self, field: str, box: Input, choice: Place | str) -> None:
+        with box.prevent(Input.Changed):
+            box.value = choice if isinstance(choice, str) else visible(choice.name)
+        if isinstance(choice, str):
+            self._arrange()
+        else:
+            self._chosen[field] = choice
+
+    def _finish(self) -> None:
+        """Send what is complete; name what is missing."""
+        robot = self._robot()
+        if robot is None:
+            self._stay("robot", f"Robot: nothing is called {self._input('robot').value.strip()!r}")
+            return
+        self._arrange()
+        needed = ("to",) if destination_only(robot) else ("from", "to")
+        for field in needed:
+            if field not in self._chosen:
+                self._stay(field, f"{field.capitalize()} is missing: type a label or a vertex id")
+                return
+        start, end = self._chosen.get("from"), self._chosen["to"]
+        if destination_only(robot):
+            command: Command = PlaceOrderWithCargo(robot.name, end.vertex)
+        elif start is None or start.vertex == end.vertex:
+            self._stay("to", "From and To are the same place")
+            return
+        else:
+            command = PlaceOrder(robot.name, start.vertex, end.vertex)
+        self.action_close()
+        self._send(command)
+
+    def _stay(self, field: str, text: str) -> None:
+        self.screen.set_focus(self._input(field))
+        self._say(text)

@@ -1,0 +1,37 @@
+"""What opens over the map: the status line stays in view, keys stay inside.
+
+It is part of the main screen, mounted from the start, so that a key typed right after the one
+that opened it already finds it.
+"""
+
+from textual.containers import Vertical
+from textual.widget import Widget
+
+
+class Overlay(Vertical, can_focus=True):
+    """Hidden until opened. Only keys that work everywhere reach through it."""
+
+    @property
+    def is_modal(self) -> bool:
+        """Textual looks no further than here for the binding of a key."""
+        return True
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it is in view."""
+        return self.has_class("-open")
+
+    def open(self, first: Widget) -> None:
+        """Come into view with the focus on `first`."""
+        if not self.is_open:
+            self._before = self.screen.focused
+        self.add_class("-open")
+        # Not Widget.focus(), which waits for a refresh: a key may be next in line.
+        self.screen.set_focus(first)
+
+    def action_close(self) -> None:
+        """Go, and give the focus back."""
+        self.remove_class("-open")
+        before = getattr(self, "_before", None)
+        if before is not None and before.is_attached:
+            self.screen.set_focus(before)

@@ -1,0 +1,35 @@
+"""Textual's bindings from the one table of keys."""
+
+from collections.abc import Mapping
+
+from textual.binding import Binding, BindingType
+from textual.keys import _character_to_key
+
+from fleet_tui.keys import KEYS
+
+
+def bindings(pane: str) -> list[BindingType]:
+    """The bindings that work in a pane."""
+    return [
+        Binding(
+            ",".join(map(textual_key, key.keys)),
+            key.action,
+            key.text,
+            show=False,
+            id=key.id,
+            priority=pane == "anywhere",
+        )
+        for key in KEYS
+        if key.pane == pane
+    ]
+
+
+def textual_key(key: str) -> str:
+    """A key of the config as Textual calls it."""
+    *modifiers, last = key.split("+") if len(key) > 1 else [key]
+    return "+".join([*modifiers, _character_to_key(last) if len(last) == 1 else last])
+
+
+def textual_keymap(keys: Mapping[str, tuple[str, ...]]) -> dict[str, str]:
+    """The chosen keys of each id, as Textual's keymap wants them."""
+    return {id_: ",".join(map(textual_key, chosen)) for id_, chosen in keys.items()}
