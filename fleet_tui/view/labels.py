@@ -47,19 +47,22 @@ class Room:
         start, end = max(x - 1, 0), min(x + cells + 1, self._width)
         return self.free(x, y, cells) and self.free(start, y, end - start)
 
-    def tag_spot(self, x: int, y: int, glyph: int, cells: int) -> tuple[int, int]:
+    def tag_spot(self, x: int, y: int, glyph: int, cells: int) -> tuple[int, int] | None:
         """The place for a robot's tag beside its glyph of `glyph` cells at (x, y); now taken.
 
-        Where robots crowd, it dodges; in a heap without any room it stays at the right.
+        Where robots crowd, it dodges; in a heap without any room there is none.
         """
         right, left = x + glyph, x - cells
-        spots = [(right, y), (left, y)]
-        for away in (1, 2):
-            spots += [(at, y + side) for side in (-away, away) for at in (right, x, x - cells + 1, left)]
-        spot = next((spot for spot in spots if self._clear(*spot, cells, x, y)), None)
-        spot = spot or next((spot for spot in spots if self.free(*spot, cells)), (right, y))
-        self.take(*spot, cells)
-        return spot
+        spots = [(right, y)]
+        if not self._clear(right, y, cells, x, y):
+            around = [(at, side) for side in (-1, 1, -2, 2) for at in (right, x, x - cells + 1, left)]
+            spots = [(right, y), (left, y), *((at, y + side) for at, side in around)]
+            clear = [spot for spot in spots if self._clear(*spot, cells, x, y)]
+            spots = clear or [spot for spot in spots if self.free(*spot, cells)]
+        if not spots:
+            return None
+        self.take(*spots[0], cells)
+        return spots[0]
 
     def _clear(self, start: int, row: int, cells: int, x: int, y: int) -> bool:
         """Whether a tag there is free and touches nothing but its own glyph at (x, y)."""

@@ -1,23 +1,20 @@
 """The map's layers, one function each, drawn in the order of the lists in `picture`."""
 
-import math
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from fleet_tui.model.geometry import MapFrame
 from fleet_tui.view.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.glyphs import robot_glyph, robot_inks, robot_tag, vertex_glyph
 from fleet_tui.view.labels import Room
+from fleet_tui.view.places import Place, Points, pixels, seen_robots, seen_vertices
 from fleet_tui.view.raster import BRAILLE, Drawing, ground, pack
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.scene import Scene, SceneRobot
 from fleet_tui.view.text import visible
-
-Points = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,35 +113,33 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
 
 
 def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
-    """Every robot as an arrow with its number beside it, the selected one last and so on top."""
-    turned = scene.frame.origin.yaw
-    placed = _seen_robots(scene, camera)
-    heads = {at for _, at in placed}
-    glyphs = {}  # of two robots in one cell the later one is seen
+    """Every robot as an arrow with its number beside it; the selected one on top and placed first."""
+    placed = seen_robots(scene, camera)
+    owners = {at: robot for robot, at in reversed(placed)}  # of robots in one cell the first one is seen
+    glyphs = {at: _robot_glyph(robot, at, owners, scene, look) for at, robot in owners.items()}
     room = Room(camera.width, camera.height)
+    for (x, y), glyph in glyphs.items():
+        room.take(x, y, len(glyph))
     for robot, (x, y) in placed:
-        glyph = robot_glyph(robot, turned, look.plain)
-        glyphs[x, y] = (glyph[:1] if (x + 1, y) in heads else glyph), robot_inks(robot)[0]
-    for at, (glyph, _) in glyphs.items():
-        room.take(*at, len(glyph))
-    for robot, (x, y) in reversed(placed):
-        tag = robot_tag(robot, look.plain)
-        spot = room.tag_spot(x, y, len(glyphs[x, y][0]), len(tag))
-        cells.write(*spot, tag, robot_inks(robot)[1])
-    for at, (glyph, ink) in glyphs.items():
-        cells.write(*at, glyph, ink)
+        glyph, tag = glyphs[x, y], robot_tag(robot, look.plain)
+        glyph_ink, tag_ink = robot_inks(robot)
+        spot = room.tag_spot(x, y, len(glyph), len(tag))
+        owner = owners[x, y] is robot
+        if owner and glyph_ink is tag_ink and spot == (x + len(glyph), y):
+            cells.write(x, y, glyph + tag, tag_ink)
+            continue
+        if owner:
+            cells.write(x, y, glyph, glyph_ink)
+        if spot:
+            cells.write(*spot, tag, tag_ink)
 
 
-def _seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, tuple[int, int]]]:
-    """The robots in the view with their cells; the selected one comes last."""
-    found = []
-    for robot in sorted(scene.robots, key=lambda robot: (robot.selected, -robot.number)):
-        pixel = scene.frame.to_pixel(robot.pose.x, robot.pose.y)
-        if all(map(math.isfinite, pixel)):
-            x, y = camera.to_cell(*pixel)
-            if camera.shows(x, y):
-                found.append((robot, (x, y)))
-    return found
+def _robot_glyph(
+    robot: SceneRobot, at: Place, owners: Mapping[Place, SceneRobot], scene: Scene, look: Look
+) -> str:
+    """The arrow, only as wide as it hides no other robot."""
+    glyph = robot_glyph(robot, scene.frame.origin.yaw, look.plain)
+    return glyph[:1] if (at[0] + 1, at[1]) in owners else glyph
 
 
 def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
@@ -154,25 +149,3 @@ def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     x, y = camera.to_cell(*look.cursor)
     if camera.shows(x, y):
         cells.inks[y, x] = Ink.CURSOR
-
-
-def seen_vertices(scene: Scene, camera: Camera) -> list[tuple[SceneVertex, tuple[int, int]]]:
-    """The vertices in the view, each with its cell (x, y)."""
-    if not scene.vertices:
-        return []
-    points = np.array([(vertex.x, vertex.y) for vertex in scene.vertices])
-    with np.errstate(invalid="ignore"):
-        dots = pixels(scene.frame, points) / camera.scale
-        places = np.floor(dots / (DOTS_X, DOTS_Y)) - camera.origin
-        inside = ((places >= 0) & (places < (camera.width, camera.height))).all(axis=1)
-    seen: Sequence[int] = np.flatnonzero(inside).tolist()
-    cells = places[inside].astype(np.intp).tolist()
-    return [(scene.vertices[i], (x, y)) for i, (x, y) in zip(seen, cells, strict=True)]
-
-
-def pixels(frame: MapFrame, points: Points) -> Points:
-    """World metres (n x 2) to map pixels (column, row), as `MapFrame.to_pixel` does for one."""
-    # Robots send what they like: infinities become "not in the view".
-    zero, right, up = (np.array(frame.to_pixel(*p)) for p in ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0)))
-    with np.errstate(invalid="ignore", over="ignore"):
-        return np.asarray(points @ np.array([right - zero, up - zero]) + zero, np.float64)

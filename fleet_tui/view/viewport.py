@@ -1,11 +1,12 @@
 """What the operator does with the view: which camera each floor has, following, zooming, picking."""
 
+import math
 from dataclasses import dataclass, field
 from typing import TypeVar
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.view.camera import Camera
-from fleet_tui.view.layers import seen_vertices
+from fleet_tui.view.places import seen_robots, seen_vertices
 from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 
 Thing = TypeVar("Thing")
@@ -106,15 +107,15 @@ class Viewport:
 
     def _robot_pixel(self, scene: Scene) -> tuple[float, float] | None:
         robot = scene.selected
-        return scene.frame.to_pixel(robot.pose.x, robot.pose.y) if robot else None
+        if robot is None:
+            return None
+        pixel = scene.frame.to_pixel(robot.pose.x, robot.pose.y)
+        return pixel if all(map(math.isfinite, pixel)) else None
 
 
 def pick(scene: Scene, camera: Camera, x: int, y: int) -> SceneRobot | SceneVertex | None:
     """What is meant by pointing at cell (x, y): the nearest robot, else labelled vertex, else vertex."""
-    robots = [
-        (robot, camera.to_cell(*scene.frame.to_pixel(robot.pose.x, robot.pose.y))) for robot in scene.robots
-    ]
-    found = _nearest(robots, x, y)
+    found = _nearest(seen_robots(scene, camera), x, y)
     if found:
         return found
     vertices = seen_vertices(scene, camera)

@@ -265,3 +265,13 @@ async def test_tiny_panes_and_empty_scenes_break_nothing() -> None:
             for action in ("zoom_in", "zoom_out", "follow", "centre", "cursor", "pick", "drawing", "fit"):
                 getattr(view, f"action_{action}")()
             assert "\x1b" not in "".join(app.rows())
+
+
+async def test_a_robot_that_is_nowhere_can_be_selected_followed_and_clicked_at() -> None:
+    async with Pane().run_test(size=(60, 20)) as pilot:
+        app, view = await started(pilot)
+        view.show(moved(SCENE, float("nan"), float("inf")))
+        for action in ("follow", "centre", "zoom_about", "zoom_in"):
+            getattr(view, f"action_{action}")()
+        view.pick_at(3, 3)
+        assert "floor_0" in app.rows()[0]
