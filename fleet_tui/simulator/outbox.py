@@ -49,13 +49,12 @@ class Outbox:
     """Frames for one client in the order in which they fall due. `now` is monotonic, in seconds."""
 
     def __init__(self) -> None:
-        self._replies: deque[Frame] = deque()
         self._due: list[tuple[float, int, Subscription]] = []
         self._number = count()
 
-    def reply(self, frame: Frame) -> None:
+    def reply(self, frame: Frame, now: float) -> None:
         """Queue a frame that nothing may replace or hold back."""
-        self._replies.append(frame)
+        self.offer(Subscription(), frame, now)
 
     def offer(self, subscription: Subscription, frame: Frame, now: float) -> None:
         """Queue a topic's frame; throttled and without a queue it is lost, with one the newest stay."""
@@ -70,8 +69,6 @@ class Outbox:
 
     def take(self, now: float) -> Frame | None:
         """The next frame to send now, None if there is none yet."""
-        if self._replies:
-            return self._replies.popleft()
         while self._due and self._due[0][0] <= now + SLACK:
             subscription = heapq.heappop(self._due)[2]
             if not subscription.waiting:  # unsubscribed meanwhile

@@ -6,6 +6,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
@@ -56,4 +57,5 @@ def _await_stdin(loop: asyncio.AbstractEventLoop, end: Callable[[bool], None]) -
     # os.read, not sys.stdin.read: a daemon thread inside a buffered read aborts the interpreter's exit.
     while os.read(sys.stdin.fileno(), 4096):
         pass
-    loop.call_soon_threadsafe(end, False)
+    with suppress(RuntimeError):  # the loop is closed: something else ended it at the same moment
+        loop.call_soon_threadsafe(end, False)

@@ -84,8 +84,8 @@ class Session:
         self._wake.set()
 
     def reply(self, frame: Frame) -> None:
-        """Send a frame as soon as possible, whatever else waits."""
-        self._outbox.reply(frame)
+        """Send a frame as it is, after what is due already."""
+        self._outbox.reply(frame, self._clock())
         self._wake.set()
 
     async def _read(self, raw: str | bytes) -> None:

@@ -113,9 +113,13 @@ def test_it_drives_at_its_speed_and_turns_in_place(world: World, robot: Robot) -
 
 def test_another_floor_is_reached_by_the_elevator(world: World, robot: Robot) -> None:
     order(world, 0, 110)
+    stood = longest = 0.0
     while robot.floor.name == "floor_0":
         before = robot.pose
         world.step(0.05)
+        stood = stood + 0.05 if robot.pose == before else 0.0
+        longest = max(longest, stood)
+    assert 4.0 < longest < 10.0  # loading takes 3 s
     assert robot.vertex == world.building.floors[1].vertex_of("elevator")
     assert (robot.pose.x, robot.pose.y) == (before.x, before.y)
     run_until_idle(world, robot)
@@ -179,6 +183,17 @@ def test_a_cancelled_robot_drives_on_to_the_next_vertex_and_stands(world: World,
     world.step(60.0)
     vertex = robot.floor.graph.vertices[robot.vertex]
     assert (vertex.id, vertex.x, vertex.y) == (bound, robot.pose.x, robot.pose.y)
+
+
+def test_an_order_on_the_way_somewhere_else_is_begun_at_the_next_vertex(world: World, robot: Robot) -> None:
+    order(world, 19, 12)
+    for end in (0, 15, 4, 119, 11):
+        world.step(4.3)
+        call(world, "Clear_orders", robot="robot_0", ind=0)
+        order(world, end, 2)
+        for _ in range(60):
+            world.step(0.1)
+            assert off_road(world, robot) < 1e-6
 
 
 def test_pause_stops_it_where_it_is_and_resume_goes_on(world: World, robot: Robot) -> None:
