@@ -18,6 +18,11 @@ class Key:
     pane: str = "console"
     hint: str = ""
 
+    @property
+    def section(self) -> str:
+        """Where help lists it: the map's keys work from every pane, and are still the map's."""
+        return "map" if self.action.startswith("on_map") else self.pane
+
 
 KEYS: tuple[Key, ...] = (
     Key("help", ("?",), "help", "Help: every key, searchable", hint="help"),

@@ -29,12 +29,17 @@ def shipped() -> Path:
     return inside if inside.exists() else package.parent / "config.toml"
 
 
+def user_folder() -> Path:
+    """The user's own config and themes."""
+    return platformdirs.user_config_path("fleet-tui")
+
+
 def find(given: str | None) -> Path:
     """The config to use: given, $FLEET_TUI_CONFIG, ./config.toml, the user's, the shipped one."""
     named = given or os.environ.get("FLEET_TUI_CONFIG")
     if named:
         return Path(named).expanduser()
-    places = [Path("config.toml"), platformdirs.user_config_path("fleet-tui") / "config.toml"]
+    places = [Path("config.toml"), user_folder() / "config.toml"]
     return next((place for place in places if place.is_file()), shipped())
 
 

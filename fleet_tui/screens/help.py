@@ -9,10 +9,10 @@ from textual.binding import BindingType
 from textual.containers import VerticalScroll
 from textual.widgets import Input, Static
 
-from fleet_tui.keys import KEYS
+from fleet_tui.keys import KEYS, Key
 from fleet_tui.screens.overlay import Overlay
 
-PANES = {
+SECTIONS = {
     "map": "Map",
     "table": "Tables: fleet, alarms, queue",
     "console": "Everywhere",
@@ -65,25 +65,25 @@ class Help(Overlay):
 
     def _list(self, wanted: str) -> None:
         lines = []
-        order = sorted(PANES, key=lambda pane: pane != self._pane)
-        for pane in order:
+        for section in sorted(SECTIONS, key=lambda name: name != self._pane):
             found = [
-                f"  {' '.join(self._keys[key.id]):<16} {key.text}  ({key.id})"
-                for key in KEYS
-                if key.pane == pane and self._is_wanted(wanted, key.text, key.id, *self._keys[key.id])
+                self._line(key) for key in KEYS if key.section == section and self._is_wanted(wanted, key)
             ]
             if found:
-                lines += [PANES[pane], *found, ""]
+                lines += [SECTIONS[section], *found, ""]
         if not wanted:
             lines += [NOTES, "", self._detail]
         self.query_one("#keys", Static).update("\n".join(lines) or f"no key for {wanted!r}")
         self.query_one(VerticalScroll).scroll_home(animate=False)
 
-    @staticmethod
-    def _is_wanted(wanted: str, *texts: str) -> bool:
+    def _line(self, key: Key) -> str:
+        return f"  {' '.join(self._keys[key.id]):<10} {key.text}  ({key.id})"
+
+    def _is_wanted(self, wanted: str, key: Key) -> bool:
         """A single character means the key itself."""
         if len(wanted) == 1:
-            return wanted in texts
+            return wanted in self._keys[key.id]
+        texts = (key.text, key.id, *self._keys[key.id])
         return any(wanted.casefold() in text.casefold() for text in texts)
 
     def action_scroll(self, rows: int) -> None:

@@ -62,7 +62,7 @@ class MainScreen(Navigation):
             yield RowsPane(id="alarms")
             yield RowsPane(id="queue")
         yield LineView(id="message")
-        yield LineView(id="hints")
+        yield LineView(id="hints", keep_right=True)
         yield OrderForm(lambda: self.state, self.submit)
         yield Confirm(id="confirm")
         yield Menu(id="menu")

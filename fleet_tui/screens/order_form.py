@@ -6,6 +6,8 @@ from typing import ClassVar
 from textual import on
 from textual.app import ComposeResult
 from textual.binding import BindingType
+from textual.containers import Horizontal
+from textual.widget import Widget
 from textual.widgets import Input, OptionList, Static
 
 from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
@@ -40,19 +42,22 @@ class OrderForm(Overlay):
     def compose(self) -> ComposeResult:
         """Three fields, the matches of the one that is being filled, and what is missing."""
         for field in FIELDS:
-            yield Input(id=field, compact=True, select_on_focus=True)
+            with Horizontal(classes="field"):
+                yield Static(field.capitalize(), classes="name")
+                yield Input(id=field, compact=True, select_on_focus=True)
         matches_list = OptionList(id="matches", markup=False)
         matches_list.can_focus = False
         yield matches_list
         yield Static(id="missing", markup=False)
 
-    def on_mount(self) -> None:
-        """The fields carry their names."""
-        for field in FIELDS:
-            self._input(field).border_title = field.capitalize()
-
     def _input(self, field: str) -> Input:
         return self.query_one(f"#{field}", Input)
+
+    def _row(self, field: str) -> Widget:
+        """The line of a field, with its name."""
+        row = self._input(field).parent
+        assert isinstance(row, Widget)
+        return row
 
     def _robot(self) -> Robot | None:
         return self._state().robots.get(self._input("robot").value.strip())
@@ -74,8 +79,9 @@ class OrderForm(Overlay):
     def _arrange(self) -> None:
         """With cargo on board and no orders there is only a destination."""
         robot = self._robot()
-        self._input("from").display = robot is None or not destination_only(robot)
-        self.border_title = "Order" if self._input("from").display else "Come here: cargo is on board"
+        has_start = robot is None or not destination_only(robot)
+        self._input("from").display = self._row("from").display = has_start
+        self.border_title = "Order" if has_start else "Come here: cargo is on board"
 
     def _say(self, text: str) -> None:
         self.query_one("#missing", Static).update(text)

@@ -22,10 +22,9 @@ def _row(alarm: Alarm, sources: int, clock: Callable[[float], str]) -> Row:
         alarm.key,
         (
             (f"{sign} {word} ", ink),
-            (clock(alarm.first_wall) + " ", Ink.DIM),
             (fit(alarm.condition.source, sources) + " ", Ink.TEXT),
             (visible(alarm.text), ink),
-            (count, Ink.DIM),
+            (f" {clock(alarm.first_wall)}{count}", Ink.DIM),
         ),
     )
 

@@ -70,18 +70,19 @@ def _battery(state: FleetState, robot: Robot) -> Run:
     return f"{int(percent):3d} %", ink
 
 
-def _row(state: FleetState, robot: Robot, selected: bool, names: int, floors: int) -> Row:
+def _row(state: FleetState, robot: Robot, selected: bool, columns: tuple[int, int, int]) -> Row:
+    numbers, names, floors = columns
     online = state.is_online(robot)
     ink = Ink.TEXT if online else Ink.DIM
     dot: Run = ("●", Ink.GOOD) if online else ("○", Ink.DIM if robot.heard is None else Ink.ALARM)
     runs: list[Run] = [
         dot,
-        (f"{robot.number:3d} ", Ink.DIM),
+        (f" {robot.number:{numbers}d} ", Ink.DIM),
         (fit(robot.name, names), Ink.ACCENT if selected else ink),
         (" ", ink),
         _battery(state, robot),
         (" " + fit(floor_text(state, robot), floors), ink),
-        (f" {CARGO} " if robot.has_cargo else "   ", Ink.CARGO if online else Ink.DIM),
+        (f" {CARGO} " if robot.has_cargo else "   ", Ink.TEXT if online else Ink.DIM),
     ]
     for text, colour in news(state, robot):
         runs += [(text, colour), (" ", ink)]
@@ -100,5 +101,6 @@ def fleet_table(state: FleetState, selected: str) -> Table:
     online = sum(state.is_online(robot) for robot in robots)
     names = column((robot.name for robot in robots), 6, 14)
     floors = column((floor_text(state, robot) for robot in robots), 5, 13)
-    rows = tuple(_row(state, robot, robot.name == selected, names, floors) for robot in robots)
+    columns = (len(str(len(state.robots))), names, floors)
+    rows = tuple(_row(state, robot, robot.name == selected, columns) for robot in robots)
     return Table((("Fleet", Ink.TITLE), (f" {online} of {len(rows)} online", Ink.DIM)), rows)

@@ -97,7 +97,8 @@ def command_runs(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
     if record.outcome is None:
         return (text, Ink.TEXT), (f": sent {age(state.now - record.issued_at)} ago", Ink.DIM)
     ink = Ink.GOOD if record.outcome is Outcome.ACCEPTED else Ink.ALARM
-    words = f" ({visible(record.words)})" if record.words else ""
+    said = visible(record.words)
+    words = f" ({said})" if said.casefold() not in ("", record.outcome.value) else ""
     return (text, Ink.TEXT), (f": {record.outcome.value}", ink), (words, Ink.DIM)
 
 

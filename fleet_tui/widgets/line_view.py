@@ -20,16 +20,23 @@ def write_runs(cells: Cells, x: int, y: int, runs: Sequence[Run]) -> int:
 
 
 class LineView(CellsView):
-    """Shows runs at the left and, where there is room, others at the right."""
+    """Shows runs at the left and others at the right. Where both don't fit, the left stays whole,
+    or with `keep_right` the right."""
 
     DEFAULT_CSS = "LineView { height: 1; }"
 
+    def __init__(self, *, id: str, keep_right: bool = False) -> None:
+        super().__init__(id=id)
+        self._keep_right = keep_right
+
     def show(self, left: Sequence[Run], right: Sequence[Run] = ()) -> None:
-        """Show these; what doesn't fit at the right is left out."""
+        """Show these."""
         width = self.size.width
         if width < 1:
             return
         cells = Cells.blank(width, 1, Ink.TEXT)
+        if self._keep_right:
+            left = cut(left, max(0, width - width_of(right) - 1))
         end = write_runs(cells, 0, 0, left)
         if end + width_of(right) < width:
             write_runs(cells, width - width_of(right), 0, right)

@@ -1,0 +1,93 @@
+"""The limits that keep the house liveable, and the purity that an import checker can't see."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "fleet_tui"
+FILES = sorted(PACKAGE.rglob("*.py"))
+PURE = ["model", "view", "robots", "rosbridge", "keys.py", "store.py"]
+PURE_SIMULATOR = ["world.py", "warehouse.py", "robot.py", "floorplan.py"]
+FORBIDDEN_NAMES = ("Manager", "Helper", "Utils", "Handler", "Data", "Info")
+IMPURE_CALLS = {"open", "print", "input", "now", "today", "monotonic", "perf_counter", "time_ns", "read_text"}
+
+Function = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+def _functions(path: Path) -> Iterator[tuple[str, int]]:
+    for part in ast.walk(ast.parse(path.read_text())):
+        if isinstance(part, Function):
+            yield f"{path.name}::{part.name}", (part.end_lineno or 0) - part.lineno + 1
+
+
+def _classes() -> Iterator[tuple[str, ast.ClassDef]]:
+    for path in FILES:
+        for part in ast.walk(ast.parse(path.read_text())):
+            if isinstance(part, ast.ClassDef):
+                yield f"{path.relative_to(PACKAGE)}::{part.name}", part
+
+
+def _lines(path: Path) -> int:
+    return path.read_text().count("\n")
+
+
+def test_files_are_short() -> None:
+    assert [path.name for path in FILES if _lines(path) > 250] == []
+    lengths = sorted(_lines(path) for path in FILES)
+    assert lengths[len(lengths) // 2] <= 90
+    assert _lines(PACKAGE / "app.py") <= 150
+    assert _lines(PACKAGE / "screens" / "main.py") <= 150
+
+
+def test_functions_are_short() -> None:
+    lengths = [entry for path in FILES for entry in _functions(path)]
+    assert [name for name, length in lengths if length > 30] == []
+    assert sum(length <= 25 for _, length in lengths) >= 0.95 * len(lengths)
+
+
+def test_classes_are_small() -> None:
+    for name, found in _classes():
+        assert (found.end_lineno or 0) - found.lineno < 200, name
+        assert sum(isinstance(part, Function) for part in found.body) <= 20, name
+
+
+def test_no_vague_names() -> None:
+    assert [name for name, _ in _classes() if name.endswith(FORBIDDEN_NAMES)] == []
+
+
+def _pure_files() -> Iterator[Path]:
+    for room in PURE:
+        path = PACKAGE / room
+        yield from [path] if path.is_file() else path.rglob("*.py")
+    yield from (PACKAGE / "simulator" / name for name in PURE_SIMULATOR)
+
+
+@pytest.mark.parametrize("path", list(_pure_files()), ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_pure_rooms_touch_nothing(path: Path) -> None:
+    tree = ast.parse(path.read_text())
+    imported = {
+        alias.name.partition(".")[0]
+        for part in ast.walk(tree)
+        if isinstance(part, ast.Import)
+        for alias in part.names
+    } | {(part.module or "").partition(".")[0] for part in ast.walk(tree) if isinstance(part, ast.ImportFrom)}
+    assert imported.isdisjoint(
+        {"time", "datetime", "logging", "os", "pathlib", "socket", "asyncio", "threading"}
+    )
+    called = {
+        part.func.id if isinstance(part.func, ast.Name) else part.func.attr
+        for part in ast.walk(tree)
+        if isinstance(part, ast.Call) and isinstance(part.func, ast.Name | ast.Attribute)
+    }
+    assert called.isdisjoint(IMPURE_CALLS)
+
+
+def test_every_exception_to_the_rules_has_its_reason() -> None:
+    for path in [*FILES, *(ROOT / "tests").rglob("*.py")]:
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            for mark in ("# type: " + "ignore", "# no" + "qa"):
+                if mark in line:
+                    assert "  # " in line.split(mark, 1)[1], f"{path.name}:{number} gives no reason"
