@@ -57,6 +57,7 @@ def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     cells.inks[free] = Ink.EDGE
 
 
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")
 def _trace(mask: NDArray[np.bool_], starts: Points, stops: Points) -> None:
     """Set the dots (x, y) along each line, after cutting the lines to the mask."""
     low, high = _within(mask.shape, starts, stops)
@@ -76,8 +77,7 @@ def _trace(mask: NDArray[np.bool_], starts: Points, stops: Points) -> None:
 def _within(shape: tuple[int, ...], starts: Points, stops: Points) -> tuple[Points, Points]:
     """From which to which share of its length each line is inside the mask (Liang-Barsky)."""
     size = np.array([shape[1], shape[0]], np.float64)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        one, other = -starts / (stops - starts), (size - starts) / (stops - starts)
+    one, other = -starts / (stops - starts), (size - starts) / (stops - starts)
     # A line along an axis divides by zero: +-inf outside, nan exactly on the border (taken as inside).
     low = np.nan_to_num(np.minimum(one, other), nan=-np.inf, neginf=-np.inf, posinf=np.inf)
     high = np.nan_to_num(np.maximum(one, other), nan=np.inf, neginf=-np.inf, posinf=np.inf)

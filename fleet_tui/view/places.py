@@ -30,8 +30,8 @@ def _seen(frame: MapFrame, camera: Camera, points: list[tuple[float, float]]) ->
     if not points:
         return []
     with np.errstate(invalid="ignore"):
-        dots = pixels(frame, np.array(points)) / camera.scale
-        places = np.floor(dots / (DOTS_X, DOTS_Y)) - camera.origin
+        cell = (DOTS_X * camera.scale, DOTS_Y * camera.scale)
+        places = np.floor(pixels(frame, np.array(points)) / cell) - camera.origin
         inside = ((places >= 0) & (places < (camera.width, camera.height))).all(axis=1)
     cells = places[inside].astype(np.intp).tolist()
     return [(i, (x, y)) for i, (x, y) in zip(np.flatnonzero(inside).tolist(), cells, strict=True)]

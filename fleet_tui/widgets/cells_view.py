@@ -1,6 +1,7 @@
 """A widget that shows a picture in cells and sends only what changed to the terminal."""
 
 from collections.abc import Mapping
+from typing import ClassVar
 
 from rich.segment import Segment
 from rich.style import Style
@@ -14,6 +15,9 @@ from fleet_tui.view.roles import Ink
 
 class CellsView(Widget):
     """Paints `Cells`. It has no border or padding: cell (0, 0) is the widget's upper left corner."""
+
+    ALLOW_SELECT: ClassVar[bool] = False
+    """Dragging means something else here."""
 
     def __init__(self, inks: Mapping[Ink, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(id=id)

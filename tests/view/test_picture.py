@@ -49,11 +49,11 @@ VERTICES = (
 )
 EDGES = ((1.5, 6.2, 3.0, 2.2), (1.5, 1.2, 3.0, 2.2), (3.0, 2.2, 5.2, 2.2), (5.2, 2.2, 9.5, 2.2))
 ROBOTS = (
-    SceneRobot("robot_0", 1, Pose(2.4, 4.0, -1.2), cargo=True, selected=True),
+    SceneRobot("robot_0", 1, Pose(2.47, 4.04, -1.2), cargo=True, selected=True),
     SceneRobot("robot_1", 2, Pose(6.0, 2.3, math.pi), obstacle=True),
     SceneRobot("robot_2", 3, Pose(6.1, 2.3, 0.8), paused=True, cargo=True),
-    SceneRobot("robot_3", 4, Pose(7.2, 6.6, math.pi / 2), online=False, age=41.2),
-    SceneRobot("robot_4", 5, Pose(3.5, 5.8, 2.3), other_map=True),
+    SceneRobot("robot_3", 4, Pose(7.23, 6.62, math.pi / 2), online=False, age=41.2),
+    SceneRobot("robot_4", 5, Pose(3.53, 5.83, 2.3), other_map=True),
 )
 HALL = hall()
 SCENE = Scene("floor_0", HALL.frame, HALL, VERTICES, EDGES, ROBOTS, (1, 2))
@@ -116,7 +116,13 @@ def test_robots_that_are_nowhere_are_not_drawn_and_break_nothing() -> None:
         SceneRobot(f"r{n}", n, Pose(x, 0.0)) for n, x in enumerate((math.nan, math.inf, 1e300, -1e300))
     )
     vertices = (*VERTICES, SceneVertex(9, math.nan, 1.0, label="x"), SceneVertex(10, 1e300, math.inf))
-    edges = (*EDGES, (math.nan, 0.0, 1.0, 1.0), (0.0, 0.0, math.inf, 1.0), (-1e9, 1.0, 1e9, 1.0))
+    edges = (
+        *EDGES,
+        (math.nan, 0.0, 1.0, 1.0),
+        (0.0, 0.0, math.inf, 1.0),
+        (math.inf, 0.0, math.inf, 2.0),
+        (-1e9, 1.0, 1e9, 1.0),
+    )
     scene = replace(SCENE, robots=robots, vertices=vertices, edges=edges)
     assert "Base" in drawn(scene, look=Look(edges=True)).text()
 

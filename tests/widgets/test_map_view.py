@@ -1,4 +1,4 @@
-"""The map pane in a small app: what its rows say, what it refreshes, and what the mouse does."""
+"""The map pane in a small app: what its rows say, what it refreshes, where its camera goes."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -8,7 +8,6 @@ import pytest
 from rich.style import Style
 from textual.app import App, ComposeResult
 from textual.geometry import Region
-from textual.message import Message
 from textual.pilot import Pilot
 
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -18,7 +17,6 @@ from fleet_tui.view.raster import Drawing
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
-from fleet_tui.widgets.messages import RobotPicked, VertexPicked
 
 FRAME = MapFrame(0.05, 400, 200)
 
@@ -44,16 +42,9 @@ class Pane(App[None]):
     def __init__(self) -> None:
         super().__init__()
         self.map = MapView(load_themes()[0]["dark"].styles())
-        self.picked: list[Message] = []
 
     def compose(self) -> ComposeResult:
         yield self.map
-
-    def on_robot_picked(self, message: RobotPicked) -> None:
-        self.picked.append(message)
-
-    def on_vertex_picked(self, message: VertexPicked) -> None:
-        self.picked.append(message)
 
     def rows(self) -> list[str]:
         return [self.map.render_line(y).text for y in range(self.map.size.height)]
@@ -204,44 +195,6 @@ async def test_drawing_goes_round_and_ascii_is_ascii() -> None:
             seen.append(view.look.drawing)
             assert "".join(app.rows()).isascii() == (seen[-1] is Drawing.ASCII)
         assert seen == [*Drawing, Drawing.BRAILLE]
-
-
-async def test_mouse_clicks_pick_drags_pan_and_the_wheel_zooms_at_the_pointer() -> None:
-    async with Pane().run_test(size=(100, 30)) as pilot:
-        app, view = await started(pilot)
-        rows = app.rows()
-        robot = next((row.index("→2"), y) for y, row in enumerate(rows) if "→2" in row)
-        vertex = next((row.index("o Base"), y) for y, row in enumerate(rows) if "o Base" in row)
-        await pilot.click(MapView, offset=robot)
-        await pilot.click(MapView, offset=vertex)
-        await pilot.pause()
-        assert isinstance(app.picked[0], RobotPicked)
-        assert app.picked[0].name == "robot_1"
-        assert isinstance(app.picked[1], VertexPicked)
-        assert app.picked[1].id == 1
-        view.action_zoom_in()
-        centre = view.viewport.camera(SCENE).column
-        await pilot.mouse_down(MapView, offset=(50, 15))
-        await pilot.hover(MapView, offset=(40, 15))
-        await pilot.mouse_up(MapView, offset=(40, 15))
-        await pilot.pause()
-        assert view.viewport.camera(SCENE).column > centre
-        assert len(app.picked) == 2
-
-
-async def test_the_cursor_visits_labelled_vertices_and_picks() -> None:
-    async with Pane().run_test(size=(100, 30)) as pilot:
-        app, view = await started(pilot)
-        for step, id_ in ((1, 1), (1, 2), (1, 1), (-1, 2)):
-            view.action_next_vertex(step)
-            view.action_pick()
-            await pilot.pause()
-            message = app.picked[-1]
-            assert isinstance(message, VertexPicked)
-            assert message.id == id_
-        view.action_pan_map(1, 0)
-        view.action_cursor()
-        assert view.look.cursor is None
 
 
 async def test_the_focused_caption_is_bright_and_inks_change_live() -> None:
