@@ -1,0 +1,17 @@
+"""Fixtures that several rooms share."""
+
+from collections.abc import AsyncIterator
+
+import pytest
+
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
+
+
+@pytest.fixture
+async def server() -> AsyncIterator[RosbridgeServer]:
+    """Two quiet simulated robots on two floors behind a real server."""
+    running = RosbridgeServer(World(robots=2, floors=2, seed=1, quiet=True))
+    await running.start()
+    yield running
+    await running.stop()

@@ -1,0 +1,48 @@
+"""A store that tests can wait on: no test sleeps to let something happen."""
+
+import asyncio
+from collections.abc import Callable
+
+from fleet_tui.config.profile import Profile
+from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.model.events import Event
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.store import Store
+
+
+class WatchedStore(Store):
+    """Wakes a waiting test at every event; the writer's clock makes one at least ten times a second."""
+
+    def __init__(self, state: FleetState) -> None:
+        super().__init__(state)
+        self.events: list[Event] = []
+        self._loop = asyncio.get_running_loop()
+        self._told = asyncio.Event()
+
+    def tell(self, event: Event) -> None:
+        super().tell(event)
+        self.events.append(event)
+        if not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(self._told.set)
+
+    async def until(self, holds: Callable[[FleetState], object], within: float = 20.0) -> FleetState:
+        """Wait until the state is as wanted; the test fails if it never is."""
+        async with asyncio.timeout(within):
+            while not holds(self.state):
+                self._told.clear()
+                await self._told.wait()
+        return self.state
+
+    def told(self, kind: type[Event]) -> list[Event]:
+        """The events of a kind, in order."""
+        return [event for event in self.events if isinstance(event, kind)]
+
+
+def config_of(url: str, robots: int = 1, floors: int = 1) -> Config:
+    """A config for the simulator, as the demo makes it."""
+    return Config(
+        rosbridge=Link(url),
+        floors=[FloorEntry(f"floor_{n}") for n in range(floors)],
+        robots=[RobotEntry(f"robot_{n}") for n in range(robots)],
+        profile=Profile(topics={"paused": "/{robot}/paused"}),
+    )
