@@ -2,25 +2,21 @@
 
 import logging
 import time
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
 from textual.app import App
 from textual.binding import BindingType
-from textual.command import CommandPalette
 from textual.theme import Theme
 
 from fleet_tui.config.check import map_path
 from fleet_tui.config.schema import Config
-from fleet_tui.config.start import initial_state
 from fleet_tui.keys import keymap
 from fleet_tui.map_files import load_floor_map
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
 from fleet_tui.screens.main import MainScreen
-from fleet_tui.screens.palette import FleetProvider
 from fleet_tui.store import Store
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.layers import Look
@@ -44,12 +40,16 @@ class FleetApp(App[None], inherit_bindings=False):
 
     TITLE = "fleet-tui"
     CSS_PATH = "fleet.tcss"
-    COMMANDS: ClassVar = {FleetProvider}
     BINDINGS: ClassVar[list[BindingType]] = bindings("anywhere")
-    ENABLE_COMMAND_PALETTE = True
+    ENABLE_COMMAND_PALETTE = False
 
     def __init__(
-        self, config: Config, themes: dict[str, FleetTheme], drawing: Drawing, colour: bool = True
+        self,
+        config: Config,
+        store: Store,
+        themes: dict[str, FleetTheme],
+        drawing: Drawing,
+        colour: bool = True,
     ) -> None:
         # Without colour Textual must leave the terminal's own, or it sends greys.
         super().__init__(ansi_color=not colour)
@@ -57,7 +57,7 @@ class FleetApp(App[None], inherit_bindings=False):
         self._themes = themes
         self._drawing = drawing
         self._colour = colour
-        self.store = Store(initial_state(config, time.monotonic()))
+        self.store = store
         self._link: FleetLink | None = None
         keys, _ = keymap(config.keys)
         self.main = MainScreen(self.store, self.submit, self.tell, self._show_map, keys, clock)
@@ -119,15 +119,9 @@ class FleetApp(App[None], inherit_bindings=False):
         for view in self.main.query(CellsView):
             view.set_inks(styles)
 
-    def leave_palette(self, then: Callable[[], None]) -> None:
-        """Close the command palette if it is open: what comes next belongs to the main screen."""
-        if isinstance(self.screen, CommandPalette):
-            self.pop_screen()
-        then()
-
     def action_help(self) -> None:
         """Help, also while typing."""
-        self.leave_palette(self.main.action_help)
+        self.main.action_help()
 
     def action_pause_all(self) -> None:
         """Pause every robot from wherever the operator is."""

@@ -4,6 +4,7 @@ import codecs
 import logging
 import os
 import sys
+import time
 
 import msgspec
 
@@ -11,8 +12,10 @@ from fleet_tui.app import FleetApp
 from fleet_tui.config.check import did_you_mean
 from fleet_tui.config.load import user_folder
 from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
 from fleet_tui.errors import ConfigError, FleetError
 from fleet_tui.log_file import log_to_file
+from fleet_tui.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.view.raster import Drawing
 
@@ -43,7 +46,9 @@ def open_console(config: Config, read_only: bool, debug: bool) -> None:
             config, operator=msgspec.structs.replace(config.operator, read_only=True)
         )
     log_to_file(debug)
-    app = FleetApp(config, themes, _drawing(config.ui.drawing), colour="NO_COLOR" not in os.environ)
+    store = Store(initial_state(config, time.monotonic()))
+    colour = not os.environ.get("NO_COLOR")
+    app = FleetApp(config, store, themes, _drawing(config.ui.drawing), colour)
     for problem in problems:
         LOG.warning("%s", problem)
     app.run()

@@ -30,7 +30,7 @@ KEYS: tuple[Key, ...] = (
     Key(
         "palette",
         (":", "ctrl+p"),
-        "command_palette",
+        "palette",
         "Command palette: every action, go to robot, vertex, floor",
         hint="command",
     ),

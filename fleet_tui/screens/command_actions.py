@@ -17,9 +17,11 @@ from fleet_tui.model.lookup import Place
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.menu import Entry, Menu
 from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.screens.overlay import Overlay
 from fleet_tui.store import Store
 from fleet_tui.view.fleet_rows import mission
 from fleet_tui.view.selection import Selection
+from fleet_tui.widgets.bindings import EAGER
 from fleet_tui.widgets.rows_pane import RowsPane
 
 
@@ -30,11 +32,16 @@ class CommandActions(Screen[None], inherit_bindings=False):
     submit: Callable[[Command], None]
     tell: Callable[[Event], None]
     selection: Selection
+    queue: RowsPane
 
     @property
     def state(self) -> FleetState:
         """The newest picture of the fleet."""
         return self.store.state
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """What opens something does not reach through what is open already."""
+        return action not in EAGER or not any(overlay.is_open for overlay in self.query(Overlay))
 
     def action_order(self) -> None:
         """Open the order form for the selected robot."""
@@ -49,7 +56,7 @@ class CommandActions(Screen[None], inherit_bindings=False):
 
     def action_cancel(self) -> None:
         """Cancel the order under the queue's cursor, after asking."""
-        key = self.query_one("#queue", RowsPane).cursor
+        key = self.queue.cursor
         if isinstance(key, tuple):
             self.ask_cancel(*key)
         else:

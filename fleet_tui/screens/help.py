@@ -1,16 +1,16 @@
 """Help: every key there is, made from the table of keys; typing searches."""
 
 from collections.abc import Mapping
-from typing import ClassVar
+from functools import partial
 
 from textual import on
 from textual.app import ComposeResult
-from textual.binding import BindingType
 from textual.containers import VerticalScroll
 from textual.widgets import Input, Static
 
 from fleet_tui.keys import KEYS, Key
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.widgets.field import Field, Keys
 
 SECTIONS = {
     "map": "Map",
@@ -30,14 +30,6 @@ Pausing from here is not a safety device: use the robot's own stop where people 
 class Help(Overlay):
     """The keys of the focused pane first, then the rest."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        ("escape", "close", "Close"),
-        ("up", "scroll(-1)", "Up"),
-        ("down", "scroll(1)", "Down"),
-        ("pageup", "scroll(-10)", "Page up"),
-        ("pagedown", "scroll(10)", "Page down"),
-    ]
-
     def __init__(self, keys: Mapping[str, tuple[str, ...]]) -> None:
         super().__init__(id="help")
         self._keys = keys
@@ -45,7 +37,14 @@ class Help(Overlay):
 
     def compose(self) -> ComposeResult:
         """A search field above the list."""
-        yield Input(id="search", compact=True, placeholder="type to search, Esc closes")
+        keys: Keys = {
+            "escape": self.action_close,
+            "up": partial(self.action_scroll, -1),
+            "down": partial(self.action_scroll, 1),
+            "pageup": partial(self.action_scroll, -10),
+            "pagedown": partial(self.action_scroll, 10),
+        }
+        yield Field(keys, id="search", placeholder="type to search, Esc closes")
         with VerticalScroll(can_focus=False):
             yield Static(id="keys", markup=False)
 

@@ -12,6 +12,7 @@ from fleet_tui.screens.help import Help
 from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.navigation import Navigation
 from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.screens.palette import Palette
 from fleet_tui.store import Store
 from fleet_tui.view.alarm_rows import alarm_table
 from fleet_tui.view.fleet_rows import fleet_table
@@ -46,6 +47,11 @@ class MainScreen(Navigation):
         super().__init__()
         self.store, self.submit, self.tell = store, submit, tell
         self.selection = first_selection(store.state)
+        self.status, self.message = LineView(id="status"), LineView(id="message")
+        self.hints = LineView(id="hints", keep_right=True)
+        self.map = MapView(id="map")
+        self.fleet = RowsPane(id="fleet", rows=len(store.state.robots))
+        self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
         self.notes: Sequence[str] = ()
         self.themes: Mapping[str, Callable[[], None]] = {}
         self._show_map, self._keys, self._clock = show_map, keys, clock
@@ -55,18 +61,15 @@ class MainScreen(Navigation):
 
     def compose(self) -> ComposeResult:
         """The panes in the order of Tab, then what opens over them."""
-        yield LineView(id="status")
-        with Container(id="panes"):
-            yield MapView(id="map")
-            yield RowsPane(id="fleet")
-            yield RowsPane(id="alarms")
-            yield RowsPane(id="queue")
-        yield LineView(id="message")
-        yield LineView(id="hints", keep_right=True)
+        yield self.status
+        yield Container(self.map, self.fleet, self.alarms, self.queue, id="panes")
+        yield self.message
+        yield self.hints
         yield OrderForm(lambda: self.state, self.submit)
         yield Confirm(id="confirm")
         yield Menu(id="menu")
         yield Help(self._keys)
+        yield Palette(self.wishes)
 
     def tick(self) -> None:
         """Show the newest state."""
@@ -74,15 +77,13 @@ class MainScreen(Navigation):
         self.selection = self.selection.settled(state, self.map.viewport.follow)
         self._ask_for_map()
         self.map.show(floor_scene(state, self.selection))
-        self._pane("fleet").show(fleet_table(state, self.selection.robot))
-        self._pane("alarms").show(alarm_table(state, self._clock))
-        queue = self._pane("queue")
-        queue.show(queue_table(state, self.selection.robot, self._all_orders, queue.room))
-        self.query_one("#status", LineView).show(
-            status_line(state, self.selection.robot, self.notes), status_right(self._clock(state.wall))
-        )
-        self.query_one("#message", LineView).show(message_line(state, *self._said))
-        self.query_one("#hints", LineView).show(*hints(self._keys, self._focused_pane()))
+        self.fleet.show(fleet_table(state, self.selection.robot))
+        self.alarms.show(alarm_table(state, self._clock))
+        self.queue.show(queue_table(state, self.selection.robot, self._all_orders, self.queue.room))
+        line = status_line(state, self.selection.robot, self.notes)
+        self.status.show(line, status_right(self._clock(state.wall)))
+        self.message.show(message_line(state, *self._said))
+        self.hints.show(*hints(self._keys, self._focused_pane()))
 
     def _focused_pane(self) -> str:
         return "map" if self.focused is self.map else "table"
@@ -113,6 +114,10 @@ class MainScreen(Navigation):
         """Every key there is."""
         self.query_one(Help).show(self._focused_pane(), f"Map: {self.map.look.drawing.value}")
 
+    def action_palette(self) -> None:
+        """Everything that can be done, by name."""
+        self.query_one(Palette).show()
+
     def action_back(self) -> None:
         """One level back: the map's cursor goes, then the focus to the map."""
         if self.map.look.cursor is not None:
@@ -121,7 +126,7 @@ class MainScreen(Navigation):
 
     def action_acknowledge(self) -> None:
         """Acknowledge the alarm under the cursor."""
-        key = self._pane("alarms").cursor
+        key = self.alarms.cursor
         if isinstance(key, tuple):
             self.tell(events.AlarmAcknowledged(*key))
 

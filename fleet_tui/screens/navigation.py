@@ -1,29 +1,30 @@
 """Moving about: which robot and floor are looked at, and what the panes ask for."""
 
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 
 from textual import on
 
+from fleet_tui.keys import KEYS
 from fleet_tui.screens.command_actions import CommandActions
+from fleet_tui.screens.palette import Entry
+from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.map_view import MapView
-from fleet_tui.widgets.rows_pane import RowsPane
+
+NOT_WISHED = {"palette", "back", "next_pane", "previous_pane"}
 
 
 class Navigation(CommandActions):
     """The selection, by key, by mouse and by name."""
 
+    map: MapView
+    themes: Mapping[str, Callable[[], None]]
+
     def tick(self) -> None:
         """Show the newest state."""
         raise NotImplementedError
-
-    def _pane(self, name: str) -> RowsPane:
-        return self.query_one(f"#{name}", RowsPane)
-
-    @property
-    def map(self) -> MapView:
-        """The map pane."""
-        return self.query_one("#map", MapView)
 
     def select(self, robot: str) -> None:
         """Select a robot."""
@@ -59,6 +60,26 @@ class Navigation(CommandActions):
     def action_step_floor(self, step: int) -> None:
         """The next or previous floor."""
         self.find_floor(self.selection.step_floor(self.state, step).floor)
+
+    def wishes(self) -> Iterator[Entry]:
+        """Everything the palette offers."""
+        for key in KEYS:
+            if key.pane == "console" and key.id not in NOT_WISHED:
+                yield key.text, partial(self.run_action, key.action)
+        for name in self.state.robots:
+            yield f"Go to robot {name}", partial(self.find_robot, name)
+        for floor in self.state.floors:
+            yield f"Go to floor {floor}", partial(self.find_floor, floor)
+        for floor, chart in self.state.robots[self.selection.robot].charts.items():
+            for id_, label in chart.labels.items():
+                vertex = chart.graph.vertices.get(id_) if chart.graph else None
+                if vertex is not None:
+                    yield (
+                        f"Go to vertex {visible(label)}",
+                        partial(self.find_vertex, floor, vertex.x, vertex.y),
+                    )
+        for name, use in self.themes.items():
+            yield f"Theme: {name}", use
 
     @on(messages.RobotPicked)
     def robot_picked(self, event: messages.RobotPicked) -> None:

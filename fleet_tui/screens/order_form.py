@@ -1,11 +1,10 @@
 """The order form: robot, from, to. Typing filters the labels, Enter goes on, the last Enter sends."""
 
 from collections.abc import Callable
-from typing import ClassVar
+from functools import partial
 
 from textual import on
 from textual.app import ComposeResult
-from textual.binding import BindingType
 from textual.containers import Horizontal
 from textual.widget import Widget
 from textual.widgets import Input, OptionList, Static
@@ -16,6 +15,7 @@ from fleet_tui.model.lookup import Place, destination_only, matches
 from fleet_tui.model.robot import Robot
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.view.text import visible
+from fleet_tui.widgets.field import Field, Keys
 
 FIELDS = ("robot", "from", "to")
 SHOWN = 8
@@ -23,14 +23,6 @@ SHOWN = 8
 
 class OrderForm(Overlay):
     """`start` opens it for a robot; a complete order goes to `send`."""
-
-    BINDINGS: ClassVar[list[BindingType]] = [
-        ("escape", "close", "Close"),
-        ("up", "mark(-1)", "Match above"),
-        ("down", "mark(1)", "Match below"),
-        ("tab", "step(1)", "Next field"),
-        ("shift+tab", "step(-1)", "Previous field"),
-    ]
 
     def __init__(self, state: Callable[[], FleetState], send: Callable[[Command], None]) -> None:
         super().__init__(id="order-form")
@@ -41,10 +33,18 @@ class OrderForm(Overlay):
 
     def compose(self) -> ComposeResult:
         """Three fields, the matches of the one that is being filled, and what is missing."""
+        keys: Keys = {
+            "enter": self._enter,
+            "escape": self.action_close,
+            "tab": partial(self.action_step, 1),
+            "shift+tab": partial(self.action_step, -1),
+            "up": partial(self.action_mark, -1),
+            "down": partial(self.action_mark, 1),
+        }
         for field in FIELDS:
             with Horizontal(classes="field"):
                 yield Static(field.capitalize(), classes="name")
-                yield Input(id=field, compact=True, select_on_focus=True)
+                yield Field(keys, id=field)
         matches_list = OptionList(id="matches", markup=False)
         matches_list.can_focus = False
         yield matches_list
@@ -140,10 +140,8 @@ class OrderForm(Overlay):
         event.stop()
         self._accept(event.option_index)
 
-    @on(Input.Submitted)
-    def submit(self, event: Input.Submitted) -> None:
-        """Enter takes the marked match and goes on; in the last field it sends."""
-        event.stop()
+    def _enter(self) -> None:
+        """Take the marked match and go on; in the last field send."""
         # What was typed last may not have been listed yet: look again before choosing.
         marked = self.query_one("#matches", OptionList).highlighted or 0
         before = list(self._found)

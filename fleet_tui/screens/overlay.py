@@ -11,6 +11,8 @@ from textual.widget import Widget
 class Overlay(Vertical, can_focus=True):
     """Hidden until opened. Only keys that work everywhere reach through it."""
 
+    _before: Widget | None = None
+
     @property
     def is_modal(self) -> bool:
         """Textual looks no further than here for the binding of a key."""
@@ -23,8 +25,13 @@ class Overlay(Vertical, can_focus=True):
 
     def open(self, first: Widget) -> None:
         """Come into view with the focus on `first`."""
-        if not self.is_open:
+        others = [other for other in self.screen.query(Overlay) if other.is_open and other is not self]
+        if others:
+            self._before = others[0]._before
+        elif not self.is_open:
             self._before = self.screen.focused
+        for other in others:
+            other.remove_class("-open")
         self.add_class("-open")
         # Not Widget.focus(), which waits for a refresh: a key may be next in line.
         self.screen.set_focus(first)
@@ -32,6 +39,5 @@ class Overlay(Vertical, can_focus=True):
     def action_close(self) -> None:
         """Go, and give the focus back."""
         self.remove_class("-open")
-        before = getattr(self, "_before", None)
-        if before is not None and before.is_attached:
-            self.screen.set_focus(before)
+        if self._before is not None and self._before.is_attached:
+            self.screen.set_focus(self._before)

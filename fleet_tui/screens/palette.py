@@ -1,46 +1,89 @@
 """The command palette: every action of the keys table, and "go to" for all that has a name."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from functools import partial
-from typing import cast
 
-from textual.command import DiscoveryHit, Hit, Hits, Provider
+from textual import on
+from textual.app import ComposeResult
+from textual.fuzzy import Matcher
+from textual.widgets import Input, OptionList
+from textual.widgets.option_list import Option
 
-from fleet_tui.keys import KEYS
-from fleet_tui.screens.main import MainScreen
+from fleet_tui.screens.overlay import Overlay
+from fleet_tui.widgets.field import Field, Keys
 
-NOT_LISTED = {"palette", "back", "next_pane", "previous_pane"}
+Entry = tuple[str, Callable[[], object]]
+SHOWN = 40
 
 
-class FleetProvider(Provider):
-    """Offers what the main screen can do."""
+class Palette(Overlay):
+    """Typing searches, Enter does the marked entry."""
 
-    def _entries(self) -> Iterator[tuple[str, Callable[[], object]]]:
-        main = cast(MainScreen, self.screen)
-        for key in KEYS:
-            if key.pane == "console" and key.id not in NOT_LISTED:
-                yield key.text, partial(main.run_action, key.action)
-        for robot in main.state.robots.values():
-            yield f"Go to robot {robot.name}", partial(main.find_robot, robot.name)
-        for floor in main.state.floors:
-            yield f"Go to floor {floor}", partial(main.find_floor, floor)
-        for floor, chart in main.state.robots[main.selection.robot].charts.items():
-            for id_, label in chart.labels.items():
-                vertex = chart.graph.vertices.get(id_) if chart.graph else None
-                if vertex is not None:
-                    yield f"Go to vertex {label}", partial(main.find_vertex, floor, vertex.x, vertex.y)
-        for name, use in main.themes.items():
-            yield f"Theme: {name}", use
+    def __init__(self, entries: Callable[[], Iterable[Entry]]) -> None:
+        super().__init__(id="palette")
+        self._entries = entries
+        self._found: list[Entry] = []
 
-    async def discover(self) -> Hits:
-        """Everything, before anything is typed."""
-        for text, action in self._entries():
-            yield DiscoveryHit(text, action)
+    def compose(self) -> ComposeResult:
+        """A field above what matches."""
+        keys: Keys = {
+            "enter": self._do,
+            "escape": self.action_close,
+            "up": partial(self._step, -1),
+            "down": partial(self._step, 1),
+            "ctrl+p": self.action_close,
+        }
+        yield Field(keys, id="wish", placeholder="what to do, or where to go")
+        matches = OptionList(id="wishes", markup=False)
+        matches.can_focus = False
+        yield matches
 
-    async def search(self, query: str) -> Hits:
-        """What matches."""
-        matcher = self.matcher(query)
-        for text, action in self._entries():
-            score = matcher.match(text)
-            if score > 0:
-                yield Hit(score, matcher.highlight(text), action, text=text)
+    def show(self) -> None:
+        """Open with everything there is."""
+        field = self.query_one(Field)
+        with field.prevent(Input.Changed):
+            field.value = ""
+        self._list()
+        self.open(field)
+
+    @on(Input.Changed, "#wish")
+    def _typed(self, event: Input.Changed) -> None:
+        event.stop()
+        self._list()
+
+    def _list(self) -> None:
+        """What matches, the best first; without a wish everything in its own sequence."""
+        typed = self.query_one(Field).value.strip()
+        matcher = Matcher(typed)
+        scored = [
+            (matcher.match(text) if typed else 1.0, entry) for entry in self._entries() for text in entry[:1]
+        ]
+        scored.sort(key=lambda pair: -pair[0])
+        self._found = [entry for score, entry in scored if score > 0][:SHOWN]
+        options = self.query_one(OptionList)
+        options.clear_options()
+        options.add_options(Option(text) for text, _ in self._found)
+        options.highlighted = 0 if self._found else None
+
+    def _step(self, step: int) -> None:
+        options = self.query_one(OptionList)
+        (options.action_cursor_down if step > 0 else options.action_cursor_up)()
+
+    def _do(self) -> None:
+        # What was typed last may not have been listed yet.
+        marked = self.query_one(OptionList).highlighted or 0
+        before = [text for text, _ in self._found]
+        self._list()
+        if before != [text for text, _ in self._found]:
+            marked = 0
+        if marked < len(self._found):
+            self._run(marked)
+
+    def _run(self, index: int) -> None:
+        self.action_close()
+        self._found[index][1]()
+
+    @on(OptionList.OptionSelected, "#wishes")
+    def _clicked(self, event: OptionList.OptionSelected) -> None:
+        event.stop()
+        self._run(event.option_index)

@@ -7,6 +7,10 @@ from textual.keys import _character_to_key
 
 from fleet_tui.keys import KEYS
 
+# What opens something to type in comes before all else: the next key, which may already be on its
+# way, belongs there.
+EAGER = frozenset({"order", "help", "palette"})
+
 
 def bindings(pane: str) -> list[BindingType]:
     """The bindings that work in a pane."""
@@ -17,7 +21,7 @@ def bindings(pane: str) -> list[BindingType]:
             key.text,
             show=False,
             id=key.id,
-            priority=pane == "anywhere",
+            priority=pane == "anywhere" or key.id in EAGER,
         )
         for key in KEYS
         if key.pane == pane

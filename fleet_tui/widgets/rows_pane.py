@@ -3,6 +3,7 @@
 from collections.abc import Hashable
 
 from textual import events
+from textual.geometry import Size
 
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.roles import Ink
@@ -20,8 +21,10 @@ class RowsPane(CellsView, can_focus=True):
 
     BINDINGS = bindings("table")
 
-    def __init__(self, *, id: str) -> None:
+    def __init__(self, *, id: str, rows: int = 0) -> None:
+        """`rows` is how many it would like to show where its height is up to it."""
         super().__init__(id=id)
+        self._wanted = rows
         self._table = Table((), ())
         self._top = 0
         self._slid = 0
@@ -32,6 +35,10 @@ class RowsPane(CellsView, can_focus=True):
     def room(self) -> int:
         """The cells of a row beside the cursor's mark."""
         return max(0, self.size.width - 1)
+
+    def get_content_height(self, container: Size, viewport: Size, width: int) -> int:
+        """The rows it would like to show, and its title."""
+        return self._wanted + 1
 
     def show(self, table: Table) -> None:
         """Show the newest rows. If the cursor's row is gone, the one now in its place has it."""

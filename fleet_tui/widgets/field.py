@@ -1,0 +1,33 @@
+"""A text field whose keys keep their order, however fast they come."""
+
+from collections.abc import Callable, Mapping
+
+from textual import events
+from textual.widgets import Input
+
+Keys = Mapping[str, Callable[[], object]]
+
+
+class Field(Input):
+    """Does what `on` says of a key at once, not by a message that the next key would overtake.
+
+    Keys that were already on their way when the focus moved on are passed to where it is now: a
+    whole order pasted in one packet fills the form as if it were typed.
+    """
+
+    def __init__(self, on: Keys, *, id: str, placeholder: str = "") -> None:
+        super().__init__(id=id, placeholder=placeholder, compact=True, select_on_focus=True)
+        self._on = on
+
+    def on_key(self, event: events.Key) -> None:
+        """Ours, somebody else's, or text."""
+        focused = self.screen.focused
+        action = self._on.get(event.key)
+        if focused is self and action is None:
+            return
+        event.stop()
+        event.prevent_default()
+        if focused is self and action is not None:
+            action()
+        elif focused is not None:
+            focused.post_message(events.Key(event.key, event.character))

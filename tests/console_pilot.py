@@ -1,0 +1,85 @@
+"""The console under Textual's pilot, on the real loopback simulator: what it shows, what it sends."""
+
+import time
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+
+from textual.pilot import Pilot
+
+from fleet_tui.app import FleetApp
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath
+from fleet_tui.themes import load_themes
+from fleet_tui.view.raster import Drawing
+from tests.watched import WatchedStore
+
+
+class Console:
+    """A running console. `until` and `shows` wait for the state and the screen."""
+
+    def __init__(self, app: FleetApp, store: WatchedStore, pilot: Pilot[None]) -> None:
+        self.app, self.store, self.pilot = app, store, pilot
+
+    @property
+    def text(self) -> str:
+        """The whole screen as a person reads it."""
+        return "\n".join(strip.text for strip in self.app.screen._compositor.render_strips())
+
+    def pane(self, name: str) -> str:
+        """The text of one pane, whatever lies over it."""
+        widget = self.app.main.query_one(f"#{name}")
+        return "\n".join(widget.render_line(y).text for y in range(widget.size.height))
+
+    async def press(self, *keys: str) -> None:
+        """Press keys one after the other."""
+        await self.pilot.press(*keys)
+
+    async def type(self, text: str) -> None:
+        """Type text as a person or a paste does: every character is already there."""
+        await self.pilot.press(*("space" if letter == " " else letter for letter in text))
+
+    async def until(self, holds: Callable[[FleetState], object]) -> FleetState:
+        """Wait until the state is as wanted."""
+        return await self.store.until(holds)
+
+    async def shows(self, text: str, pane: str = "") -> None:
+        """Wait until a text stands on the screen, or in a pane."""
+        await self._wait(lambda: text in (self.pane(pane) if pane else self.text), text)
+
+    async def hides(self, text: str) -> None:
+        """Wait until a text has gone from the screen."""
+        await self._wait(lambda: text not in self.text, f"no {text}")
+
+    async def _wait(self, holds: Callable[[], bool], what: str) -> None:
+        def look(_state: FleetState) -> bool:
+            self.app.main.tick()
+            return holds()
+
+        try:
+            await self.store.until(look, within=15)
+        except TimeoutError:
+            raise AssertionError(f"never seen: {what}\n{self.text}") from None
+
+
+def _ready(state: FleetState) -> bool:
+    robots = state.robots.values()
+    known = all(robot.queue and robot.pose and robot.cargo and robot.knows_all_graphs() for robot in robots)
+    labelled = all(chart.labels for robot in robots for chart in robot.charts.values())
+    return known and labelled and all(link.command_path is CommandPath.ALIVE for link in state.links.values())
+
+
+@asynccontextmanager
+async def console(
+    config: Config, size: tuple[int, int] = (120, 40), wait: bool = True, colour: bool = True
+) -> AsyncIterator[Console]:
+    """Run the console until all telemetry has come."""
+    store = WatchedStore(initial_state(config, time.monotonic()))
+    app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour)
+    async with app.run_test(size=size) as pilot:
+        running = Console(app, store, pilot)
+        if wait:
+            await running.until(_ready)
+            await running.shows("Base", "map")
+        yield running

@@ -1,0 +1,253 @@
+"""Commands by key and mouse: what is asked first, and what reaches the robots."""
+
+from typing import Any
+
+import msgspec
+import pytest
+from textual import events
+
+from fleet_tui.model.link import Phase
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
+from tests.console_pilot import Console, console
+from tests.watched import config_of
+
+
+def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:
+    """The calls that arrived, services by their last name, without request ids."""
+    return [
+        (service.rpartition("/")[2], {key: value for key, value in args.items() if key != "request_id"})
+        for service, args in server.calls
+    ]
+
+
+def vertex(it: Console, label: str, robot: str = "robot_0") -> int:
+    charts = it.store.state.robots[robot].charts.values()
+    return next(id_ for chart in charts for id_, name in chart.labels.items() if name == label)
+
+
+async def place(it: Console) -> None:
+    """An order by the promised keys."""
+    await it.press("o")
+    await it.type("Base")
+    await it.press("enter")
+    await it.type("Consumidores")
+    await it.press("enter")
+
+
+async def test_an_order_by_keyboard_is_driven_and_leaves_the_queue(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("Base -> Consumidores", "queue")
+        await it.shows("accepted")
+        start, end = vertex(it, "Base"), vertex(it, "Consumidores")
+        assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end})]
+        # Faster than it would be driven: the world is ours.
+        for _ in range(3000):
+            server.world.step(0.1)
+        await it.until(lambda state: not state.robots["robot_0"].orders.orders)
+        await it.shows("no orders", "queue")
+
+
+def one_packet(it: Console, text: str) -> None:
+    """Every key is there before the first is handled, as a slow line or a paste delivers them."""
+    for letter in text:
+        named = {"\r": "enter", "\t": "tab", "\x1b": "escape", ":": "colon", "?": "question_mark"}
+        it.app.post_message(events.Key(named.get(letter, letter), letter if letter.isprintable() else None))
+
+
+async def test_keys_typed_right_after_o_belong_to_the_form(server: RosbridgeServer) -> None:
+    """`p`, `x`, `P` in a label must not pause or cancel."""
+    async with console(config_of(server.url, 1)) as it:
+        one_packet(it, "opxP")
+        await it.shows("pxP")
+        assert sent(server) == []
+
+
+async def test_a_whole_order_in_one_packet(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        one_packet(it, "oBase\rConsumidores\rp")
+        await it.until(lambda _: len(server.calls) == 2)
+        start, end = vertex(it, "Base"), vertex(it, "Consumidores")
+        assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end}), ("Pause", {})]
+
+
+@pytest.mark.parametrize("opener", [":", "?"])
+async def test_keys_typed_right_after_the_palette_or_help_belong_to_it(
+    server: RosbridgeServer, opener: str
+) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        one_packet(it, opener + "pPoxX")
+        await it.shows("pPoxX")
+        one_packet(it, "\x1b")
+        await it.hides("pPoxX")
+        assert sent(server) == []
+
+
+async def test_what_is_missing_is_named(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("o", "enter")
+        await it.shows("From is missing")
+        await it.type("zzz")
+        await it.press("enter")
+        await it.shows("nothing is called 'zzz'")
+        await it.press("escape", "o")
+        await it.type("Base")
+        await it.press("enter", "enter")
+        await it.shows("To is missing")
+        await it.type("Base")
+        await it.press("enter")
+        await it.shows("same place")
+        await it.press("escape")
+        await it.hides("To is missing")
+        assert sent(server) == []
+
+
+async def test_with_cargo_and_no_orders_there_is_only_a_destination(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].cargo = True
+    async with console(config_of(server.url, 1)) as it:
+        await it.until(lambda state: state.robots["robot_0"].has_cargo)
+        await it.press("o")
+        await it.shows("Come here")
+        assert "From" not in it.text
+        await it.type("Base")
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].outcome)
+        wanted = {"agent": "robot_0", "end_point": vertex(it, "Base")}
+        assert sent(server) == [("Execute_order_with_cargo", wanted)]
+
+
+async def test_another_robot_in_the_form(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("o", "shift+tab")
+        await it.type("_1")
+        await it.press("home", "delete", "delete", "end")
+        await it.press("escape", "o", "shift+tab", "end", "backspace", "1", "enter")
+        await it.type("Base")
+        await it.press("enter")
+        await it.type("Cons")
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].outcome)
+        assert server.calls[-1][0].startswith("/robot_1/")
+
+
+@pytest.mark.parametrize("answer", ["n", "escape", "enter", "x", "q"])
+async def test_a_cancel_asks_and_only_y_does_it(server: RosbridgeServer, answer: str) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("Base -> Consumidores", "queue")
+        await it.press("x")
+        await it.shows("Cancel order 1 of robot_0?")
+        await it.press(answer)
+        await it.press("escape")
+        await it.hides("Cancel order 1")
+        assert len(server.calls) == 1
+        await it.press("x", "y")
+        await it.until(lambda state: not state.robots["robot_0"].orders.orders)
+        assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})
+
+
+async def test_cancel_and_clear_by_mouse(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("[Cancel]", "queue")
+        rows = it.pane("queue").splitlines()
+        await it.pilot.click("#queue", offset=(rows[1].index("[Cancel]") + 2, 1))
+        await it.shows("Cancel order 1 of robot_0?")
+        await it.pilot.click("#no")
+        await it.hides("Cancel order 1")
+        await it.pilot.click("#queue", offset=(rows[0].index("[Clear all]") + 2, 0))
+        await it.shows("Clear all 1 orders of robot_0?")
+        await it.pilot.click("#yes")
+        await it.until(lambda state: not state.robots["robot_0"].orders.orders)
+        assert sent(server)[-1] == ("Clear_orders", {"robot": "robot_0", "ind": 0})
+
+
+async def test_all_robots_orders_and_a_cancel_of_anothers(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("2")
+        await place(it)
+        await it.shows("Base -> Consumidores", "queue")
+        await it.press("1", "*")
+        await it.shows("robot_1  0", "queue")
+        await it.press("x", "y")
+        await it.until(lambda state: not state.robots["robot_1"].orders.orders)
+
+
+async def test_pause_and_resume_at_once_and_pause_all_from_everywhere(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("p")
+        await it.shows("paused", "fleet")
+        await it.press("r")
+        await it.until(lambda state: not (paused := state.robots["robot_0"].paused) or not paused.value)
+        for opened in (["P"], ["o", "f12"], ["question_mark", "f12"], ["colon", "f12"], ["s", "f12"]):
+            server.calls.clear()
+            await it.press(*opened)
+            await it.until(lambda _: len(server.calls) == 2)
+            assert {name for name, _ in sent(server)} == {"Pause"}
+            await it.press("escape", "escape")
+
+
+async def test_ctrl_c_commands_nothing_and_does_not_leave(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("ctrl+c")
+        await it.shows("Queue robot_0")
+        assert it.app.is_running
+        assert sent(server) == []
+
+
+async def test_a_refusal_stands_in_the_robots_own_words(server: RosbridgeServer) -> None:
+    service = "/robot_0/Application_layout/Execute_order"
+    server.answers[service] = lambda args: {"request_id": 1, "status": "REJECTED: [red]door closed"}
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("refused (REJECTED: [red]door closed)")
+
+
+async def test_a_call_never_answered_is_said(server: RosbridgeServer) -> None:
+    server.silent_services.add("/robot_0/Application_layout/Pause")
+    config = config_of(server.url, 1)
+    config = msgspec.structs.replace(
+        config, alarms=msgspec.structs.replace(config.alarms, no_answer_after=0.3)
+    )
+    async with console(config) as it:
+        await it.press("p")
+        await it.shows("no answer")
+
+
+async def test_loss_and_return_of_the_server_are_shown_and_heal() -> None:
+    first = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True))
+    await first.start()
+    port = int(first.url.rpartition(":")[2])
+    async with console(config_of(first.url, 1)) as it:
+        await first.stop()
+        await it.shows("no link")
+        await it.shows("next try")
+        await it.press("p")
+        await it.shows("not sent")
+        second = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True), port=port)
+        await second.start()
+        await it.until(lambda state: state.links["rosbridge"].phase is Phase.UP)
+        await it.hides("next try")
+        heard = it.store.state.robots["robot_0"].heard or 0.0
+        await it.until(lambda state: (state.robots["robot_0"].heard or 0.0) > heard)
+        assert second.calls == []
+        await second.stop()
+
+
+async def test_a_start_before_the_server(server: RosbridgeServer) -> None:
+    async with console(config_of("ws://127.0.0.1:9", 1), wait=False) as it:
+        await it.shows("no link")
+        await it.shows("never seen", "fleet")
+
+
+async def test_read_only_stands_on_the_screen(server: RosbridgeServer) -> None:
+    config = config_of(server.url, 1)
+    config = msgspec.structs.replace(
+        config, operator=msgspec.structs.replace(config.operator, read_only=True)
+    )
+    async with console(config) as it:
+        await it.shows("read-only")
+        await it.press("p")
+        await it.shows("not sent (this console is read-only)")
+        assert sent(server) == []

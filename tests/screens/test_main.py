@@ -1,0 +1,135 @@
+"""The main screen: what it shows of a real fleet, and its keys."""
+
+import pytest
+
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.view.raster import Drawing
+from tests.console_pilot import console
+from tests.watched import config_of
+
+
+@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+async def test_every_pane_is_in_view(server: RosbridgeServer, size: tuple[int, int]) -> None:
+    async with console(config_of(server.url, 2, 2), size) as it:
+        text = it.text
+        for word in ("floor_0", "Fleet", "Alarms", "Queue robot_0", "robot_1", "? ", "order", server.url):
+            assert word in text
+        assert "0 alarms" in text
+        assert "⣿" in it.pane("map") or "⠤" in it.pane("map")
+        assert len(text.splitlines()) == size[1]
+
+
+async def test_below_60_by_16_a_plain_list_stays_with_its_alarms(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.pilot.resize_terminal(59, 15)
+        await it.shows("robot_1")
+        assert "Alarms" in it.text
+        assert "Queue" not in it.text
+
+
+@pytest.mark.parametrize("size", [(1, 1), (5, 3), (300, 90)])
+async def test_any_size_is_survived(server: RosbridgeServer, size: tuple[int, int]) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.pilot.resize_terminal(*size)
+        it.app.main.tick()
+        await it.pilot.resize_terminal(120, 40)
+        await it.shows("Queue robot_0")
+
+
+async def test_robots_are_chosen_by_step_and_number(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        for keys, robot in (("]", "robot_1"), ("]", "robot_0"), ("[", "robot_1"), ("1", "robot_0")):
+            await it.press(keys)
+            await it.shows(f"Queue {robot}", "queue")
+        await it.press("9")
+        assert it.app.main.selection.robot == "robot_0"
+
+
+async def test_floors_step_and_the_map_says_where_the_robot_is(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("}")
+        await it.shows("floor_1 ", "map")
+        await it.shows("robot_0 is on floor_0", "map")
+        await it.press("f")
+        await it.shows("floor_0 ", "map")
+        await it.shows("follow on", "map")
+        await it.press("f", "{")
+        await it.shows("robot_0 is on floor_0", "map")
+
+
+async def test_the_maps_keys_work_from_every_pane(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("tab", "tab", "m")
+        assert it.app.main.map.look.drawing is Drawing.HALF_BLOCK
+        await it.press("m")
+        await it.shows("ascii", "map")
+        assert "#" in it.pane("map")
+        before = it.pane("map")
+        await it.press("+")
+        assert it.pane("map") != before
+        await it.press("-", "z", "e", "v", "c", "0", "n", "N", "g", "escape")
+        await it.press("left", "h", "right", "l", "up", "k", "down", "j")
+
+
+async def test_help_lists_every_key_and_searches(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("question_mark")
+        await it.shows("type to search")
+        assert "Pan left" in it.text
+        await it.type("pause every")
+        await it.shows("f12")
+        assert "Pan left" not in it.text
+        assert server.url in it.text
+        await it.press("escape")
+        await it.hides("f12")
+
+
+async def test_the_palette_goes_to_things_and_does_actions(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("colon")
+        await it.type("go to robot robot_1")
+        await it.press("enter")
+        await it.shows("Queue robot_1", "queue")
+
+
+async def test_themes_change_at_once(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        before = it.app.main.map._styles
+        it.app.main.themes["light"]()
+        assert it.app.main.map._styles != before
+        assert it.app.theme == "fleet-light"
+
+
+async def test_an_alarm_is_new_until_it_is_seen(server: RosbridgeServer) -> None:
+    server.muted.add("/robot_0/obstacle")
+    async with console(config_of(server.url, 2, 2), wait=False) as it:
+        await it.until(lambda state: state.robots["robot_0"].pose)
+        server.publish_raw("/robot_0/obstacle", {"data": 4.2})
+        await it.shows("obstacle 4.2 s", "alarms")
+        await it.shows("obstacle 4.2 s", "fleet")
+        await it.shows("1 alarm (1 new)")
+        await it.press("a")
+        await it.shows("1 alarm ")
+        server.publish_raw("/robot_0/obstacle", {"data": 0.0})
+        await it.hides("obstacle 4.2 s")
+        await it.shows("0 alarms")
+        server.publish_raw("/robot_0/obstacle", {"data": 9.0})
+        await it.shows("obstacle 9.0 s", "alarms")
+        await it.press("A")
+        await it.hides("new)")
+
+
+async def test_hostile_text_from_the_wire_stays_text(server: RosbridgeServer) -> None:
+    evil = "\x1b[31m[bold]x[/bold]\x07‮\u200b"
+    async with console(config_of(server.url, 1)) as it:
+        vertices = it.store.state.robots["robot_0"].charts["floor_0"].labels
+        labels = [{"label": label + evil, "vertex_id": id_} for id_, label in vertices.items()]
+        server.publish_raw("/robot_0/floor_0/labeled_vertices", {"vertices": labels})
+        orders = [{"id": 1, "start": 0, "end": 1, "status": evil}]
+        server.muted.add("/robot_0/queue")
+        queue = {"last_order_id": 1, "current_order_id": 1, "orders": orders}
+        server.publish_raw("/robot_0/queue", queue)
+        await it.shows("[bold]x[/bold]", "queue")
+        await it.press("o")
+        await it.shows("[bold]")
+        assert not {"\x1b", "\x07", "‮", "\u200b"} & set(it.text)
