@@ -1,0 +1,201 @@
+"""The picture of the world after each kind of fact."""
+
+import pytest
+
+from fleet_tui.model import events
+from fleet_tui.model.alarm import Alarm
+from fleet_tui.model.commands import Command, Outcome, PauseRobot, PlaceOrder
+from fleet_tui.model.fleet import COMMANDS_KEPT, FleetState, age
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.occupancy import grid_from_ros
+from tests.fleets import (
+    F0,
+    LINK,
+    R0,
+    T0,
+    WALL,
+    battery,
+    fleet,
+    graph,
+    labels,
+    link_lost,
+    link_up,
+    pose,
+    queue,
+    tick,
+    told,
+)
+
+FRAME = MapFrame(0.05, 2, 1, Pose(-1.0, -2.0))
+GRID = grid_from_ros(FRAME, b"\x00\x64")
+
+
+def alarms(state: FleetState) -> dict[tuple[str, str], Alarm]:
+    return {alarm.key: alarm for alarm in state.alarms}
+
+
+def test_every_value_lands_in_its_place_with_its_time() -> None:
+    state = told(
+        fleet(),
+        pose(T0 + 1, 3.0, 4.0),
+        battery(T0 + 2, 55.0),
+        events.CargoReported(R0, T0 + 3, True),
+        events.ObstacleReported(R0, T0 + 4, 2.5),
+        queue(T0 + 5, (1, 10, 11, "W"), current=1),
+        events.PausedReported(R0, T0 + 6, True),
+    )
+    robot = state.robots[R0]
+    readings = (robot.pose, robot.battery, robot.cargo, robot.obstacle, robot.queue, robot.paused)
+    assert [reading and reading.at for reading in readings] == [T0 + n for n in range(1, 7)]
+    assert robot.pose is not None and robot.pose.value == Pose(3.0, 4.0)
+    assert (robot.battery and robot.battery.value, robot.obstacle and robot.obstacle.value) == (55.0, 2.5)
+    assert robot.has_cargo and robot.orders.current is not None and robot.orders.current.id == 1
+    assert robot.heard == T0 + 6
+
+
+def test_what_is_latched_is_kept_but_is_no_sign_of_life() -> None:
+    """A bridge delivers latched maps again: a dead robot must not look alive."""
+    charts = (graph(1), labels({1: "Base"}), events.FrameReceived(R0, F0, FRAME))
+    state = told(fleet(), *charts, events.GridReceived(R0, F0, GRID), events.MessageRejected(R0, "bad"))
+    chart = state.robots[R0].charts[F0]
+    assert chart.frame == FRAME and chart.grid is GRID
+    assert chart.graph is not None and chart.name_of(1) == "Base"
+    assert state.robots[R0].heard is None
+    assert not told(state, tick(T0 + 0.1)).is_online(state.robots[R0])
+
+
+def test_bad_data_is_counted_on_its_robot_or_its_link() -> None:
+    state = told(
+        fleet(2), events.MessageRejected(R0, "pose: x"), events.FrameRejected(LINK, "frame of 3 bytes")
+    )
+    assert [(robot.faults, robot.last_fault) for robot in state.robots.values()] == [(1, "pose: x"), (0, "")]
+    assert (state.links[LINK].faults, state.links[LINK].last_fault) == (1, "frame of 3 bytes")
+
+
+def test_what_an_unknown_robot_says_changes_nothing() -> None:
+    state = fleet()
+    assert told(state, pose(T0, robot="stranger"), graph(1, robot="stranger")) is state
+
+
+def test_a_floors_map_file_or_what_is_wrong_with_it() -> None:
+    state = told(fleet(1, 2), events.FloorMapLoaded(F0, GRID, tied=False))
+    assert (state.floors[F0].grid, state.floors[F0].tied, state.floors[F0].frame_id) == (GRID, False, F0)
+    state = told(state, events.FloorMapLoaded("floor_1", None, "map a.png: no image a.png"))
+    assert (state.floors["floor_1"].grid, state.floors["floor_1"].problem) == (
+        None,
+        "map a.png: no image a.png",
+    )
+    assert list(state.floors) == [F0, "floor_1"]
+
+
+def test_online_is_a_message_within_the_limit() -> None:
+    state = told(fleet(), battery(T0))
+    assert told(state, tick(T0 + 5.0)).is_online(state.robots[R0])
+    assert not told(state, tick(T0 + 5.01)).is_online(state.robots[R0])
+
+
+def test_since_stays_the_moment_of_the_loss_while_it_is_tried_again() -> None:
+    state = told(fleet(), link_up(T0 + 1), link_lost(T0 + 10, "it closed", T0 + 11))
+    for n in range(5):
+        trying = events.LinkChanged(LINK, T0 + 11 + n, Phase.CONNECTING)
+        state = told(state, trying)
+        assert (state.links[LINK].since, bool(state.links[LINK].reason)) == (T0 + 10, True)
+        state = told(state, link_lost(T0 + 11.5 + n, "nothing listens there", T0 + 13 + n))
+        assert (state.links[LINK].since, state.links[LINK].next_try) == (T0 + 10, T0 + 13 + n)
+    state = told(state, link_up(T0 + 30))
+    link = state.links[LINK]
+    assert (link.phase, link.since, link.reason, link.next_try) == (Phase.UP, T0 + 30, "", None)
+    assert told(state, link_up(T0 + 40)).links[LINK].since == T0 + 30
+
+
+def test_a_link_that_is_heard_and_commands_that_are_dead() -> None:
+    state = told(fleet(), link_up(T0), events.LinkHeard(LINK, T0 + 3.0))
+    assert state.links[LINK].heard == T0 + 3.0
+    state = told(
+        state, events.CommandPathChanged(LINK, CommandPath.DEAD, "the ROS master is gone"), tick(T0 + 4)
+    )
+    assert alarms(state)[LINK, "commands"].text == "commands don't get through: the ROS master is gone"
+    state = told(state, events.CommandPathChanged(LINK, CommandPath.ALIVE), tick(T0 + 5))
+    assert alarms(state)[LINK, "commands"].text == "commands get through again"
+
+
+def test_no_link_is_one_alarm_with_its_reason_after_the_delay() -> None:
+    state = told(fleet(3), link_up(T0), link_lost(T0 + 10), tick(T0 + 11.9))
+    assert alarms(state) == {}
+    state = told(state, tick(T0 + 60))
+    assert list(alarms(state)) == [(LINK, "link")]
+    assert alarms(state)[LINK, "link"].text == "no link: nothing listens there"
+    state = told(state, link_up(T0 + 61), tick(T0 + 61.1))
+    assert alarms(state)[LINK, "link"].text == "link is back"
+
+
+def test_offline_is_an_alarm_only_while_the_link_is_up_and_had_time() -> None:
+    state = told(fleet(2), link_up(T0), battery(T0), tick(T0 + 5.0))
+    assert alarms(state) == {}
+    state = told(state, tick(T0 + 12.0))
+    assert alarms(state)[R0, "offline"].text == "offline 12 s"
+    assert alarms(state)["robot_1", "offline"].text == "never seen"
+    state = told(state, battery(T0 + 13.0), tick(T0 + 13.0))
+    assert alarms(state)[R0, "offline"].text == "is back"
+
+
+def test_a_new_link_gives_the_robots_time_to_speak() -> None:
+    state = told(fleet(), link_up(T0), battery(T0), link_lost(T0 + 1), tick(T0 + 100), link_up(T0 + 100))
+    assert (R0, "offline") not in alarms(told(state, tick(T0 + 104.9)))
+    assert (R0, "offline") in alarms(told(state, tick(T0 + 105.1)))
+
+
+@pytest.mark.parametrize(("seconds", "alarmed"), [(0.0, False), (3.0, False), (3.1, True), (1e6, True)])
+def test_obstacle_above_the_limit(seconds: float, alarmed: bool) -> None:
+    state = told(fleet(), link_up(T0), events.ObstacleReported(R0, T0, seconds), tick(T0))
+    assert ((R0, "obstacle") in alarms(state)) is alarmed
+    assert state.is_obstructed(state.robots[R0]) is alarmed
+    free = told(state, events.ObstacleReported(R0, T0 + 1, 0.0), tick(T0 + 1))
+    assert [alarm.text for alarm in free.alarms] == ["way is free again"] * alarmed
+
+
+@pytest.mark.parametrize(
+    ("percent", "priority"), [(20.0, None), (19.9, "LOW"), (10.0, "LOW"), (9.9, "MEDIUM"), (0.0, "MEDIUM")]
+)
+def test_battery_below_the_limit(percent: float, priority: str | None) -> None:
+    state = told(fleet(), battery(T0, percent), tick(T0))
+    found = [alarm.condition.priority.name for alarm in state.alarms]
+    assert found == ([priority] if priority else [])
+
+
+def test_seen_alarms_are_not_counted_as_new() -> None:
+    state = told(fleet(2), battery(T0, 5.0), battery(T0, 5.0, "robot_1"), tick(T0))
+    assert state.unacknowledged == 2
+    state = told(state, events.AlarmAcknowledged(R0, "battery"))
+    assert (state.unacknowledged, len(state.alarms)) == (1, 2)
+    assert told(state, events.AlarmAcknowledged()).unacknowledged == 0
+
+
+def test_alarms_carry_wall_time() -> None:
+    assert told(fleet(), battery(T0, 5.0), tick(T0 + 7)).alarms[0].first_wall == WALL + T0 + 7
+
+
+def test_a_command_ends_exactly_once_whatever_comes() -> None:
+    issued = events.CommandIssued(7, PauseRobot(R0), T0, WALL)
+    state = told(fleet(), issued, events.CommandFinished(8, Outcome.ACCEPTED))
+    assert state.commands[0].outcome is None
+    state = told(state, events.CommandFinished(7, Outcome.NO_ANSWER, "within 5 s"))
+    assert told(state, events.CommandFinished(7, Outcome.ACCEPTED, "paused")) is state
+    assert (state.commands[0].outcome, state.commands[0].words) == (Outcome.NO_ANSWER, "within 5 s")
+    assert not state.robots[R0].paused_by_us
+
+
+def test_the_newest_commands_are_kept() -> None:
+    commands: list[Command] = [PlaceOrder(R0, n, n) for n in range(COMMANDS_KEPT + 5)]
+    state = told(fleet(), *(events.CommandIssued(n, command, T0, WALL) for n, command in enumerate(commands)))
+    assert [record.command for record in state.commands] == commands[-COMMANDS_KEPT:]
+    assert told(state, events.CommandFinished(0, Outcome.ACCEPTED)) is state
+
+
+@pytest.mark.parametrize(
+    ("seconds", "text"),
+    [(-3.0, "0 s"), (0.0, "0 s"), (4.4, "4 s"), (90.0, "90 s"), (240.0, "4 min"), (7200.0, "2 h")],
+)
+def test_ages_in_words(seconds: float, text: str) -> None:
+    assert age(seconds) == text

@@ -1,0 +1,134 @@
+"""Any sequence of facts: nothing raises, no robot is lost, no command ends twice."""
+
+from dataclasses import fields
+from typing import get_args
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.model import events
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Outcome,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+)
+from fleet_tui.model.fleet import FleetState, is_paused
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.occupancy import grid_from_ros
+from fleet_tui.model.order import Order, OrderQueue
+from tests.fleets import LINK, T0, fleet, told
+
+AT = st.floats(T0, T0 + 1e4)
+NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
+IDS = st.integers(-(2**31), 2**31 - 1) | st.integers(-1, 4)
+ROBOTS = st.sampled_from(["robot_0", "robot_1", "stranger"])
+FLOORS = st.sampled_from(["floor_0", "floor_1", "attic"])
+FRAME = MapFrame(0.05, 1, 1)
+ORDERS = st.builds(Order, IDS, IDS, IDS, st.text(max_size=3))
+QUEUES = st.builds(OrderQueue, IDS, IDS, st.lists(ORDERS, max_size=4).map(tuple))
+COMMANDS = st.one_of(
+    st.builds(PlaceOrder, ROBOTS, IDS, IDS),
+    st.builds(PlaceOrderWithCargo, ROBOTS, IDS),
+    st.builds(CancelOrder, ROBOTS, IDS),
+    *(st.builds(kind, ROBOTS) for kind in (ClearOrders, PauseRobot, ResumeRobot)),
+)
+COMMAND_IDS = st.integers(1, 5)
+
+FACTS: dict[type, st.SearchStrategy[events.Event]] = {
+    events.PoseReported: st.builds(
+        events.PoseReported,
+        ROBOTS,
+        AT,
+        st.builds(Pose, NUMBERS, NUMBERS, NUMBERS),
+        FLOORS | st.text(max_size=4),
+        st.none() | NUMBERS,
+    ),
+    events.BatteryReported: st.builds(events.BatteryReported, ROBOTS, AT, NUMBERS),
+    events.CargoReported: st.builds(events.CargoReported, ROBOTS, AT, st.booleans()),
+    events.ObstacleReported: st.builds(events.ObstacleReported, ROBOTS, AT, NUMBERS),
+    events.QueueReported: st.builds(events.QueueReported, ROBOTS, AT, QUEUES),
+    events.PausedReported: st.builds(events.PausedReported, ROBOTS, AT, st.booleans()),
+    events.FrameReceived: st.builds(events.FrameReceived, ROBOTS, FLOORS, st.just(FRAME)),
+    events.GraphReceived: st.builds(
+        events.GraphReceived, ROBOTS, FLOORS, st.just(RouteGraph()), st.integers(0, 3), st.text(max_size=9)
+    ),
+    events.LabelsReceived: st.builds(
+        events.LabelsReceived, ROBOTS, FLOORS, st.dictionaries(IDS, st.text(max_size=9), max_size=3)
+    ),
+    events.GridReceived: st.builds(events.GridReceived, ROBOTS, FLOORS, st.just(grid_from_ros(FRAME, b"\0"))),
+    events.MessageRejected: st.builds(events.MessageRejected, ROBOTS, st.text(max_size=9)),
+    events.FrameRejected: st.builds(events.FrameRejected, st.just(LINK), st.text(max_size=9)),
+    events.FloorMapLoaded: st.builds(
+        events.FloorMapLoaded, st.just("floor_0"), st.none(), st.text(max_size=9), st.booleans()
+    ),
+    events.LinkChanged: st.builds(
+        events.LinkChanged, st.just(LINK), AT, st.sampled_from(Phase), st.text(max_size=9), st.none() | AT
+    ),
+    events.LinkHeard: st.builds(events.LinkHeard, st.just(LINK), AT),
+    events.CommandPathChanged: st.builds(
+        events.CommandPathChanged, st.just(LINK), st.sampled_from(CommandPath), st.text(max_size=9)
+    ),
+    events.CommandIssued: st.builds(events.CommandIssued, COMMAND_IDS, COMMANDS, AT, AT),
+    events.CommandFinished: st.builds(
+        events.CommandFinished, COMMAND_IDS, st.sampled_from(Outcome), st.text(max_size=9)
+    ),
+    events.AlarmAcknowledged: st.builds(
+        events.AlarmAcknowledged,
+        st.sampled_from(["", "robot_0", LINK]),
+        st.sampled_from(["", "offline", "link"]),
+    ),
+    events.TimePassed: st.builds(events.TimePassed, AT, AT),
+}
+ANY = st.lists(st.one_of(*FACTS.values()), max_size=40)
+
+
+def test_every_kind_of_fact_is_tried() -> None:
+    flat: set[type] = set()
+    for kind in get_args(events.Event):
+        flat |= set(get_args(kind)) or {kind}
+    assert flat == set(FACTS)
+
+
+def check(state: FleetState) -> None:
+    assert list(state.robots) == ["robot_0", "robot_1"]
+    assert [robot.number for robot in state.robots.values()] == [1, 2]
+    assert list(state.links) == [LINK]
+    assert set(state.floors) == {"floor_0", "floor_1"}
+    keys = [alarm.key for alarm in state.alarms]
+    assert len(keys) == len(set(keys))
+    for robot in state.robots.values():
+        assert is_paused(robot) in (True, False) and state.is_online(robot) in (True, False)
+        assert state.floor_of(robot) in (None, "floor_0", "floor_1")
+        assert robot.faults >= 0 and bool(robot.last_fault) <= bool(robot.faults)
+
+
+@given(ANY)
+def test_nothing_raises_and_no_robot_is_ever_lost(facts: list[events.Event]) -> None:
+    check(told(fleet(2, 2), *facts))
+
+
+@given(ANY)
+def test_facts_change_no_value_that_somebody_holds(facts: list[events.Event]) -> None:
+    """The screen reads a state while the writer makes the next one."""
+    state = fleet(2, 2)
+    before = [(name.name, repr(getattr(state, name.name))) for name in fields(state)]
+    told(state, *facts)
+    assert [(name.name, repr(getattr(state, name.name))) for name in fields(state)] == before
+
+
+@given(st.permutations([1, 2, 3]), st.lists(FACTS[events.CommandFinished] | FACTS[events.TimePassed]))
+def test_a_command_keeps_its_first_end(ids: list[int], later: list[events.Event]) -> None:
+    issued = [events.CommandIssued(id_, PauseRobot("robot_0"), T0, T0) for id_ in ids]
+    ends: dict[int, Outcome] = {}
+    for event in later:
+        if isinstance(event, events.CommandFinished):
+            ends.setdefault(event.id, event.outcome)
+    state = told(fleet(), *issued, *later)
+    assert [record.id for record in state.commands] == ids
+    assert [record.outcome for record in state.commands] == [ends.get(id_) for id_ in ids]

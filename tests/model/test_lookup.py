@@ -1,0 +1,81 @@
+"""What an operator types finds the vertex that is meant."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.model.events import CargoReported
+from fleet_tui.model.lookup import Place, destination_only, matches, places
+from fleet_tui.model.robot import Robot
+from tests.fleets import F0, R0, T0, fleet, graph, labels, pose, queue, told
+
+NAMED = {1: "Base", 2: "Consumidores", 3: "Dock 7", 7: "Lab base"}
+
+
+def known() -> Robot:
+    facts = (
+        graph(1, 2, 3, 7, 8),
+        labels(NAMED),
+        graph(20, floor="floor_1"),
+        labels({20: "Attic"}, "floor_1"),
+    )
+    return told(fleet(1, 2), *facts, pose(T0)).robots[R0]
+
+
+def names(robot: Robot, typed: str) -> list[str]:
+    return [place.name for place in matches(robot, typed)]
+
+
+@pytest.mark.parametrize(
+    ("typed", "found"),
+    [
+        ("base", ["Base", "Lab base"]),
+        ("  BASE ", ["Base", "Lab base"]),
+        ("con", ["Consumidores"]),
+        ("7", ["Lab base", "Dock 7"]),
+        ("8", ["8"]),
+        ("20", ["Attic"]),
+        ("99", []),
+        ("²", []),
+        ("٣", []),
+        ("9" * 5000, []),
+        ("nowhere", []),
+    ],
+)
+def test_whole_label_then_id_then_start_then_part(typed: str, found: list[str]) -> None:
+    assert names(known(), typed) == found
+
+
+def test_nothing_typed_is_every_label_this_floor_first_by_name() -> None:
+    assert names(known(), "") == ["Base", "Consumidores", "Dock 7", "Lab base", "Attic"]
+
+
+def test_the_floor_a_robot_is_on_comes_first() -> None:
+    facts = (graph(1), labels({1: "Zebra"}), graph(2, floor="floor_1"), labels({2: "Alpha"}, "floor_1"))
+    state = told(fleet(1, 2), *facts, pose(T0))
+    assert [place.name for place in places(state.robots[R0])] == ["Zebra", "Alpha"]
+    upstairs = told(state, pose(T0, frame="floor_1"))
+    assert [place.name for place in places(upstairs.robots[R0])] == ["Alpha", "Zebra"]
+
+
+def test_a_label_of_a_vertex_that_the_graph_has_not_is_no_place() -> None:
+    assert places(told(fleet(), labels({5: "Ghost"}), graph(1)).robots[R0]) == []
+    assert places(told(fleet(), labels({5: "Soon"})).robots[R0]) == [Place(5, "Soon", F0)]
+
+
+@given(st.text(max_size=8))
+def test_whatever_is_typed_finds_only_places_of_the_robots_graphs(typed: str) -> None:
+    found = matches(known(), typed)
+    assert len(found) == len(set(found))
+    assert {place.vertex for place in found} <= {1, 2, 3, 7, 8, 20}
+    wanted = typed.strip().casefold()
+    assert all(wanted in place.name.casefold() or wanted == str(place.vertex) for place in found)
+
+
+def test_an_order_needs_no_start_with_cargo_and_nothing_to_do() -> None:
+    state = fleet()
+    assert not destination_only(state.robots[R0])
+    loaded = told(state, CargoReported(R0, T0, True))
+    assert destination_only(loaded.robots[R0])
+    assert not destination_only(told(loaded, queue(T0, (1, 1, 2, "Q"))).robots[R0])
+    assert not destination_only(told(loaded, CargoReported(R0, T0, False)).robots[R0])
