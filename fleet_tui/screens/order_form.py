@@ -112,7 +112,10 @@ class OrderForm(Overlay):
     def filter(self, event: Input.Changed) -> None:
         """What is typed names something else now."""
         event.stop()
-        self._chosen.pop(event.input.id or "", None)
+        field, value = event.input.id or "", event.input.value
+        # The message may be about letters that were typed before the choice was made.
+        if field in self._chosen and visible(self._chosen[field].name) != value:
+            del self._chosen[field]
         if event.input.id == "robot":
             self._arrange()
         self._say("")
@@ -152,7 +155,7 @@ class OrderForm(Overlay):
         field = self._field()
         box = self._input(field)
         if not box.value.strip() and field not in self._chosen and index == 0:
-            self._say(f"{field.capitalize()} is missing: type a label or a vertex id")
+            self._say(_missing(field))
             return
         if field not in self._chosen or box.value.strip():
             if index >= len(self._found):
@@ -182,7 +185,7 @@ class OrderForm(Overlay):
         needed = ("to",) if destination_only(robot) else ("from", "to")
         for field in needed:
             if field not in self._chosen:
-                self._stay(field, f"{field.capitalize()} is missing: type a label or a vertex id")
+                self._stay(field, _missing(field))
                 return
         start, end = self._chosen.get("from"), self._chosen["to"]
         if destination_only(robot):
@@ -198,3 +201,8 @@ class OrderForm(Overlay):
     def _stay(self, field: str, text: str) -> None:
         self.screen.set_focus(self._input(field))
         self._say(text)
+
+
+def _missing(field: str) -> str:
+    remedy = "its name" if field == "robot" else "a label or a vertex id"
+    return f"{field.capitalize()} is missing: type {remedy}"
