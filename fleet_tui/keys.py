@@ -114,6 +114,7 @@ _FORBIDDEN = {
     "ctrl+c": "Ctrl-C is kept free",
     "ctrl+i": "a terminal sends it as tab",
     "ctrl+m": "a terminal sends it as enter",
+    "ctrl+[": "a terminal sends it as escape",
 }
 
 
@@ -128,8 +129,16 @@ def _problem_of_key(key: str) -> str | None:
         return "no such key" + (f", did you mean {near[0]}?" if near else "")
     if len(last) == 1 and "shift" in modifiers:
         return "write the shifted character itself"
+    if len(last) == 1 and last.isupper() and "ctrl" in modifiers:
+        return f"a terminal sends it as {key.lower()}"
     wrong = [name for name in modifiers if name not in ("ctrl", "shift", "alt")]
     return f"no such modifier {wrong[0]}, use ctrl, shift or alt" if wrong else None
+
+
+def _types_nothing(key: str) -> bool:
+    """Whether a key means nothing to a text field: a space or an arrow would be taken from it."""
+    *modifiers, last = key.split("+")
+    return "ctrl" in modifiers or "alt" in modifiers or (len(last) > 1 and last[1:].isdigit())
 
 
 def _same_place(one: Key, other: Key) -> bool:
@@ -151,7 +160,7 @@ def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list
         chosen[id_] = tuple(keys)
         for key in chosen[id_]:
             wrong = _problem_of_key(key)
-            if _BY_ID[id_].pane == "anywhere" and len(key) == 1:
+            if _BY_ID[id_].pane == "anywhere" and not _types_nothing(key):
                 wrong = "works while typing too, so it must be a function key or a ctrl key"
             if wrong:
                 problems.append(f"keys.{id_}: {key!r}: {wrong}")
