@@ -42,7 +42,15 @@ def missing_files(config: Config) -> list[str]:
 
 def map_path(config: Config, name: str) -> Path:
     """Where a floor's map file lies: relative to the config file."""
-    return config.path.parent / Path(name).expanduser()
+    return config.path.parent / expanded(name)
+
+
+def expanded(name: str) -> Path:
+    """A path with ~ as the home it means; the ~ of a user who is not known stays."""
+    try:
+        return Path(name).expanduser()
+    except RuntimeError:
+        return Path(name)
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
@@ -110,7 +118,7 @@ def _profile(profile: Profile) -> Iterator[str]:
     for n, pattern in enumerate(profile.refusals):
         try:
             re.compile(pattern)
-        except re.error as problem:
+        except (re.error, OverflowError, RecursionError) as problem:
             yield f"profile.refusals[{n}]: {pattern!r} is no regular expression: {problem}"
 
 

@@ -11,7 +11,7 @@ from typing import Any, Literal
 import msgspec
 import platformdirs
 
-from fleet_tui.config.check import checked, did_you_mean
+from fleet_tui.config.check import checked, did_you_mean, expanded
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
 
@@ -38,7 +38,7 @@ def find(given: str | None) -> Path:
     """The config to use: given, $FLEET_TUI_CONFIG, ./config.toml, the user's, the shipped one."""
     named = given or os.environ.get("FLEET_TUI_CONFIG")
     if named:
-        return Path(named).expanduser()
+        return expanded(named)
     places = [Path("config.toml"), user_folder() / "config.toml"]
     return next((place for place in places if place.is_file()), shipped())
 
@@ -53,7 +53,7 @@ def load(path: Path) -> Config:
         raise ConfigError([f"{path}: can't be read: {problem.strerror}"]) from None
     except UnicodeDecodeError:
         raise ConfigError([f"{path}: is not UTF-8 text"]) from None
-    except (tomllib.TOMLDecodeError, RecursionError) as problem:
+    except (ValueError, RecursionError) as problem:
         raise ConfigError([f"{path}: is not TOML: {problem}"]) from None
     problems: list[str] = []
     config: Config | None = _read(Config, table, "", problems)
