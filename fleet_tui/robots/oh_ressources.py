@@ -82,7 +82,7 @@ def _translate_number(
 
     def translate(robot: str, _floor: str, msg: object, at: float) -> events.Event:
         number = read(msg).data
-        if not low <= number <= high:
+        if not (math.isfinite(number) and low <= number <= high):
             raise WireError(f"data is {number}, not within {low:g} and {high:g}")
         return event(robot, at, number)
 

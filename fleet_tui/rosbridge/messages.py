@@ -14,15 +14,16 @@ from fleet_tui.errors import WireError
 from fleet_tui.rosbridge.operations import INT8_ARRAY
 
 Int32 = Annotated[int, msgspec.Meta(ge=-(2**31), le=2**31 - 1)]
+Int64 = Annotated[int, msgspec.Meta(ge=-(2**63), le=2**63 - 1)]
 
 
 class Stamp(msgspec.Struct, frozen=True):
     """A time: ROS 1 says secs/nsecs, ROS 2 sec/nanosec."""
 
-    secs: int | None = None
-    nsecs: int = 0
-    sec: int | None = None
-    nanosec: int = 0
+    secs: Int64 | None = None
+    nsecs: Int64 = 0
+    sec: Int64 | None = None
+    nanosec: Int64 = 0
 
     @property
     def seconds(self) -> float | None:
