@@ -100,7 +100,7 @@ def _robot_conditions(state: FleetState, robot: Robot) -> Iterator[Condition]:
         yield Condition(robot.name, "obstacle", Priority.HIGH, text, "way is free again")
     if robot.battery is not None and robot.battery.value < state.limits.battery_low:
         critical = robot.battery.value < state.limits.battery_critical
-        text = f"battery {robot.battery.value:.0f} %"
+        text = f"battery {int(robot.battery.value)} %"
         priority = Priority.MEDIUM if critical else Priority.LOW
         yield Condition(robot.name, "battery", priority, text, "battery is charged again")
 
