@@ -1,0 +1,71 @@
+"""Every topic and service of the robots' interface under its name, and each can be renamed."""
+
+import pytest
+
+from fleet_tui.config.profile import FIELDS, FLOOR_TOPICS, SERVICES, TOPICS, Profile
+
+# As the robots' interface is written down.
+PROMISED = {
+    "map_metadata": ("/r/f/map_metadata", "nav_msgs/MapMetaData"),
+    "map": ("/r/f/map", "nav_msgs/OccupancyGrid"),
+    "labels": ("/r/f/labeled_vertices", "OH_ressources/LabeledVertices"),
+    "graph": ("/r/f/graph", "OH_ressources/Graph"),
+    "pose": ("/r/pose", "geometry_msgs/PoseStamped"),
+    "cargo": ("/r/cargo", "std_msgs/Bool"),
+    "battery": ("/r/battery", "std_msgs/Float32"),
+    "obstacle": ("/r/obstacle", "std_msgs/Float32"),
+    "queue": ("/r/queue", "OH_ressources/ActionQueue"),
+    "paused": ("", "std_msgs/Bool"),
+}
+CALLED = {
+    "order": "Execute_order",
+    "order_with_cargo": "Execute_order_with_cargo",
+    "cancel": "Cancel_order",
+    "clear": "Clear_orders",
+    "resume": "Resume",
+    "pause": "Pause",
+}
+
+
+def test_topics_have_the_promised_names_and_types() -> None:
+    profile = Profile()
+    assert {key: (profile.topic(key, "r", "f"), profile.type(key)) for key in TOPICS} == PROMISED
+
+
+def test_services_have_the_promised_names() -> None:
+    assert {key: Profile().service(key, "r") for key in SERVICES} == {
+        key: f"/r/Application_layout/{name}" for key, name in CALLED.items()
+    }
+
+
+@pytest.mark.parametrize("key", list(TOPICS))
+def test_every_topic_and_type_can_be_renamed(key: str) -> None:
+    profile = Profile(topics={key: "/x/{robot}/y"}, types={key: "a/B"})
+    assert (profile.topic(key, "r", "f"), profile.type(key)) == ("/x/r/y", "a/B")
+    others = [other for other in TOPICS if other != key]
+    assert [profile.topic(other, "r", "f") for other in others] == [PROMISED[other][0] for other in others]
+
+
+@pytest.mark.parametrize("key", list(SERVICES))
+def test_every_service_can_be_renamed(key: str) -> None:
+    assert Profile(services={key: "/{robot}/{robot}"}).service(key, "r") == "/r/r"
+
+
+def test_braces_of_other_names_stay_as_they_are() -> None:
+    assert Profile(topics={"pose": "/{x}/{robot}"}).topic("pose", "r") == "/{x}/r"
+
+
+def test_only_what_depends_on_a_floor_has_one_for_each() -> None:
+    depends = {key for key in TOPICS if Profile().topic(key, "r", "f1") != Profile().topic(key, "r", "f2")}
+    assert depends == FLOOR_TOPICS
+
+
+def test_the_names_of_one_messages_fields() -> None:
+    profile = Profile(
+        fields={"vertex.id": "vid", "vertex.x": "px", "order.id": "number", "order_call.end_point": "to"}
+    )
+    assert profile.names("vertex") == {"id": "vid", "x": "px"}
+    assert profile.names("order") == {"id": "number"}
+    assert profile.names("order_call") == {"end_point": "to"}
+    assert profile.names("edge") == {}
+    assert set(profile.fields) <= FIELDS
