@@ -10,10 +10,9 @@ from hypothesis import strategies as st
 from fleet_tui.config.load import load
 from fleet_tui.errors import ConfigError
 
-KEYS = st.text(max_size=5) | st.sampled_from(
-    "rosbridge links floors robots operator keys ui alarms profile path name url map size link"
-    " refusals topics fields order offline_after".split()
-)
+TABLES = ("rosbridge", "links", "floors", "robots", "operator", "keys", "ui", "alarms", "profile", "path")
+ENTRIES = ("name", "url", "map", "size", "link", "refusals", "topics", "fields", "order", "offline_after")
+KEYS = st.text(max_size=5) | st.sampled_from(TABLES) | st.sampled_from(ENTRIES)
 SCALARS = st.one_of(
     st.text(st.characters(exclude_categories=["Cs", "Cc"]), max_size=8).map(lambda text: json.dumps(text)),
     st.integers(-(10**30), 10**30).map(str),
