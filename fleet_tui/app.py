@@ -6,7 +6,6 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
-from textual.app import App
 from textual.binding import BindingType
 from textual.theme import Theme
 
@@ -18,6 +17,7 @@ from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.store import Store
+from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.layers import Look
 from fleet_tui.view.raster import Drawing
@@ -35,7 +35,7 @@ def clock(wall: float) -> str:
     return time.strftime("%H:%M:%S", time.localtime(wall)) if wall else ""
 
 
-class FleetApp(App[None], inherit_bindings=False):
+class FleetApp(LeanApp, inherit_bindings=False):
     """The console. The link is made after the first paint: importing it takes longer than drawing."""
 
     TITLE = "fleet-tui"
@@ -63,7 +63,8 @@ class FleetApp(App[None], inherit_bindings=False):
         self.main = MainScreen(self.store, self.submit, self.tell, self._show_map, keys, clock)
         self.main.notes = ["read-only"] if config.operator.read_only else []
         self.main.themes = {name: partial(self.use_theme, name) for name in themes}
-        self.set_keymap(textual_keymap(keys))
+        # Only what differs: Textual goes through the whole keymap at every key.
+        self.set_keymap(textual_keymap({id_: keys[id_] for id_ in config.keys if id_ in keys}))
 
     def get_default_screen(self) -> MainScreen:
         """The one screen; everything else opens over its map."""

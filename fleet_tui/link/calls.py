@@ -3,6 +3,7 @@
 import asyncio
 import itertools
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from fleet_tui.errors import LinkError
 from fleet_tui.link.transport import Connection
@@ -17,6 +18,15 @@ class NoAnswerError(LinkError):
     """The deadline passed without an answer."""
 
 
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A call that was sent, and where its answer will be."""
+
+    id: str
+    service: str
+    answer: "asyncio.Future[operations.ServiceResponse]"
+
+
 class Calls:
     """The calls under way on one connection. Everything here runs on the network loop."""
 
@@ -25,23 +35,28 @@ class Calls:
         self._pending: dict[str, asyncio.Future[operations.ServiceResponse]] = {}
         self._ids = itertools.count(1)
 
-    async def call(
-        self, service: str, args: Mapping[str, object], within: float
-    ) -> operations.ServiceResponse:
-        """Call a service and wait `within` seconds at most.
-
-        Raises LinkError if nothing was sent, LinkLostError or NoAnswerError if it was.
-        """
+    def start(self, service: str, args: Mapping[str, object]) -> "Call":
+        """Send a call. Raises LinkError if there is nothing to send it on."""
         call_id = f"call:{next(self._ids)}"
         self._connection.send(operations.call_service(call_id, service, args))
         answer = asyncio.get_running_loop().create_future()
         self._pending[call_id] = answer
+        return Call(call_id, service, answer)
+
+    async def wait(self, call: "Call", within: float) -> operations.ServiceResponse:
+        """Wait `within` seconds at most for an answer. Raises LinkLostError or NoAnswerError."""
         try:
-            return await asyncio.wait_for(answer, within)
+            return await asyncio.wait_for(call.answer, within)
         except TimeoutError:
-            raise NoAnswerError(f"no answer from {service} in {within:g} s") from None
+            raise NoAnswerError(f"no answer from {call.service} in {within:g} s") from None
         finally:
-            del self._pending[call_id]
+            del self._pending[call.id]
+
+    async def call(
+        self, service: str, args: Mapping[str, object], within: float
+    ) -> operations.ServiceResponse:
+        """Send a call and wait for its answer; raises what `start` and `wait` raise."""
+        return await self.wait(self.start(service, args), within)
 
     def on_response(self, response: operations.ServiceResponse) -> bool:
         """Take an answer; False if nobody waits for it (any more)."""

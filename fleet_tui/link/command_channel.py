@@ -5,7 +5,7 @@ import logging
 import time
 
 from fleet_tui.errors import CommandError, LinkError, WireError
-from fleet_tui.link.calls import Calls, LinkLostError, NoAnswerError
+from fleet_tui.link.calls import Call, Calls, LinkLostError, NoAnswerError
 from fleet_tui.link.transport import Connection
 from fleet_tui.link.writer import Writer
 from fleet_tui.model.commands import Command, Outcome, PauseRobot
@@ -84,27 +84,17 @@ class CommandChannel:
             LOG.warning("a late answer to %s: %s", operation.id, operation.values)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command that was given at `given_at` (monotonic)."""
-        task = asyncio.ensure_future(self._run(command_id, command, given_at))
+        """Send a command that was given at `given_at` (monotonic), before anything else happens."""
+        try:
+            call = self._send(command_id, command, given_at)
+        except (LinkError, CommandError) as problem:
+            self._finish(command_id, Outcome.NOT_SENT, str(problem))
+            return
+        task = asyncio.ensure_future(self._wait(command_id, call))
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
 
-    async def _run(self, command_id: int, command: Command, given_at: float) -> None:
-        try:
-            outcome, words = await self._send(command_id, command, given_at)
-        except NoAnswerError as problem:
-            outcome, words = Outcome.NO_ANSWER, str(problem)
-        except LinkLostError as problem:
-            outcome, words = Outcome.UNKNOWN, str(problem)
-        except (LinkError, CommandError) as problem:
-            outcome, words = Outcome.NOT_SENT, str(problem)
-        except Exception as problem:
-            # Whatever is wrong with us, the operator must learn that this command has ended.
-            LOG.exception("command %d", command_id)
-            outcome, words = Outcome.UNKNOWN, f"internal error: {problem}"
-        self._writer.store.tell(CommandFinished(command_id, outcome, words))
-
-    async def _send(self, command_id: int, command: Command, given_at: float) -> tuple[Outcome, str]:
+    def _send(self, command_id: int, command: Command, given_at: float) -> Call:
         late = time.monotonic() - given_at
         if late > LATEST:
             raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
@@ -112,8 +102,24 @@ class CommandChannel:
         if self._path is CommandPath.DEAD and not isinstance(command, PauseRobot):
             raise LinkError(f"no link for commands: {self._path_reason}")
         call = self._interface.call(command, command_id)
-        response = await self._calls.call(call.service, call.args, self._timeout)
-        return self._interface.outcome(response.values, response.result)
+        return self._calls.start(call.service, call.args)
+
+    async def _wait(self, command_id: int, call: Call) -> None:
+        try:
+            response = await self._calls.wait(call, self._timeout)
+            outcome, words = self._interface.outcome(response.values, response.result)
+        except NoAnswerError as problem:
+            outcome, words = Outcome.NO_ANSWER, str(problem)
+        except LinkLostError as problem:
+            outcome, words = Outcome.UNKNOWN, str(problem)
+        except Exception as problem:
+            # Whatever is wrong with us, the operator must learn that this command has ended.
+            LOG.exception("command %d", command_id)
+            outcome, words = Outcome.UNKNOWN, f"internal error: {problem}"
+        self._finish(command_id, outcome, words)
+
+    def _finish(self, command_id: int, outcome: Outcome, words: str) -> None:
+        self._writer.store.tell(CommandFinished(command_id, outcome, words))
 
     def close(self) -> None:
         """Close for good; what is under way ends as unknown."""

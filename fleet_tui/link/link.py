@@ -1,11 +1,16 @@
 """One bridge: telemetry on one connection, commands on another, so that no map delays a command."""
 
+import threading
+
 from fleet_tui.config.schema import Config
 from fleet_tui.link.command_channel import CommandChannel
 from fleet_tui.link.telemetry import Telemetry
 from fleet_tui.link.writer import Writer
 from fleet_tui.model.commands import Command
 from fleet_tui.robots import KINDS
+
+# Seconds to wait at most for the network thread to take a command.
+HANDOVER = 0.005
 
 
 class Link:
@@ -26,8 +31,18 @@ class Link:
         self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command; its end arrives in the store as CommandFinished, exactly once."""
-        self._writer.loop.call_soon_threadsafe(self._commands.submit, command_id, command, given_at)
+        """Send a command; its end arrives in the store as CommandFinished, exactly once.
+
+        The network thread gets its turn now, not after what the caller draws next.
+        """
+        sent = threading.Event()
+
+        def send() -> None:
+            self._commands.submit(command_id, command, given_at)
+            sent.set()
+
+        self._writer.loop.call_soon_threadsafe(send)
+        sent.wait(HANDOVER)
 
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for the live map of one robot's floor, no other one; an empty name for none."""

@@ -1,6 +1,7 @@
 """The one writer: the network loop tells the store, and ten times a second that time passed."""
 
 import asyncio
+import sys
 import time
 from collections.abc import Callable, Coroutine
 from typing import Any
@@ -10,6 +11,9 @@ from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.store import Store
 
 TICK = 0.1
+# Python lets a busy thread run 5 ms before another gets its turn: too long for a command to wait
+# while the screen is drawn.
+SWITCH_INTERVAL = 0.0005
 
 
 class Writer:
@@ -23,6 +27,7 @@ class Writer:
 
     def start(self) -> None:
         """Begin to tell the time."""
+        sys.setswitchinterval(SWITCH_INTERVAL)
         self.loop.call_soon_threadsafe(self._start)
 
     def _start(self) -> None:

@@ -39,8 +39,9 @@ class Confirm(Overlay):
     @on(Button.Pressed, "#yes")
     def action_confirm(self) -> None:
         """Yes."""
-        self.action_close()
+        # Closing restyles the screen; the command does not wait for that.
         self._then()
+        self.action_close()
 
     @on(Button.Pressed, "#no")
     def refuse(self) -> None:

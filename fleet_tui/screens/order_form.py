@@ -91,22 +91,21 @@ class OrderForm(Overlay):
         focused = self.screen.focused
         return focused.id if isinstance(focused, Input) and focused.id in FIELDS else "to"
 
+    def _find(self) -> list[Place] | list[str]:
+        """What the field with the cursor can mean."""
+        typed, robot = self._input(self._field()).value, self._robot()
+        if self._field() == "robot":
+            wanted = typed.strip().casefold()
+            return [name for name in self._state().robots if wanted in name.casefold()][:SHOWN]
+        return matches(robot, typed)[:SHOWN] if robot else []
+
     def _list(self) -> None:
         """The matches of what was typed, the first one marked."""
-        field, typed = self._field(), self._input(self._field()).value
-        robot = self._robot()
-        if field == "robot":
-            names = list(self._state().robots)
-            self._found = [name for name in names if typed.strip().casefold() in name.casefold()][:SHOWN]
-            texts = list(self._found)
-        else:
-            found = matches(robot, typed)[:SHOWN] if robot else []
-            self._found = found
-            texts = [f"{visible(place.name)}  ({place.vertex}, {place.floor})" for place in found]
+        self._found = self._find()
         options = self.query_one("#matches", OptionList)
         options.clear_options()
-        options.add_options(texts)
-        options.highlighted = 0 if texts else None
+        options.add_options(map(_line, self._found))
+        options.highlighted = 0 if self._found else None
 
     @on(Input.Changed)
     def filter(self, event: Input.Changed) -> None:
@@ -146,10 +145,10 @@ class OrderForm(Overlay):
     def _enter(self) -> None:
         """Take the marked match and go on; in the last field send."""
         # What was typed last may not have been listed yet: look again before choosing.
+        found = self._find()
         marked = self.query_one("#matches", OptionList).highlighted or 0
-        before = list(self._found)
-        self._list()
-        self._accept(marked if before == self._found else 0)
+        self._found, marked = found, marked if found == self._found else 0
+        self._accept(marked)
 
     def _accept(self, index: int) -> None:
         field = self._field()
@@ -181,10 +180,10 @@ class OrderForm(Overlay):
         if robot is None:
             self._stay("robot", f"Robot: nothing is called {self._input('robot').value.strip()!r}")
             return
-        self._arrange()
         needed = ("to",) if destination_only(robot) else ("from", "to")
         for field in needed:
             if field not in self._chosen:
+                self._arrange()
                 self._stay(field, _missing(field))
                 return
         start, end = self._chosen.get("from"), self._chosen["to"]
@@ -195,8 +194,9 @@ class OrderForm(Overlay):
             return
         else:
             command = PlaceOrder(robot.name, start.vertex, end.vertex)
-        self.action_close()
+        # Closing restyles the screen; the command does not wait for that.
         self._send(command)
+        self.action_close()
 
     def _stay(self, field: str, text: str) -> None:
         self.screen.set_focus(self._input(field))
@@ -206,3 +206,7 @@ class OrderForm(Overlay):
 def _missing(field: str) -> str:
     remedy = "its name" if field == "robot" else "a label or a vertex id"
     return f"{field.capitalize()} is missing: type {remedy}"
+
+
+def _line(choice: Place | str) -> str:
+    return choice if isinstance(choice, str) else f"{visible(choice.name)}  ({choice.vertex}, {choice.floor})"

@@ -21,7 +21,11 @@ class Overlay(Vertical, can_focus=True):
     @property
     def is_open(self) -> bool:
         """Whether it is in view."""
-        return self.has_class("-open")
+        return self.display
+
+    def on_mount(self) -> None:
+        """Out of view until opened. Not by a CSS class: that would restyle all within at each turn."""
+        self.display = False
 
     def open(self, first: Widget) -> None:
         """Come into view with the focus on `first`."""
@@ -31,13 +35,13 @@ class Overlay(Vertical, can_focus=True):
         elif not self.is_open:
             self._before = self.screen.focused
         for other in others:
-            other.remove_class("-open")
-        self.add_class("-open")
+            other.display = False
+        self.display = True
         # Not Widget.focus(), which waits for a refresh: a key may be next in line.
         self.screen.set_focus(first)
 
     def action_close(self) -> None:
         """Go, and give the focus back."""
-        self.remove_class("-open")
+        self.display = False
         if self._before is not None and self._before.is_attached:
             self.screen.set_focus(self._before)

@@ -1,0 +1,114 @@
+"""P7: from Enter in the order form to the service call on the wire, with 1 and with 100 robots."""
+
+import asyncio
+import statistics
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from textual import events
+
+from fleet_tui.app import FleetApp
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.demo import demo_config, simulated
+from fleet_tui.link.transport import Connection
+from fleet_tui.model.commands import PauseRobot
+from fleet_tui.themes import load_themes
+from fleet_tui.view.raster import Drawing
+from tests.console_pilot import Console
+from tests.watched import WatchedStore
+
+ORDERS = 60
+TARGETS = {1: 5.0, 100: 15.0}
+
+
+@contextmanager
+def wiretap(service: str, times: list[float]) -> Iterator[None]:
+    """Note when a call to a service is handed to the socket."""
+    send = Connection.send
+
+    def tapped(self: Connection, payload: bytes) -> None:
+        send(self, payload)
+        if service.encode() in payload:
+            times.append(time.perf_counter())
+
+    Connection.send = tapped  # type: ignore[method-assign]  # the one place where the frame leaves us
+    try:
+        yield
+    finally:
+        Connection.send = send  # type: ignore[method-assign]  # as it was
+
+
+def key(app: FleetApp, name: str) -> None:
+    app.post_message(events.Key(name, name if len(name) == 1 else None))
+
+
+async def orders(it: Console) -> list[float]:
+    """Milliseconds from Enter to the wire, per order."""
+    sent: list[float] = []
+    taken = []
+    with wiretap("Execute_order", sent):
+        for n in range(ORDERS):
+            for name in ["o", *"Base", "enter", *"Consumidores"]:
+                key(it.app, name)
+            # Let the typing settle: the measure is Enter alone, at any moment of the tick.
+            await asyncio.sleep(0.1 + n % 10 * 0.011)
+            started = time.perf_counter()
+            key(it.app, "enter")
+            await it.until(lambda _, n=n: len(sent) > n)  # type: ignore[misc]  # bound now
+            taken.append((sent[-1] - started) * 1000)
+    return taken
+
+
+async def direct(it: Console) -> list[float]:
+    """The same way without the screen: submit to wire."""
+    sent: list[float] = []
+    taken = []
+    with wiretap("Pause", sent):
+        for n in range(ORDERS):
+            started = time.perf_counter()
+            it.app.submit(PauseRobot("robot_0"))
+            await it.until(lambda _, n=n: len(sent) > n)  # type: ignore[misc]  # bound now
+            taken.append((sent[-1] - started) * 1000)
+    return taken
+
+
+def p95(values: list[float]) -> float:
+    return statistics.quantiles(values, n=20)[-1]
+
+
+async def measure(robots: int) -> dict[str, Any]:
+    with simulated(robots, 2) as url:
+        config = demo_config(Config(path=Path("bench")), url, robots, 2)
+        store = WatchedStore(initial_state(config, time.monotonic()))
+        app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE)
+        async with app.run_test(size=(200, 60)) as pilot:
+            it = Console(app, store, pilot)
+            await it.until(lambda state: all(robot.queue for robot in state.robots.values()))
+            await it.shows("Base", "map")
+            screen, bare = await orders(it), await direct(it)
+    return {
+        "id": "P7",
+        "what": f"Enter -> call on the wire, {robots} robots, p95 ms",
+        "figure": p95(screen),
+        "target": TARGETS[robots],
+        "ratio": p95(screen) / p95(bare),
+        "against": f"submit -> wire without the screen ({p95(bare):.2f} ms)",
+    }
+
+
+def main() -> list[dict[str, Any]]:
+    rows = [asyncio.run(measure(robots)) for robots in TARGETS]
+    for row in rows:
+        print(
+            f"{row['id']} {row['what']}: {row['figure']:.2f} (target {row['target']:g}),"
+            f" {row['ratio']:.1f} x {row['against']}"
+        )
+    return rows
+
+
+if __name__ == "__main__":
+    main()
