@@ -1,0 +1,153 @@
+"""The cells that the terminal should show, those it shows, and the bytes between them."""
+
+import re
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+from rich.cells import split_graphemes
+from rich.color import ColorSystem
+from rich.segment import Segment
+
+from fleet_tui.terminal.looks import PLAIN, RESET, Look, look_of, turn
+
+# A cell is one number: its character below, its look's number above.
+_SHIFT = np.uint64(32)
+_CODE = np.uint64(0xFFFFFFFF)
+_NOTHING = np.uint64(0xFFFFFFFFFFFFFFFF)
+"""Nothing known: as wanted, leave the cell alone; as sent, send it whatever is wanted."""
+
+_BLANK = np.uint64(ord(" "))
+_TAIL = 0  # the character in the second cell of a wide one
+_CLUSTERS = 0x110000  # characters from here on are those of `_clusters`
+
+ONE_CELL_EACH = re.compile(
+    "[ -~\u00a1-\u00ac\u00ae-\u02ff\u0370-\u0373\u0391-\u0482\u048a-\u04ff\u2010-\u2027\u2030-\u205e"
+    "\u2190-\u22ff\u2400-\u2426\u2500-\u25fc\u2800-\u28ff]*"
+)
+"""What surely takes one cell for each character; for the rest it is found out."""
+
+_CONTROLS = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)])
+
+
+class Glass:
+    """`put` what is wanted, `take` the bytes that make the terminal show it."""
+
+    def __init__(self, colours: ColorSystem | None) -> None:
+        self._colours = colours
+        self._wanted: NDArray[np.uint64] = np.empty((0, 0), np.uint64)
+        self._sent = self._wanted
+        self._looks: dict[Look, int] = {}
+        self._clusters: dict[str, int] = {}
+
+    def fit(self, width: int, height: int) -> None:
+        """Take this many cells; nothing is known about a new size."""
+        if self._wanted.shape != (height, width):
+            self._wanted = np.full((height, width), _NOTHING)
+            self._sent = self._wanted.copy()
+
+    def forget(self) -> None:
+        """The terminal may show anything now: send every cell again."""
+        self._sent.fill(_NOTHING)
+
+    def put(self, x: int, y: int, end: int, segments: Iterable[Segment]) -> None:
+        """Want `segments` in row y from cell x on, as far as cell `end`."""
+        texts = [(text, style) for text, style, control in segments if text and not control]
+        line = "".join([text for text, _ in texts])
+        looks = [self._look(look_of(style, self._colours)) for _, style in texts]
+        if ONE_CELL_EACH.fullmatch(line):
+            codes = np.frombuffer(line.encode("utf-32-le"), np.uint32)
+            sizes = [len(text) for text, _ in texts]
+        else:
+            parts = [self._cells(text) for text, _ in texts]
+            codes = np.array([code for part in parts for code in part], np.uint32)
+            sizes = [len(part) for part in parts]
+        cells = codes | np.repeat(np.array(looks, np.uint64) << _SHIFT, sizes)
+        self._part(x, y)
+        self._part(end, y)
+        row = self._wanted[y, x:end]
+        row[: len(cells)] = cells[: len(row)]
+
+    def _part(self, x: int, y: int) -> None:
+        """A wide character on both sides of the left edge of cell x gives way to blanks."""
+        row = self._wanted[y]
+        if x < len(row) and row[x] & _CODE == _TAIL:
+            row[x - 1 : x + 1] = row[x - 1] & ~_CODE | _BLANK
+
+    def _look(self, look: Look) -> int:
+        return self._looks.setdefault(look, len(self._looks))
+
+    def _cells(self, text: str) -> list[int]:
+        """A character number per cell."""
+        codes = []
+        text = text.translate(_CONTROLS)
+        for start, end, width in split_graphemes(text)[0]:
+            part = text[start:end]
+            if width:
+                plain = len(part) == 1
+                codes.append(
+                    ord(part) if plain else self._clusters.setdefault(part, _CLUSTERS + len(self._clusters))
+                )
+                codes += [_TAIL] * (width - 1)
+        return codes
+
+    def take(self) -> str:
+        """The bytes for all that differs, which counts as sent from now on; the look ends plain."""
+        changed = (self._wanted != self._sent) & (self._wanted != _NOTHING)
+        places = np.flatnonzero(changed)
+        if not places.size:
+            return ""
+        cells = self._wanted.ravel()[places]
+        self._sent[changed] = cells
+        keep = (cells & _CODE) != _TAIL  # sent with the cell before it
+        places, cells = places[keep], cells[keep]
+        # Look by look: a turn of look takes 20 to 40 bytes, a move of the cursor 8.
+        order = np.lexsort((places, cells >> _SHIFT))
+        return self._written(places[order], cells[order])
+
+    def _written(self, places: NDArray[np.intp], cells: NDArray[np.uint64]) -> str:
+        width = self._wanted.shape[1]
+        codes, looks = (cells & _CODE).astype(np.uint32), cells >> _SHIFT
+        starts = _starts(places, codes, looks, width)
+        named = list(self._looks)
+        clusters = list(self._clusters)
+        text = np.where(codes < _CLUSTERS, codes, ord("?")).tobytes().decode("utf-32-le", "replace")
+        out, look, cursor = [], PLAIN, -1
+        ends = [*starts[1:], len(text)]
+        first = zip(places[starts].tolist(), codes[starts].tolist(), looks[starts].tolist(), strict=True)
+        for start, end, (place, code, number) in zip(starts, ends, first, strict=True):
+            out.append(_move(cursor, place, width))
+            out.append(turn(look, named[number]))
+            out.append(clusters[code - _CLUSTERS] if code >= _CLUSTERS else text[start:end])
+            look = named[number]
+            # Terminals disagree about the width of what is not plain: name the next place outright.
+            # The last column too: there the cursor waits beside the screen.
+            cursor = place + end - start
+            if cursor % width == 0 or not ONE_CELL_EACH.fullmatch(out[-1]):
+                cursor = -1
+        if look != PLAIN:
+            out.append(RESET)
+        return "".join(out)
+
+
+def _starts(
+    places: NDArray[np.intp], codes: NDArray[np.uint32], looks: NDArray[np.uint64], width: int
+) -> list[int]:
+    """Where runs begin: at a gap, another look, another row, before and after what is not plain."""
+    odd = codes >= _CLUSTERS
+    begins = np.ones(len(places), bool)
+    begins[1:] = (
+        (np.diff(places) != 1) | (looks[1:] != looks[:-1]) | (places[1:] % width == 0) | odd[1:] | odd[:-1]
+    )
+    return np.flatnonzero(begins).tolist()
+
+
+def _move(cursor: int, place: int, width: int) -> str:
+    """The cursor from one place to another, both counted row by row; -1: nobody knows where it is."""
+    if place == cursor:
+        return ""
+    y, x = divmod(place, width)
+    if 0 <= cursor < place and cursor // width == y:
+        ahead = place - cursor
+        return f"\x1b[{ahead if ahead > 1 else ''}C"
+    return f"\x1b[{y + 1};{x + 1}H"

@@ -1,0 +1,142 @@
+"""The one place that reaches into Textual's private parts, and only into the version it was made for.
+
+Stock Textual 8.2.8 resends a row from its widget's left edge when one cell of it changes, and
+waits for the terminal as soon as 30 writes are queued: an SSH hiccup then stops the event loop.
+"""
+
+import inspect
+import io
+import sys
+from collections.abc import Iterator
+from importlib.metadata import version
+
+from rich.color import ColorSystem
+from rich.console import RenderableType
+from rich.control import Control
+from rich.segment import Segment
+from textual import _ansi_sequences, _compositor, events
+from textual.app import App
+from textual.drivers._writer_thread import WriterThread
+from textual.geometry import Offset
+from textual.screen import Screen
+
+from fleet_tui.terminal.glass import Glass
+
+MADE_FOR = "8.2.8"
+RETRY = 0.03
+"""Seconds until the next look whether the terminal reads again."""
+
+Part = tuple[int, int, int, Iterator[Segment]]
+"""First cell, row, end cell, what is to be seen there."""
+
+_COLOURS = {
+    "standard": ColorSystem.STANDARD,
+    "256": ColorSystem.EIGHT_BIT,
+    "truecolor": ColorSystem.TRUECOLOR,
+}
+
+
+def textual_fits() -> bool:
+    """Whether Textual is as this module needs it. If not, Textual paints by itself."""
+    try:
+        signatures = (
+            (_compositor.LayoutUpdate, ["strips", "region"]),
+            (_compositor.ChopsUpdate, ["chops", "spans", "chop_ends"]),
+            (App._display, ["self", "screen", "renderable"]),
+        )
+        names = (_ansi_sequences.SYNC_START, WriterThread(io.StringIO())._queue.qsize)
+    except AttributeError:
+        return False
+    return (
+        version("textual") == MADE_FOR
+        and sys.platform != "win32"
+        and all(names)
+        and all(list(inspect.signature(part).parameters) == names for part, names in signatures)
+    )
+
+
+class LeanApp(App[None]):
+    """Sends only the cells that changed, and never waits: frames are left out while nobody reads."""
+
+    LEAN = textual_fits()
+
+    _glass: Glass | None = None
+    _writer: object = None
+    _cursor_sent = Offset(-1, -1)
+    _retrying = False
+
+    def _display(self, screen: Screen[object], renderable: RenderableType | None) -> None:
+        update = renderable if isinstance(renderable, _compositor.CompositorUpdate) else None
+        if not self.LEAN or update is None or self.is_headless or self.is_inline:
+            super()._display(screen, renderable)
+            return
+        try:
+            if self._running and not self._closed and not self._batch_count:
+                self._want(update)
+                self._send()
+        finally:
+            self.post_display_hook()
+
+    def _want(self, update: _compositor.CompositorUpdate) -> None:
+        if self._glass is None:
+            colours = None if self.no_color else _COLOURS.get(self.console.color_system or "")
+            self._glass = Glass(colours)
+        if isinstance(update, _compositor.LayoutUpdate):
+            self._glass.fit(*update.region.size)
+            parts = _all_parts(update)
+        else:
+            assert isinstance(update, _compositor.ChopsUpdate)
+            self._glass.fit(update.chop_ends[0][-1], len(update.chops))
+            parts = _changed_parts(update)
+        for x, y, end, segments in parts:
+            self._glass.put(x, y, end, segments)
+
+    def _send(self) -> None:
+        """Send what the terminal lacks, or try again soon."""
+        driver, glass = self._driver, self._glass
+        if driver is None or glass is None or self._retrying:
+            return
+        writer = getattr(driver, "_writer_thread", None)
+        if writer is not self._writer:
+            # The terminal was somebody else's in between (Ctrl-Z and fg).
+            self._writer = writer
+            glass.forget()
+        if writer is not None and writer._queue.qsize():
+            self._retrying = True
+            self.set_timer(RETRY, self._retry)
+            return
+        sequence = glass.take()
+        cursor = self.screen.outer_size.clamp_offset(self.cursor_position)
+        if sequence or cursor != self._cursor_sent:
+            self._cursor_sent = cursor
+            sequence += Control.move_to(*cursor).segment.text
+            if self._sync_available:
+                sequence = f"{_ansi_sequences.SYNC_START}{sequence}{_ansi_sequences.SYNC_END}"
+            driver.write(sequence)
+            driver.flush()
+
+    def _retry(self) -> None:
+        self._retrying = False
+        self._send()
+
+    def on_resize(self, _event: events.Resize) -> None:
+        """Terminals rearrange what they show when their size changes, also there and back again."""
+        if self._glass is not None:
+            self._glass.forget()
+            self.screen.refresh()
+
+
+def _all_parts(update: _compositor.LayoutUpdate) -> Iterator[Part]:
+    for y, strips in enumerate(update.strips, update.region.y):
+        x = update.region.x
+        for strip in strips:
+            yield x, y, x + strip.cell_length, iter(strip)
+            x += strip.cell_length
+
+
+def _changed_parts(update: _compositor.ChopsUpdate) -> Iterator[Part]:
+    """Every part of a row that changed somewhere, whole."""
+    for y, first, last in update.spans:
+        for end, (x, strip) in zip(update.chop_ends[y], update.chops[y].items(), strict=True):
+            if strip is not None and x < last and end > first:
+                yield x, y, end, iter(strip)

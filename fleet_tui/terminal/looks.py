@@ -1,0 +1,86 @@
+"""How a cell looks, as the parameters of SGR (the escape sequence that sets colours and weight)."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+from rich.color import Color, ColorSystem, ColorType
+from rich.color_triplet import ColorTriplet
+from rich.style import Style
+
+
+class Look(NamedTuple):
+    """SGR parameters; empty means the terminal's own."""
+
+    weight: str = ""
+    color: str = ""
+    on: str = ""
+
+
+PLAIN = Look()
+RESET = "\x1b[m"
+
+_WEIGHTS = {
+    "1": "bold",
+    "2": "dim",
+    "3": "italic",
+    "4": "underline",
+    "5": "blink",
+    "7": "reverse",
+    "9": "strike",
+    "21": "underline2",
+    "53": "overline",
+}
+
+
+@lru_cache(4096)
+def look_of(style: Style | None, colours: ColorSystem | None) -> Look:
+    """A Rich style with as many colours as the terminal has; None: no colour at all."""
+    if style is None:
+        return PLAIN
+    weight = ";".join(code for code, name in _WEIGHTS.items() if getattr(style, name))
+    if colours is None:
+        return Look(weight)
+    return Look(weight, _code(style.color, colours, True), _code(style.bgcolor, colours, False))
+
+
+def _code(color: Color | None, colours: ColorSystem, foreground: bool) -> str:
+    if color is None or color.is_default:
+        return ""
+    if colours is ColorSystem.EIGHT_BIT and color.type is ColorType.TRUECOLOR and color.triplet:
+        color = Color.from_ansi(nearest(color.triplet))
+    return ";".join(color.downgrade(colours).get_ansi_codes(foreground))
+
+
+_CUBE = (0, 95, 135, 175, 215, 255)
+
+
+@lru_cache(1024)
+def nearest(triplet: ColorTriplet) -> int:
+    """The nearest of the 240 fixed colours of a 256-colour terminal.
+
+    Rich looks for tinted colours only in the cube, whose darkest steps are 0 and 95: every dark
+    ground becomes the same black. The greys between them keep grounds apart.
+    """
+    cube = [min(range(6), key=lambda step: abs(_CUBE[step] - part)) for part in triplet]
+    grey = max(0, min(23, round((sum(triplet) / 3 - 8) / 10)))
+    in_cube = sum((_CUBE[step] - part) ** 2 for step, part in zip(cube, triplet, strict=True))
+    in_greys = sum((8 + 10 * grey - part) ** 2 for part in triplet)
+    return 232 + grey if in_greys < in_cube else 16 + 36 * cube[0] + 6 * cube[1] + cube[2]
+
+
+@lru_cache(4096)
+def turn(before: Look, after: Look) -> str:
+    """The shortest sequence that makes `after` of `before`."""
+    if before == after:
+        return ""
+    parts = []
+    if before.weight and before.weight != after.weight:
+        # Single weights can't be taken back on every terminal: start anew.
+        parts, before = ["0"], PLAIN
+    if before.weight != after.weight:
+        parts.append(after.weight)
+    if before.color != after.color:
+        parts.append(after.color or "39")
+    if before.on != after.on:
+        parts.append(after.on or "49")
+    return f"\x1b[{';'.join(parts)}m"

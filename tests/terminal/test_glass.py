@@ -1,0 +1,122 @@
+"""Cells, looks and the bytes between them."""
+
+import sys
+from collections.abc import Iterable
+
+import pyte
+import pytest
+from rich.cells import get_character_cell_size
+from rich.color import ColorSystem
+from rich.color_triplet import ColorTriplet
+from rich.segment import Segment
+from rich.style import Style
+
+from fleet_tui.terminal.glass import ONE_CELL_EACH, Glass
+from fleet_tui.terminal.looks import PLAIN, Look, look_of, nearest, turn
+
+
+def glass(width: int, height: int = 1, colours: ColorSystem | None = None) -> Glass:
+    made = Glass(colours)
+    made.fit(width, height)
+    return made
+
+
+def put(onto: Glass, x: int, text: str, style: str = "", y: int = 0, end: int | None = None) -> str:
+    """Want a text, and what goes out for it."""
+    onto.put(x, y, x + 99 if end is None else end, [Segment(text, Style.parse(style))])
+    return onto.take()
+
+
+def test_only_what_changed_goes_out() -> None:
+    pane = glass(10, 2)
+    assert put(pane, 0, "abc") == "\x1b[1;1Habc"
+    assert put(pane, 0, "abc") == ""
+    assert put(pane, 0, "aXc") == "\x1b[1;2HX"
+    assert put(pane, 0, "a  ", y=1) == "\x1b[2;1Ha  "
+
+
+def test_a_short_way_along_the_row_is_named_as_such() -> None:
+    pane = glass(20)
+    put(pane, 0, "." * 20)
+    assert put(pane, 0, "#.#....#............") == "\x1b[1;1H#\x1b[C#\x1b[4C#"
+
+
+def test_after_the_last_column_the_next_place_is_named_outright() -> None:
+    pane = glass(3, 2)
+    put(pane, 0, "...", y=0)
+    put(pane, 0, "...", y=1)
+    pane.put(2, 0, 3, [Segment("#")])
+    pane.put(1, 1, 2, [Segment("#")])
+    assert pane.take() == "\x1b[1;3H#\x1b[2;2H#"
+
+
+def test_looks_are_grouped_and_left_plain() -> None:
+    pane = glass(6, colours=ColorSystem.TRUECOLOR)
+    red, blue = Style.parse("#ff0000"), Style.parse("#0000ff bold")
+    pane.put(0, 0, 6, [Segment("a", red), Segment("b", blue), Segment("c", red)])
+    assert pane.take() == "\x1b[1;1H\x1b[38;2;255;0;0ma\x1b[Cc\x1b[1;2H\x1b[1;38;2;0;0;255mb\x1b[m"
+
+
+def test_forgotten_cells_go_out_again_and_cells_never_wanted_do_not() -> None:
+    pane = glass(4)
+    put(pane, 1, "ab")
+    pane.forget()
+    assert pane.take() == "\x1b[1;2Hab"
+
+
+@pytest.mark.parametrize(
+    "texts",
+    [
+        ["漢字ab", "x漢字b", "漢字ab"],
+        ["漢字ab", "漢xyab", "xy字ab", "abcdef"],
+        ["e\u0301a\u0308bcde", "e\u0301xbcde", "yxbcde"],
+        ["→漢●1ab", "漢→1●ab"],
+    ],
+)
+def test_wide_and_combined_characters_come_and_go_whole(texts: Iterable[str]) -> None:
+    pane, screen = glass(8), pyte.Screen(8, 1)
+    stream = pyte.Stream(screen)
+    for text in texts:
+        stream.feed(put(pane, 0, text))
+        other = pyte.Screen(8, 1)
+        pyte.Stream(other).feed(text)
+        assert screen.display == other.display
+
+
+def test_what_lies_over_half_a_wide_character_takes_the_other_half_too() -> None:
+    pane = glass(6)
+    put(pane, 0, "a漢bcd")
+    assert put(pane, 2, "|", end=3) == "\x1b[1;2H |"
+    assert put(pane, 0, "a漢bcd") == "\x1b[1;2H漢"
+
+
+def test_control_characters_stay_here() -> None:
+    assert put(glass(4), 0, "a\x1b\x07b\x9b") == "\x1b[1;1Hab"
+
+
+def test_what_is_taken_for_one_cell_takes_one_cell() -> None:
+    characters = [chr(code) for code in range(sys.maxunicode + 1)]
+    taken = [character for character in characters if ONE_CELL_EACH.fullmatch(character)]
+    assert [character for character in taken if get_character_cell_size(character) != 1] == []
+
+
+def test_turns_are_as_short_as_can_be() -> None:
+    bold_red, red = Look("1", "31", "40"), Look("", "31", "40")
+    assert turn(PLAIN, bold_red) == "\x1b[1;31;40m"
+    assert turn(red, bold_red) == "\x1b[1m"
+    assert turn(bold_red, red) == "\x1b[0;31;40m"
+    assert turn(red, Look("", "31", "")) == "\x1b[49m"
+    assert turn(red, red) == ""
+
+
+def test_without_colours_only_weight_is_left() -> None:
+    assert look_of(Style.parse("bold reverse underline #ff0000 on #00ff00"), None) == Look("1;4;7")
+
+
+def test_dark_grounds_stay_apart_in_256_colours() -> None:
+    unknown, floor, robot = (
+        nearest(ColorTriplet(*triple)) for triple in [(14, 17, 22), (27, 33, 41), (61, 74, 90)]
+    )
+    assert 232 <= unknown < floor < robot <= 255
+    assert nearest(ColorTriplet(255, 255, 255)) == 231
+    assert nearest(ColorTriplet(0, 95, 175)) == 25
