@@ -1,6 +1,5 @@
 """Map images from files: map_server's YAML, or a plain image that map_metadata ties to the world."""
 
-import math
 import warnings
 from pathlib import Path
 from typing import Any
@@ -41,7 +40,7 @@ def load_floor_map(floor: str, path: Path, added: bool) -> FloorMapLoaded:
 
 def _number(table: dict[str, Any], key: str, default: float | None = None) -> float:
     value = table.get(key, default)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) <= 1e300:
         raise MapError(f"{key} must be a number" if key in table else f"{key} is missing")
     return float(value)
 
@@ -51,7 +50,7 @@ def _from_yaml(path: Path, added: bool) -> OccupancyGrid:
         table = yaml.safe_load(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise MapError("no such file") from None
-    except (OSError, UnicodeDecodeError, yaml.YAMLError, RecursionError) as problem:
+    except (OSError, ValueError, LookupError, AttributeError, yaml.YAMLError, RecursionError) as problem:
         raise MapError(f"can't be read: {' '.join(str(problem).split())}") from None
     if not isinstance(table, dict) or not isinstance(table.get("image"), str):
         raise MapError("is no map_server file: it names no image")
