@@ -41,9 +41,8 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """What a person should know about a robot, the most urgent first."""
     if robot.heard is None:
         yield "never seen", Ink.DIM
-        return
     online = state.is_online(robot)
-    if not online:
+    if not online and robot.heard is not None:
         yield f"offline {age(state.now - robot.heard)}", Ink.ALARM
     if robot.obstacle is not None and state.is_obstructed(robot):
         text = f"obstacle {robot.obstacle.value:.1f} s"
