@@ -27,9 +27,16 @@ from fleet_tui.model.order import Order, OrderQueue
 from fleet_tui.robots.interface import Call, Interface, TopicKind, Translate, judge
 from fleet_tui.rosbridge import messages as ros
 
+# Metres; a place farther off is none on any floor, and a picture that had to hold it would overflow.
+FARTHEST = 1e9
+
+
+def _is_place(*numbers: float) -> bool:
+    return all(abs(number) <= FARTHEST for number in numbers)
+
 
 def _finite(*numbers: float, field: str) -> None:
-    if not all(math.isfinite(number) for number in numbers):
+    if not _is_place(*numbers):
         raise WireError(f"{field} is not a finite number")
 
 
@@ -129,7 +136,7 @@ def _translate_graph(profile: Profile) -> Translate:
         graph, faults = read(msg), list[str]()
         vertices = {}
         for vertex in _read_all(read_vertex, graph.vertices, "vertices", faults):
-            if not (math.isfinite(vertex.x) and math.isfinite(vertex.y)):
+            if not _is_place(vertex.x, vertex.y):
                 faults.append(f"vertex {vertex.id} has no finite place")
                 continue
             role = Role(profile.vertex_types.get(vertex.type, "plain"))
