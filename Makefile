@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test lint types unit bench picture clean
+.PHONY: demo test lint types unit bench picture lock format clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -36,6 +36,14 @@ $(READY): pyproject.toml requirements.lock
 	@$(BIN)/pip install --quiet --disable-pip-version-check -r requirements.lock
 	@$(BIN)/pip install --quiet --disable-pip-version-check --no-deps -e .
 	@touch $@
+
+picture: $(READY)
+	@$(BIN)/python docs/picture.py
+
+lock:
+	@rm -rf $(VENV)/lock && $(PYTHON) -m venv $(VENV)/lock
+	@$(VENV)/lock/bin/pip install --quiet --disable-pip-version-check '.[dev]'
+	@(echo "# Exact versions that were tested; made by: make lock"; $(VENV)/lock/bin/pip freeze --exclude fleet-tui) > requirements.lock
 
 clean:
 	rm -rf $(VENV) build dist

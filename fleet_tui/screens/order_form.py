@@ -53,12 +53,6 @@ class OrderForm(Overlay):
     def _input(self, field: str) -> Input:
         return self.query_one(f"#{field}", Input)
 
-    def _row(self, field: str) -> Widget:
-        """The line of a field, with its name."""
-        row = self._input(field).parent
-        assert isinstance(row, Widget)
-        return row
-
     def _robot(self) -> Robot | None:
         return self._state().robots.get(self._input("robot").value.strip())
 
@@ -80,7 +74,10 @@ class OrderForm(Overlay):
         """With cargo on board and no orders there is only a destination."""
         robot = self._robot()
         has_start = robot is None or not destination_only(robot)
-        self._input("from").display = self._row("from").display = has_start
+        box = self._input("from")
+        box.display = has_start
+        if isinstance(box.parent, Widget):
+            box.parent.display = has_start
         self.border_title = "Order" if has_start else "Come here: cargo is on board"
 
     def _say(self, text: str) -> None:

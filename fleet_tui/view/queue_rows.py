@@ -30,14 +30,15 @@ def _status(order: Order) -> str:
     return f"{order.status} {word}" if word else visible(order.status)
 
 
-def _row(entry: Listed, names: int, ids: int, missions: int, width: int) -> Row:
+def _row(entry: Listed, columns: tuple[int, int, int, int], width: int) -> Row:
+    names, places, ids, missions = columns
     robot, position, order = entry
     current = order.id == robot.orders.current_order_id
     ink = Ink.TEXT if current else Ink.DIM
     unknown = robot.knows_all_graphs() and None in (robot.name_of(order.start), robot.name_of(order.end))
     runs: list[Run] = [
         (fit(robot.name, names) + " " if names else "", Ink.TEXT),
-        (f"{position:2d} {order.id:{ids}d} ", Ink.DIM),
+        (f"{position:{places}d} {order.id:{ids}d} ", Ink.DIM),
         (fit(mission(robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
         (_status(order), ink),
         ("  unknown vertex" if unknown else "", Ink.WARN),
@@ -66,8 +67,9 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
     robot = state.robots[selected]
     names = column((entry[0].name for entry in entries), 6, 12) if all_robots else 0
     missions = column((mission(entry[0], entry[2]) for entry in entries), 10, 40)
-    ids = column((str(entry[2].id) for entry in entries), 2, 11)
-    rows = tuple(_row(entry, names, ids, missions, width) for entry in entries)
+    places = column((str(entry[1]) for entry in entries), 1, 4)
+    ids = column((str(entry[2].id) for entry in entries), 1, 11)
+    rows = tuple(_row(entry, (names, places, ids, missions), width) for entry in entries)
     title = _title(robot, state, entries, all_robots)
     buttons: tuple[Button, ...] = ()
     if not all_robots and rows:
