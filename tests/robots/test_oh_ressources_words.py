@@ -220,3 +220,15 @@ def test_poses_are_asked_for_first_and_only_maps_are_heavy() -> None:
     assert [kind.key for kind in topics if kind.heavy] == ["map"]
     assert [kind.key for kind in topics if kind.fast] == ["pose"]
     assert {kind.key for kind in topics if kind.per_floor} == {"graph", "labels", "map_metadata", "map"}
+
+
+def test_a_place_farther_than_any_floor_is_left_out() -> None:
+    """Two of them would make a picture of infinite size."""
+    vertices = [
+        {"id": 1, "x": 1.7e308, "y": 0.0},
+        {"id": 2, "x": 0.0, "y": -1.7e308},
+        {"id": 3, "x": 6e6, "y": 0.0},
+    ]
+    got = event("graph", {"vertices": vertices, "edges": []})
+    assert isinstance(got, GraphReceived)
+    assert (list(got.graph.vertices), got.faults) == ([3], 2)

@@ -1,0 +1,58 @@
+"""What needs a person, and what nobody has seen yet."""
+
+from fleet_tui.model import events
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.view.alarm_rows import alarm_table
+from fleet_tui.view.roles import Ink
+from tests.fleets import LINK, R0, T0, battery, fleet, link_lost, link_up, text_of, tick, told
+
+
+def clock(wall: float) -> str:
+    return f"{wall:.0f}"
+
+
+def texts(state: FleetState) -> list[str]:
+    return [text_of(row.runs) for row in alarm_table(state, clock).rows]
+
+
+def low(at: float = T0, percent: float = 15.0) -> FleetState:
+    return told(fleet(), link_up(T0), battery(at, percent), tick(at))
+
+
+def test_all_clear() -> None:
+    table = alarm_table(fleet(), clock)
+    assert (table.rows, table.empty, text_of(table.title)) == ((), "all clear", "Alarms")
+
+
+def test_a_new_alarm_says_who_what_and_since_when() -> None:
+    state = low()
+    (row,) = alarm_table(state, clock).rows
+    assert row.key == (R0, "battery")
+    assert text_of(row.runs) == f"▲ new  robot_0 battery 15 % {state.wall:.0f}"
+    assert text_of(alarm_table(state, clock).title) == "Alarms 1 new"
+    assert row.runs[0][1] is Ink.WARN
+    assert alarm_table(low(percent=5.0), clock).rows[0].runs[0][1] is Ink.ALARM
+
+
+def test_seen_over_and_come_again() -> None:
+    state = low()
+    seen = told(state, events.AlarmAcknowledged(R0, "battery"))
+    assert texts(seen)[0].startswith("△ seen robot_0 battery 15 %")
+    assert text_of(alarm_table(seen, clock).title) == "Alarms"
+    over = told(state, battery(T0 + 1, 60.0), tick(T0 + 1))
+    assert texts(over)[0].startswith("▽ over robot_0 battery is charged again")
+    again = told(over, battery(T0 + 2, 9.0), tick(T0 + 2))
+    assert texts(again)[0] == f"▲ new  robot_0 battery 9 % {state.wall:.0f} x2"
+
+
+def test_the_first_moment_stays_however_long_it_lasts() -> None:
+    state = low()
+    assert texts(told(state, battery(T0 + 99, 15.0), tick(T0 + 99)))[0].endswith(f" {state.wall:.0f}")
+
+
+def test_no_link_stands_there_with_its_reason_only_while_it_is_so() -> None:
+    state = told(fleet(), link_lost(T0, "nothing listens there"), tick(T0 + 60))
+    assert "no link: nothing listens there" in texts(state)[0]
+    assert alarm_table(state, clock).rows[0].key == (LINK, "link")
+    back = told(state, link_up(T0 + 61), tick(T0 + 61))
+    assert "no link" not in texts(back)[0] and "link is back" in texts(back)[0]

@@ -1,0 +1,138 @@
+"""The fleet pane says a word exactly while it is true."""
+
+import pytest
+
+from fleet_tui.model import events
+from fleet_tui.model.commands import Outcome, PauseRobot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.view.fleet_rows import CARGO, fleet_table, mission
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.table import Run
+from tests.fleets import R0, T0, battery, fleet, graph, labels, link_up, pose, queue, text_of, tick, told
+
+
+def runs(state: FleetState, robot: int = 0, selected: str = R0) -> tuple[Run, ...]:
+    return fleet_table(state, selected).rows[robot].runs
+
+
+def row(state: FleetState) -> str:
+    return text_of(runs(state))
+
+
+def ink_of(state: FleetState, part: str) -> Ink:
+    (found,) = {ink for text, ink in runs(state) if part in text}
+    return found
+
+
+def heard(*facts: events.Event, at: float = T0 + 1.0) -> FleetState:
+    """A robot that just spoke, and then these facts, seen a moment later."""
+    return told(fleet(), link_up(T0), pose(at), battery(at), queue(at), *facts, tick(at + 0.1))
+
+
+def test_a_calm_robot_says_nothing_that_is_not_so() -> None:
+    text = row(heard())
+    assert "80 %" in text and "floor_0" in text and "idle" in text
+    for word in ("offline", "obstacle", "paused", "never seen", "old", "bad data", CARGO, "unknown"):
+        assert word not in text
+
+
+def test_never_seen_until_it_speaks() -> None:
+    state = told(fleet(), link_up(T0), graph(1), tick(T0 + 99))
+    assert "never seen" in row(state) and "offline" not in row(state)
+    assert "- %" in row(state)
+    assert "never seen" not in row(told(state, battery(T0 + 100), tick(T0 + 100)))
+
+
+def test_bad_data_is_marked_even_if_nothing_else_came() -> None:
+    state = told(fleet(), events.MessageRejected(R0, "pose"), events.MessageRejected(R0, "pose"))
+    assert "never seen bad data x2" in row(state)
+    assert "bad data x1" in row(heard(events.MessageRejected(R0, "pose")))
+
+
+def test_offline_with_its_age_after_the_limit() -> None:
+    state = heard(at=T0)
+    assert "offline" not in row(told(state, tick(T0 + 5.0)))
+    silent = told(state, tick(T0 + 7.2))
+    assert "offline 7 s" in row(silent) and ink_of(silent, "offline") is Ink.ALARM
+    assert "idle" not in row(silent)
+    assert "offline" not in row(told(silent, battery(T0 + 8), tick(T0 + 8)))
+
+
+@pytest.mark.parametrize(("seconds", "said"), [(0.0, False), (3.0, False), (3.1, True), (4.2, True)])
+def test_obstacle_above_three_seconds(seconds: float, said: bool) -> None:
+    state = heard(events.ObstacleReported(R0, T0 + 1, seconds))
+    assert (f"obstacle {seconds:.1f} s" in row(state)) is said
+    assert ("obstacle" in row(state)) is said
+    free = told(state, events.ObstacleReported(R0, T0 + 2, 0.0))
+    assert "obstacle" not in row(free)
+
+
+def test_an_obstacle_of_an_offline_robot_was_then() -> None:
+    state = told(heard(events.ObstacleReported(R0, T0 + 1, 4.2)), tick(T0 + 30))
+    assert "obstacle 4.2 s then" in row(state) and ink_of(state, "obstacle") is Ink.DIM
+
+
+def test_paused_by_its_own_word_or_by_ours() -> None:
+    assert "paused " in row(heard(events.PausedReported(R0, T0 + 1, True)))
+    assert "by us" not in row(heard(events.PausedReported(R0, T0 + 1, True)))
+    ours = (events.CommandIssued(1, PauseRobot(R0), T0, T0), events.CommandFinished(1, Outcome.ACCEPTED))
+    assert "paused (by us)" in row(heard(*ours))
+    assert "paused" not in row(heard(*ours, pose(T0 + 1, 9.0)))
+    assert "paused" not in row(heard(*ours, events.PausedReported(R0, T0 + 1, False)))
+
+
+@pytest.mark.parametrize(
+    ("percent", "text", "ink"),
+    [
+        (100.0, "100 %", Ink.GOOD),
+        (20.0, " 20 %", Ink.GOOD),
+        (19.9, " 19 %", Ink.ALARM),
+        (0.4, "  0 %", Ink.ALARM),
+    ],
+)
+def test_a_battery_below_twenty_is_red_and_reads_below_twenty(percent: float, text: str, ink: Ink) -> None:
+    state = heard(battery(T0 + 1, percent))
+    assert text in row(state) and ink_of(state, "%") is ink
+    assert ink_of(told(state, tick(T0 + 60)), "%") is Ink.DIM
+
+
+def test_the_alarm_of_a_battery_reads_below_the_limit_too() -> None:
+    assert [alarm.text for alarm in heard(battery(T0 + 1, 19.6)).alarms] == ["battery 19 %"]
+
+
+def test_a_value_gone_quiet_shows_its_age_while_the_robot_speaks() -> None:
+    state = told(heard(at=T0), events.CargoReported(R0, T0 + 40, True), tick(T0 + 40))
+    for name in ("pose", "battery", "queue"):
+        assert f"{name} 40 s old" in row(state)
+    assert "offline" not in row(state)
+    assert "old" not in row(told(state, tick(T0 + 90)))  # then it is offline, which says more
+
+
+def test_the_floor_as_far_as_the_pose_tells() -> None:
+    assert " -" in row(told(fleet(), battery(T0), tick(T0)))
+    assert "unknown floor" in row(heard(pose(T0 + 1, frame="attic")))
+    assert "floor_1" in row(told(fleet(1, 2), pose(T0, frame="/floor_1"), tick(T0)))
+
+
+def test_what_it_does() -> None:
+    named = (graph(1, 2), labels({1: "Base", 2: "Consumidores"}))
+    assert "Base -> Consumidores" in row(heard(*named, queue(T0 + 1, (4, 1, 2, "W"), current=4)))
+    assert "2 waiting" in row(heard(*named, queue(T0 + 1, (4, 1, 2, "Q"), (5, 2, 1, "Q"))))
+    assert CARGO in row(heard(events.CargoReported(R0, T0 + 1, True)))
+
+
+def test_a_mission_marks_a_vertex_that_no_graph_has() -> None:
+    state = told(fleet(), graph(1, 2), labels({1: "Base"}), queue(T0, (4, 1, 77, "W")))
+    robot = state.robots[R0]
+    assert mission(robot, robot.orders.orders[0]) == "Base -> 77?"
+
+
+def test_every_robot_has_its_row_in_the_order_of_the_config() -> None:
+    state = told(fleet(12), battery(T0), battery(T0, robot="robot_11"), tick(T0))
+    table = fleet_table(state, "robot_3")
+    assert [line.key for line in table.rows] == [f"robot_{n}" for n in range(12)]
+    assert text_of(table.title) == "Fleet 2 of 12 online"
+    marked = [line.key for line in table.rows if Ink.ACCENT in {ink for _, ink in line.runs}]
+    assert marked == ["robot_3"]
+    starts = {text_of(line.runs).index("robot_") for line in table.rows}
+    assert len(starts) == 1

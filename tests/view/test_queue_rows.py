@@ -1,0 +1,111 @@
+"""The queue pane: the current order first, each with a Cancel that can be hit."""
+
+import pytest
+
+from fleet_tui.model import events
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.view.queue_rows import CANCEL, CLEAR, queue_table
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.table import Button, Run, width_of
+from fleet_tui.view.text import cells_of
+from tests.fleets import R0, T0, fleet, graph, labels, queue, text_of, tick, told
+
+WIDTHS = range(20, 121)
+ORDERS = ((11, 1, 2, "Q"), (12, 2, 3, "W"), (15, 3, 99, "X"))
+
+
+def state(robots: int = 1, current: int = 12) -> FleetState:
+    known = (graph(1, 2, 3), labels({1: "Base", 2: "Consumidores"}))
+    return told(fleet(robots), *known, queue(T0, *ORDERS, current=current), tick(T0))
+
+
+def lines(fleet_now: FleetState, all_robots: bool = False, width: int = 100) -> list[str]:
+    return [text_of(row.runs) for row in queue_table(fleet_now, R0, all_robots, width).rows]
+
+
+def under(runs: tuple[Run, ...], button: Button) -> str:
+    """What stands in a button's cells."""
+    cells = [letter for letter, width in cells_of(text_of(runs)) for letter in [letter, ""][:width]]
+    return "".join(cells[button.start : button.end])
+
+
+def test_the_current_order_stands_first_and_positions_count_from_0() -> None:
+    words = [line.split() for line in lines(state())]
+    assert [(word[0], word[1]) for word in words] == [("0", "12"), ("1", "11"), ("2", "15")]
+    assert [row.key for row in queue_table(state(), R0, False, 100).rows] == [(R0, 12), (R0, 11), (R0, 15)]
+
+
+@pytest.mark.parametrize("current", [-1, 0, 99])
+def test_a_current_order_that_is_not_there_means_none(current: int) -> None:
+    assert [line.split()[1] for line in lines(state(current=current))] == ["11", "12", "15"]
+
+
+def test_missions_by_label_and_status_in_words() -> None:
+    current, waiting, odd = lines(state())
+    assert "Consumidores -> 3" in current and "W in process" in current
+    assert "Base -> Consumidores" in waiting and "Q queued" in waiting
+    assert "3 -> 99?" in odd and " X " in odd and "unknown vertex" in odd
+    assert "unknown vertex" not in current + waiting
+
+
+@pytest.mark.parametrize(("letter", "word"), [("D", "D done"), ("C", "C cancelled"), ("Z9", "Z9"), ("", "")])
+def test_a_status_is_never_dropped(letter: str, word: str) -> None:
+    (line,) = lines(told(fleet(), queue(T0, (1, 1, 2, letter))))
+    assert word in line and "1 -> 2" in line.replace("?", "")
+
+
+def test_a_vertex_is_not_called_unknown_before_the_graphs_have_come() -> None:
+    (line,) = lines(told(fleet(1, 2), graph(1), queue(T0, (1, 1, 99, "Q"))))
+    assert "unknown vertex" not in line
+
+
+@pytest.mark.parametrize("all_robots", [False, True])
+def test_cancel_lies_where_it_stands_at_every_width(all_robots: bool) -> None:
+    for width in WIDTHS:
+        table = queue_table(state(2), R0, all_robots, width)
+        for row in table.rows:
+            (button,) = row.buttons
+            assert button.name == "cancel"
+            assert under(row.runs, button) == CANCEL
+            assert button.end <= width and width_of(row.runs) <= width
+
+
+def test_clear_all_lies_where_it_stands_or_is_not_there() -> None:
+    seen = set()
+    for width in WIDTHS:
+        table = queue_table(state(), R0, False, width)
+        for button in table.title_buttons:
+            assert under(table.title, button) == CLEAR and button.name == "clear"
+            assert button.end <= width
+        assert (CLEAR in text_of(table.title)) is bool(table.title_buttons)
+        seen.add(bool(table.title_buttons))
+    assert seen == {True, False}
+    assert queue_table(fleet(), R0, False, 100).title_buttons == ()
+
+
+def test_the_queue_of_all_robots_names_each() -> None:
+    both = told(state(2), queue(T0, (11, 1, 2, "W"), current=11, robot="robot_1"))
+    table = queue_table(both, R0, True, 100)
+    assert [row.key for row in table.rows] == [(R0, 12), (R0, 11), (R0, 15), ("robot_1", 11)]
+    assert text_of(table.rows[3].runs).startswith("robot_1")
+    assert text_of(table.title) == "Queue all robots 4 orders"
+    assert table.title_buttons == ()
+
+
+def test_the_title_counts_and_tells_cargo_and_age() -> None:
+    loaded = told(state(), events.CargoReported(R0, T0, True), tick(T0 + 30))
+    assert text_of(queue_table(loaded, R0, False, 100).title).startswith(
+        "Queue robot_0 3 orders cargo on board 30 s old"
+    )
+    one = told(fleet(), queue(T0, (1, 1, 2, "Q")))
+    assert "1 order " in text_of(queue_table(one, R0, False, 100).title)
+
+
+def test_nothing_to_do_is_not_nothing_heard() -> None:
+    assert queue_table(fleet(), R0, False, 80).empty == "the queue has not been heard yet"
+    assert queue_table(told(fleet(), queue(T0)), R0, False, 80).empty == "no orders: o places one"
+
+
+def test_an_order_to_nowhere_is_marked_by_ink_too() -> None:
+    odd = queue_table(state(), R0, False, 100).rows[2]
+    assert {ink for text, ink in odd.runs if "99?" in text} == {Ink.WARN}
