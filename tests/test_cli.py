@@ -1,0 +1,128 @@
+"""The command line: exit codes, messages with remedies, no tracebacks."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+BAD = """
+[rosbridge]
+url = "http://x"
+[[floors]]
+name = "floor_0"
+mpa = "x"
+[[robots]]
+name = "robot_0"
+floors = ["flor_0"]
+[keys]
+ordr = "ctrl+o"
+cancel = "o"
+[ui]
+theme = "drak"
+"""
+GOOD = '[[floors]]\nname = "floor_0"\n[[robots]]\nname = "robot_0"\n'
+
+
+def run(*args: str, cwd: Path, **env: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "fleet_tui", *args],
+        cwd=cwd,
+        env={**os.environ, "XDG_CONFIG_HOME": str(cwd), "XDG_STATE_HOME": str(cwd), **env},
+        capture_output=True,
+        text=True,
+        check=False,
+        stdin=subprocess.DEVNULL,
+    )
+
+
+def test_every_problem_at_once_with_the_nearest_name(tmp_path: Path) -> None:
+    (tmp_path / "bad.toml").write_text(BAD)
+    done = run("check", "bad.toml", cwd=tmp_path)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    for line in (
+        "bad.toml: rosbridge.url: 'http://x'",
+        "bad.toml: floors[0].mpa: unknown key, did you mean map?",
+        "bad.toml: robots[0].floors: no floor 'flor_0', did you mean floor_0?",
+        "bad.toml: keys.ordr: no such key id, did you mean order?",
+        "'o' is taken by order",
+    ):
+        assert line in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_theme_and_a_map_that_are_not_there(tmp_path: Path) -> None:
+    text = GOOD.replace('"floor_0"\n[[', '"floor_0"\nmap = "no.yaml"\n[[') + '[ui]\ntheme = "drak"\n'
+    (tmp_path / "config.toml").write_text(text)
+    done = run("check", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "floors[0].map: no such file no.yaml" in done.stderr
+    assert "did you mean dark?" in done.stderr
+
+
+@pytest.mark.parametrize(
+    "args", [("--config", "mine.toml", "check"), ("check", "--config", "mine.toml"), ("check", "mine.toml")]
+)
+def test_the_config_is_taken_before_and_after_the_command(tmp_path: Path, args: tuple[str, ...]) -> None:
+    (tmp_path / "mine.toml").write_text(GOOD)
+    done = run(*args, cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (0, "mine.toml: fine: 1 robot, 1 floor\n")
+
+
+def test_the_config_is_found_in_order(tmp_path: Path) -> None:
+    (tmp_path / "fleet-tui").mkdir()
+    (tmp_path / "fleet-tui" / "config.toml").write_text(GOOD)
+    assert "fleet-tui/config.toml: fine" in run("check", cwd=tmp_path).stdout
+    (tmp_path / "config.toml").write_text(GOOD)
+    assert run("check", cwd=tmp_path).stdout.startswith("config.toml: fine")
+    (tmp_path / "other.toml").write_text(GOOD)
+    assert "other.toml: fine" in run("check", cwd=tmp_path, FLEET_TUI_CONFIG="other.toml").stdout
+
+
+@pytest.mark.parametrize(
+    ("args", "words"),
+    [
+        (("chekc",), "did you mean check?"),
+        (("check", "no.toml"), "no such file"),
+        (("demo", "--robots", "0"), "--robots"),
+        (("demo", "--robot", "3"), "--robots"),
+        (("sim", "--port", "99999"), "--port"),
+    ],
+)
+def test_usage_errors_end_with_2_and_a_remedy(tmp_path: Path, args: tuple[str, ...], words: str) -> None:
+    done = run(*args, cwd=tmp_path)
+    assert done.returncode == 2
+    assert words in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_the_console_without_a_terminal_says_so(tmp_path: Path) -> None:
+    done = run(cwd=tmp_path)
+    assert done.returncode == 1
+    assert "needs a terminal" in done.stderr
+
+
+def test_sim_prints_its_url_and_ends_with_130_on_ctrl_c(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0"]
+    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+        assert child.stdout is not None
+        assert child.stderr is not None
+        assert child.stdout.readline().startswith(b"ws://127.0.0.1:")
+        child.send_signal(signal.SIGINT)
+        assert child.wait(10) == 130
+        assert child.stderr.read() == b""
+
+
+def test_a_port_in_use_is_named(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0"]
+    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE) as child:
+        assert child.stdout is not None
+        port = child.stdout.readline().decode().strip().rpartition(":")[2]
+        done = run("sim", "--port", port, cwd=tmp_path)
+        child.terminate()
+    assert done.returncode == 1
+    assert port in done.stderr
+    assert "Traceback" not in done.stderr
