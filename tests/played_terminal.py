@@ -13,6 +13,7 @@ from textual import events
 from textual.app import App
 from textual.driver import Driver
 from textual.geometry import Size
+from textual.widget import Widget
 
 Cell = tuple[str, str, str, bool, bool, bool]
 """Text, colour and ground as rrggbb or a name, bold, reverse, underline."""
@@ -63,6 +64,12 @@ def terminal_of(app: App[None]) -> PlayedDriver:
     """The terminal that an app runs on."""
     assert isinstance(app._driver, PlayedDriver)
     return app._driver
+
+
+def paint(app: App[None], *changed: Widget) -> None:
+    """What Textual does 60 times a second, without the wait."""
+    app.screen._dirty_widgets.update(changed)
+    app.screen._on_timer_update()
 
 
 def shown(terminal: PlayedDriver) -> list[list[Cell]]:

@@ -19,7 +19,7 @@ from fleet_tui.terminal.lean_app import LeanApp, textual_fits
 from fleet_tui.themes import load_themes
 from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
-from tests.played_terminal import PlayedDriver, intended, shown, terminal_of
+from tests.played_terminal import PlayedDriver, intended, paint, shown, terminal_of
 
 SIDE = 300
 STYLES = load_themes()[0]["dark"].styles()
@@ -114,12 +114,6 @@ def true_colour(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("NO_COLOR", raising=False)
 
 
-def paint(app: Pane) -> None:
-    """What Textual does 60 times a second, without the wait."""
-    app.screen._dirty_widgets.add(app.map)
-    app.screen._on_timer_update()
-
-
 def difference(app: Pane) -> list[tuple[int, int, object, object]]:
     """Cells (x, y) where the terminal shows the first and Textual means the second."""
     found, wanted = shown(terminal_of(app)), intended(app)
@@ -142,9 +136,9 @@ async def test_the_terminal_shows_what_textual_means_after_anything(seed: int) -
             rng.choice(STEPS)(app, rng)
             for _ in range(rng.randrange(24)):
                 app.drive(rng)
-                paint(app)
+                paint(app, app.map)
             await pilot.pause()
-            paint(app)
+            paint(app, app.map)
             assert difference(app)[:9] == [], f"step {step}"
 
 
@@ -174,7 +168,7 @@ async def test_frames_are_left_out_while_nobody_reads_and_the_newest_comes_after
         terminal.reads = False
         for _ in range(50):
             app.drive(rng)
-            paint(app)
+            paint(app, app.map)
         assert terminal.waiting.qsize() == 1
         terminal.read_again()
         async with asyncio.timeout(10):
@@ -190,10 +184,10 @@ async def test_a_robot_that_moves_a_cell_costs_a_few_bytes_and_standing_still_no
         app.map.show(scene)
         await pilot.pause()
         written.clear()
-        paint(app)
+        paint(app, app.map)
         assert written == []
         app.map.show(replace(scene, robots=(replace(scene.robots[0], pose=Pose(12.0, 3.0)),)))
-        paint(app)
+        paint(app, app.map)
         assert 20 < len("".join(written)) < 200
 
 
@@ -206,7 +200,7 @@ async def test_a_terminal_that_was_resized_there_and_back_is_painted_anew() -> N
         terminal.screen.reset()  # what it showed is lost
         terminal.resize(80, 24)
         await pilot.pause()
-        paint(app)
+        paint(app, app.map)
         assert difference(app) == []
 
 
