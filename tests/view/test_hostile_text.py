@@ -1,0 +1,152 @@
+"""Labels, statuses and reasons come from robots: no row may be bent by them."""
+
+import unicodedata
+from collections.abc import Iterable
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from fleet_tui.model import events
+from fleet_tui.model.commands import CancelOrder, Outcome, PlaceOrder
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath
+from fleet_tui.view.alarm_rows import alarm_table
+from fleet_tui.view.fleet_rows import fleet_table
+from fleet_tui.view.floor_scene import floor_scene
+from fleet_tui.view.queue_rows import CANCEL, queue_table
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.selection import Selection
+from fleet_tui.view.status_line import message_line, status_line
+from fleet_tui.view.table import Row, Run, Table, column, cut, width_of
+from tests.fleets import (
+    F0,
+    LINK,
+    R0,
+    T0,
+    WALL,
+    fleet,
+    graph,
+    labels,
+    link_lost,
+    link_up,
+    pose,
+    queue,
+    tick,
+    told,
+)
+
+HOSTILE = [
+    "\x1b[2J\x1b[31mred",
+    "[red]markup[/red] [@click=app.quit]x[/]",
+    "\u202eevil\u2066\u200f",
+    "a\nb\r\tc\x00\x7f\x9b",
+    "仓库" * 40,
+    "👩\u200d👩\u200d👧 ✈\ufe0f",
+    "e" + "\u0301" * 300,
+    "\u0301\u0301starts with marks",
+    "\ud800",
+    "Consumidores " * 30,
+    "\u3164\u2800\u115f",
+    "-> ->",
+    "",
+]
+TEXTS = st.text(max_size=30) | st.sampled_from(HOSTILE)
+WIDTHS = [20, 21, 40, 79, 120]
+
+
+def facts(text: str) -> list[events.Event]:
+    """A fleet whose robots, bridge and answers say `text` wherever they can."""
+    return [
+        graph(1, 2),
+        labels({1: text, 2: text[::-1]}),
+        pose(T0, frame=text),
+        queue(T0, (4, 1, 2, text), (5, 2, 99, text), current=4),
+        events.MessageRejected(R0, text),
+        events.FrameRejected(LINK, text),
+        events.CommandIssued(1, PlaceOrder(R0, 1, 2), T0, WALL),
+        events.CommandIssued(2, CancelOrder(R0, 4), T0, WALL),
+        events.CommandFinished(1, Outcome.REFUSED, text),
+    ]
+
+
+def states(text: str) -> Iterable[FleetState]:
+    known = told(fleet(2), link_up(T0), *facts(text), tick(T0))
+    yield known
+    yield told(known, events.CommandPathChanged(LINK, CommandPath.DEAD, text), tick(T0 + 1))
+    yield told(known, link_lost(T0, text), tick(T0 + 60))
+
+
+def tables(state: FleetState) -> Iterable[Table]:
+    yield fleet_table(state, R0)
+    yield alarm_table(state, lambda wall: f"{wall:.0f}")
+    yield from (queue_table(state, R0, everybody, width) for everybody in (False, True) for width in WIDTHS)
+
+
+def lines(state: FleetState) -> Iterable[tuple[Run, ...]]:
+    yield status_line(state, R0)
+    yield message_line(state, "", 0.0)
+    for table in tables(state):
+        yield table.title
+        yield from (row.runs for row in table.rows)
+
+
+def harmless(text: str) -> bool:
+    return not {unicodedata.category(letter) for letter in text} & {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
+
+
+@pytest.mark.parametrize("text", HOSTILE, ids=ascii)
+def test_nothing_hostile_reaches_a_row(text: str) -> None:
+    for state in states(text):
+        for runs in lines(state):
+            assert all(harmless(part) for part, _ in runs)
+            for width in WIDTHS:
+                assert width_of(cut(runs, width)) == width
+
+
+@given(TEXTS)
+@example("\u0301")
+def test_whatever_they_say_rows_stay_as_wide_as_they_should(text: str) -> None:
+    for state in states(text):
+        for runs in lines(state):
+            assert all(harmless(part) for part, _ in runs)
+            assert width_of(cut(runs, 40)) == 40
+        for width in WIDTHS:
+            for row in queue_table(state, R0, False, width).rows:
+                assert width_of(row.runs) == width - 1
+                assert cancel_at(row) == width - 1 - len(CANCEL)
+
+
+def cancel_at(row: Row) -> int:
+    *before, (text, _) = row.runs
+    assert text == CANCEL
+    assert row.buttons[0].start == width_of(before)
+    return row.buttons[0].start
+
+
+@given(TEXTS)
+def test_the_map_gets_only_harmless_labels_and_notes(text: str) -> None:
+    for state in states(text):
+        scene = floor_scene(state, Selection(R0, F0))
+        assert harmless(scene.note)
+        assert all(harmless(vertex.label) for vertex in scene.vertices)
+
+
+RUNS = st.lists(
+    st.tuples(st.text(st.characters(categories=["L", "N", "Mn", "So"]), max_size=9), st.sampled_from(Ink))
+)
+
+
+@given(RUNS, st.integers(0, 60))
+def test_cut_takes_exactly_its_cells_and_keeps_the_beginning(runs: list[Run], cells: int) -> None:
+    shown = cut(runs, cells)
+    assert width_of(shown) == cells
+    if width_of(runs) <= cells:
+        assert "".join(text for text, _ in shown).rstrip(" ") == "".join(text for text, _ in runs)
+
+
+@given(st.lists(TEXTS), st.integers(0, 10), st.integers(10, 30))
+def test_a_column_holds_its_texts_within_its_limits(texts: list[str], least: int, most: int) -> None:
+    width = column(texts, least, most)
+    assert least <= width <= most
+    assert width == most or all(width_of([(text, Ink.TEXT)]) <= width for text in texts)
