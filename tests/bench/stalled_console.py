@@ -32,7 +32,7 @@ class Watched(FleetApp):
 
         def tapped(connection: Connection, payload: bytes) -> None:
             send(connection, payload)
-            if b"pause" in payload:
+            if b"Pause" in payload:
                 self._note("call", 0.0)
 
         setattr(Connection, "send", tapped)  # noqa: B010  # the one place where a frame leaves us
