@@ -8,7 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.view.fleet_rows import mission
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Button, Row, Run, Table, column, cut, width_of
-from fleet_tui.view.text import fit, visible
+from fleet_tui.view.text import cell_width, fit, visible
 
 CANCEL, CLEAR = "[Cancel]", "[Clear all]"
 
@@ -25,9 +25,11 @@ def listed(state: FleetState, selected: str, all_robots: bool) -> list[Listed]:
     ]
 
 
-def _status(order: Order) -> str:
+def _status(order: Order, room: int) -> str:
+    """The robot's own letter, with its word where there is room for all of it."""
     word = STATUS_WORDS.get(order.status)
-    return f"{order.status} {word}" if word else visible(order.status)
+    words = f"{order.status} {word}" if word else visible(order.status)
+    return words if cell_width(words) <= room or not word else order.status
 
 
 def _row(entry: Listed, columns: tuple[int, int, int, int], width: int) -> Row:
@@ -40,10 +42,10 @@ def _row(entry: Listed, columns: tuple[int, int, int, int], width: int) -> Row:
         (fit(robot.name, names) + " " if names else "", Ink.TEXT),
         (f"{position:{places}d} {order.id:{ids}d} ", Ink.DIM),
         (fit(mission(robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
-        (_status(order), ink),
-        ("  unknown vertex" if unknown else "", Ink.WARN),
     ]
     room = width - len(CANCEL) - 1
+    runs.append((_status(order, room - width_of(runs)), ink))
+    runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
     button = Button(room, room + len(CANCEL), "cancel")
     return Row((robot.name, order.id), (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
 

@@ -169,7 +169,7 @@ async def test_all_robots_orders_and_a_cancel_of_anothers(server: RosbridgeServe
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
         await it.press("1", "*")
-        await it.shows("robot_1  0", "queue")
+        await it.shows("robot_1 0", "queue")
         await it.press("x", "y")
         await it.until(lambda state: not state.robots["robot_1"].orders.orders)
 
