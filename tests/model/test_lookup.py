@@ -79,3 +79,8 @@ def test_an_order_needs_no_start_with_cargo_and_nothing_to_do() -> None:
     assert destination_only(loaded.robots[R0])
     assert not destination_only(told(loaded, queue(T0, (1, 1, 2, "Q"))).robots[R0])
     assert not destination_only(told(loaded, CargoReported(R0, T0, False)).robots[R0])
+
+
+def test_a_label_that_is_a_number_comes_before_the_id() -> None:
+    state = told(fleet(), graph(1, 7), labels({1: "7", 7: "Base"}))
+    assert names(state.robots[R0], "7") == ["7", "Base"]
