@@ -34,7 +34,7 @@ KEYS: tuple[Key, ...] = (
         "Command palette: every action, go to robot, vertex, floor",
         hint="command",
     ),
-    Key("quit", ("q",), "quit", "Leave"),
+    Key("quit", ("q",), "app.quit", "Leave"),
     Key("back", ("escape",), "back", "One level back"),
     Key("next_pane", ("tab",), "app.focus_next", "Next pane"),
     Key("previous_pane", ("shift+tab",), "app.focus_previous", "Previous pane"),

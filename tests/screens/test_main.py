@@ -2,6 +2,7 @@
 
 import pytest
 
+from fleet_tui.keys import KEYS
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.raster import Drawing
 from tests.console_pilot import console
@@ -133,3 +134,22 @@ async def test_hostile_text_from_the_wire_stays_text(server: RosbridgeServer) ->
         await it.press("o")
         await it.shows("[bold]")
         assert not {"\x1b", "\x07", "‮", "\u200b"} & set(it.text)
+
+
+async def test_q_leaves(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("q")
+        assert not it.app.is_running
+
+
+async def test_every_key_does_something_that_exists(server: RosbridgeServer) -> None:
+    """A binding to an action that nobody has fails without a word."""
+    async with console(config_of(server.url, 1)) as it:
+        main = it.app.main
+        places = {"map": main.map, "table": main.queue, "console": main, "anywhere": it.app}
+        for key in KEYS:
+            name = key.action.partition("(")[0]
+            place = it.app if name.startswith("app.") else places[key.pane]
+            if name == "on_map":
+                name, place = key.action.split("'")[1], main.map
+            assert hasattr(place, f"action_{name.removeprefix('app.')}"), key.id
