@@ -84,8 +84,11 @@ def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> 
                 values[name] = value
         elif field.required:
             problems.append(f"{where}{name}: is missing")
-    missing = [name for name, field in fields.items() if field.required and name not in values]
-    return None if missing else struct(**values)
+    # Every required field is a name. The entry stays under one that nobody else has, so that the
+    # entries after it keep their numbers.
+    stand_in = "".join(letter if letter.isalnum() else "_" for letter in where)
+    missing = {name: stand_in for name, field in fields.items() if field.required and name not in values}
+    return struct(**missing, **values)
 
 
 def _is_struct(kind: object) -> bool:

@@ -1,6 +1,6 @@
 """The one picture of the world, and how each fact turns it into the next."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 from typing import assert_never
 
@@ -54,13 +54,6 @@ class FleetState:
         """Whether it spoke within the limit."""
         return robot.heard is not None and self.now - robot.heard <= self.limits.offline_after
 
-    def floor_of(self, robot: Robot) -> str | None:
-        """The floor whose frame its pose names, None where no floor has that frame."""
-        for floor in self.floors.values():
-            if robot.pose is not None and floor.frame_id == robot.frame_id:
-                return floor.name
-        return None
-
     def is_obstructed(self, robot: Robot) -> bool:
         """Whether it has been in contact with an obstacle for longer than the limit."""
         return robot.obstacle is not None and robot.obstacle.value > self.limits.obstacle_after
@@ -87,10 +80,12 @@ def _link_conditions(state: FleetState, link: LinkState) -> Iterator[Condition]:
         yield Condition(link.name, "commands", Priority.HIGH, text, "commands get through again")
 
 
-def _robot_conditions(state: FleetState, robot: Robot) -> Iterator[Condition]:
+def _robot_conditions(state: FleetState, robot: Robot, raised: Set[tuple[str, str]]) -> Iterator[Condition]:
     online = state.is_online(robot)
     link = state.links[robot.link]
-    if not online and link.phase is Phase.UP and state.now - link.since > state.limits.offline_after:
+    # While the link is down its own alarm stands for its robots; what was raised before goes on.
+    heard_of = link.phase is Phase.UP and state.now - link.since > state.limits.offline_after
+    if not online and (heard_of or (robot.name, "offline") in raised):
         text = "never seen" if robot.heard is None else f"offline {age(state.now - robot.heard)}"
         yield Condition(robot.name, "offline", Priority.MEDIUM, text, "is back")
     if robot.obstacle is not None and state.is_obstructed(robot):
@@ -115,8 +110,11 @@ def age(seconds: float) -> str:
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     state = replace(state, now=event.at, wall=event.wall)
+    raised = {alarm.key for alarm in state.alarms if alarm.active}
     conditions = [found for link in state.links.values() for found in _link_conditions(state, link)]
-    conditions += [found for robot in state.robots.values() for found in _robot_conditions(state, robot)]
+    conditions += [
+        found for robot in state.robots.values() for found in _robot_conditions(state, robot, raised)
+    ]
     return replace(state, alarms=ripen(state.alarms, conditions, event.at, event.wall))
 
 
@@ -182,8 +180,15 @@ def _apply_to_robot(
             events.FrameReceived() | events.GraphReceived() | events.LabelsReceived() | events.GridReceived()
         ):
             return _with_robot(state, take_chart(robot, event))
+        case events.PoseReported():
+            robot = hear(robot, event)
+            return _with_robot(state, replace(robot, floor=_floor_with(state, robot.frame_id)))
         case _:
             return _with_robot(state, hear(robot, event))
+
+
+def _floor_with(state: FleetState, frame_id: str) -> str | None:
+    return next((floor.name for floor in state.floors.values() if floor.frame_id == frame_id), None)
 
 
 def _apply_to_link(

@@ -22,7 +22,7 @@ def places(robot: Robot) -> list[Place]:
         for vertex, label in chart.labels.items()
         if chart.graph is None or vertex in chart.graph.vertices
     ]
-    return sorted(found, key=lambda place: (place.floor != robot.frame_id, place.name.casefold()))
+    return sorted(found, key=lambda place: (place.floor != robot.floor, place.name.casefold()))
 
 
 def matches(robot: Robot, typed: str) -> list[Place]:

@@ -58,7 +58,8 @@ class Chart:
 @dataclass(frozen=True, slots=True, eq=False)
 class Robot:
     """`number` counts from 1 in the order of the config; `heard` is the effective time of the
-    last telemetry; `paused_at` is where it stood when it accepted our own pause."""
+    last telemetry; `floor` is the one whose frame its pose names; `paused_at` is where it stood
+    when it accepted our own pause."""
 
     name: str
     number: int
@@ -66,6 +67,7 @@ class Robot:
     charts: Mapping[str, Chart]
     pose: Reading[Pose] | None = None
     frame_id: str = ""
+    floor: str | None = None
     battery: Reading[float] | None = None
     cargo: Reading[bool] | None = None
     obstacle: Reading[float] | None = None
@@ -93,7 +95,7 @@ class Robot:
 
         Ids of different floors may be the same: the floor it is on comes first.
         """
-        here = self.charts.get(self.frame_id)
+        here = self.charts.get(self.floor or "")
         charts = [here, *self.charts.values()] if here else self.charts.values()
         names = (chart.name_of(vertex) for chart in charts)
         return next((name for name in names if name is not None), None)

@@ -28,7 +28,7 @@ def floor_text(state: FleetState, robot: Robot) -> str:
     """The floor a robot is on, as far as its pose tells."""
     if robot.pose is None:
         return "-"
-    return state.floor_of(robot) or "unknown floor"
+    return robot.floor or "unknown floor"
 
 
 def _old(state: FleetState, name: str, reading: Reading[Any] | None) -> Iterator[Run]:

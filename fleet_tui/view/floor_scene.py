@@ -50,7 +50,7 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
     points = [(vertex.x, vertex.y) for vertex in vertices]
     if not points:
         for robot in state.robots.values():
-            if robot.pose is not None and state.floor_of(robot) == floor:
+            if robot.pose is not None and robot.floor == floor:
                 x, y = robot.pose.value.x // BLOCK * BLOCK, robot.pose.value.y // BLOCK * BLOCK
                 points += [(x, y), (x + BLOCK, y + BLOCK)]
     points = points or [(0.0, 0.0), (BLOCK, BLOCK)]
@@ -105,7 +105,7 @@ def _placed(pose: Pose, own: MapFrame | None, picture: MapFrame) -> tuple[Pose, 
 def _robot(
     state: FleetState, robot: Robot, selection: Selection, picture: MapFrame, tied: bool
 ) -> SceneRobot | None:
-    if robot.pose is None or state.floor_of(robot) != selection.floor:
+    if robot.pose is None or robot.floor != selection.floor:
         return None
     own = None if tied else robot.charts.get(selection.floor, Chart()).frame
     pose, other_map = _placed(robot.pose.value, own, picture)
@@ -126,7 +126,7 @@ def _robot(
 def _elsewhere(state: FleetState, selection: Selection) -> str:
     """Where the selected robot is, if not here."""
     robot = state.robots[selection.robot]
-    actual = state.floor_of(robot)
+    actual = robot.floor
     if robot.pose is None:
         return f"{robot.name} has no pose yet"
     if actual is None:

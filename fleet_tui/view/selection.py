@@ -29,7 +29,7 @@ class Selection:
 
     def settled(self, state: FleetState, follow: bool) -> "Selection":
         """The floor moves to the robot's while the map follows, and once after the start."""
-        actual = state.floor_of(state.robots[self.robot])
+        actual = state.robots[self.robot].floor
         if actual is None or (self.chosen and not follow):
             return self
         return replace(self, floor=actual, chosen=True)

@@ -104,7 +104,7 @@ def check(state: FleetState) -> None:
     assert len(keys) == len(set(keys))
     for robot in state.robots.values():
         assert is_paused(robot) in (True, False) and state.is_online(robot) in (True, False)
-        assert state.floor_of(robot) in (None, "floor_0", "floor_1")
+        assert robot.floor in (None, "floor_0", "floor_1")
         assert robot.faults >= 0 and bool(robot.last_fault) <= bool(robot.faults)
 
 

@@ -96,9 +96,9 @@ def test_a_late_pose_does_not_take_back_what_was_heard() -> None:
 
 def test_a_leading_slash_of_a_frame_is_nothing() -> None:
     state = told(fleet(), pose(T0, frame="/floor_0"))
-    assert state.floor_of(robot(state)) == F0
+    assert robot(state).floor == F0
     lost = told(state, pose(T0, frame="attic"))
-    assert lost.floor_of(robot(lost)) is None
+    assert robot(lost).floor is None
 
 
 def accepted(command: Command, outcome: Outcome = Outcome.ACCEPTED, id_: int = 1) -> tuple[Event, Event]:
