@@ -21,6 +21,9 @@ from fleet_tui.view.raster import Drawing
 
 LOG = logging.getLogger(__name__)
 
+COLOURLESS = ("dumb", "unknown", "vt100", "vt102", "vt220")
+"""Terminals (TERM) without colour, of which Textual would ask the full 24 bits."""
+
 
 def _drawing(wanted: str) -> Drawing:
     """Braille where the terminal can: the Linux console's font has none, nor has a plain locale."""
@@ -31,6 +34,15 @@ def _drawing(wanted: str) -> Drawing:
     except LookupError:
         unicode = False
     return Drawing.BRAILLE if unicode and os.environ.get("TERM") != "linux" else Drawing.ASCII
+
+
+def _colour() -> bool:
+    """Whether colour is wanted and possible. Empty, NO_COLOR means nothing; Textual asks if it is there."""
+    if os.environ.get("TERM") in COLOURLESS:
+        os.environ["NO_COLOR"] = "1"
+    elif not os.environ.get("NO_COLOR"):
+        os.environ.pop("NO_COLOR", None)
+    return "NO_COLOR" not in os.environ
 
 
 def open_console(config: Config, read_only: bool, debug: bool) -> None:
@@ -47,8 +59,7 @@ def open_console(config: Config, read_only: bool, debug: bool) -> None:
         )
     log_to_file(debug)
     store = Store(initial_state(config, time.monotonic()))
-    colour = not os.environ.get("NO_COLOR")
-    app = FleetApp(config, store, themes, _drawing(config.ui.drawing), colour)
+    app = FleetApp(config, store, themes, _drawing(config.ui.drawing), _colour())
     for problem in problems:
         LOG.warning("%s", problem)
     app.run()
