@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.link.calls import Calls
+from fleet_tui.link.map_process import WORTH_A_PROCESS, decode_apart, topic_of
 from fleet_tui.link.subscriptions import Wanted, type_problem, wanted_topics
 from fleet_tui.link.transport import Connection
 from fleet_tui.link.writer import Writer
@@ -158,6 +159,10 @@ class Telemetry:
         self, payload: bytes, is_binary: bool, at: float
     ) -> events.Event | operations.ServiceResponse | None:
         """One frame as what it means. Any thread."""
+        if len(payload) > WORTH_A_PROCESS and not is_binary:
+            wanted = self._wanted.get(topic_of(payload))
+            if wanted is not None and wanted.kind.heavy:
+                return self._read_apart(wanted, payload)
         try:
             operation = operations.decode_cbor(payload) if is_binary else operations.decode(payload)
         except WireError as problem:
@@ -169,6 +174,15 @@ class Telemetry:
                 LOG.warning("the bridge says (%s): %s", level, text)
                 return events.FrameRejected(self._link, f"the bridge says: {text}")
         return operation
+
+    def _read_apart(self, wanted: Wanted, payload: bytes) -> events.Event:
+        topic = wanted.subscription.topic
+        try:
+            event = decode_apart(self._profile, wanted.robot, wanted.floor, payload)
+        except WireError as problem:
+            return events.MessageRejected(wanted.robot, f"{topic}: {problem}")
+        self._maps_heard.add(topic)
+        return event
 
     def _translate(self, topic: str, msg: object, at: float) -> events.Event | None:
         wanted = self._wanted.get(topic)
