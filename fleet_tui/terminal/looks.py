@@ -40,7 +40,17 @@ def look_of(style: Style | None, colours: ColorSystem | None) -> Look:
     weight = ";".join(code for code, name in _WEIGHTS.items() if getattr(style, name))
     if colours is None:
         return Look(weight)
-    return Look(weight, _code(style.color, colours, True), _code(style.bgcolor, colours, False))
+    color, on = _code(style.color, colours, True), _code(style.bgcolor, colours, False)
+    if colours is ColorSystem.STANDARD and color and on and style.color != style.bgcolor:
+        color = _apart(color, on)
+    return Look(weight, color, on)
+
+
+def _apart(color: str, on: str) -> str:
+    """With 16 colours a quiet one may fall together with its ground: the greys beside it don't."""
+    if int(color) + 10 != int(on):
+        return color
+    return "37" if on == "100" else "90"
 
 
 def _code(color: Color | None, colours: ColorSystem, foreground: bool) -> str:

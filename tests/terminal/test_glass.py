@@ -13,6 +13,8 @@ from rich.style import Style
 
 from fleet_tui.terminal.glass import ONE_CELL_EACH, Glass
 from fleet_tui.terminal.looks import PLAIN, Look, look_of, nearest, turn
+from fleet_tui.themes import load_themes
+from fleet_tui.view.roles import Ink
 
 
 def glass(width: int, height: int = 1, colours: ColorSystem | None = None) -> Glass:
@@ -120,3 +122,19 @@ def test_dark_grounds_stay_apart_in_256_colours() -> None:
     assert 232 <= unknown < floor < robot <= 255
     assert nearest(ColorTriplet(255, 255, 255)) == 231
     assert nearest(ColorTriplet(0, 95, 175)) == 25
+
+
+@pytest.mark.parametrize("colours", [ColorSystem.STANDARD, ColorSystem.EIGHT_BIT, ColorSystem.TRUECOLOR])
+@pytest.mark.parametrize("name", ["colourblind", "contrast", "dark", "light"])
+def test_no_ink_vanishes_in_its_ground_however_few_colours_there_are(name: str, colours: ColorSystem) -> None:
+    looks = {ink: look_of(style, colours) for ink, style in load_themes()[0][name].styles().items()}
+    assert [ink for ink, look in looks.items() if _as_ground(look.color) == look.on] == []
+    assert looks[Ink.ROBOT].on != looks[Ink.FLOOR].on
+    assert looks[Ink.ROBOT_SELECTED] != looks[Ink.ROBOT]
+    if colours is not ColorSystem.STANDARD and name != "contrast":
+        assert looks[Ink.FLOOR].on != looks[Ink.UNKNOWN].on
+
+
+def _as_ground(color: str) -> str:
+    first, *rest = color.split(";")
+    return ";".join([str(int(first) + 10), *rest])
