@@ -89,7 +89,7 @@ KEYS: tuple[Key, ...] = (
         "pick",
         ("enter",),
         "pick",
-        "Order to the vertex, or select the robot, under the map cursor",
+        "Order from the vertex (with cargo: to it), or select the robot, under the cursor",
         pane="map",
     ),
     Key("row_up", ("up", "k"), "move(-1)", "Row up", pane="table"),

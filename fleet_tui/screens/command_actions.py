@@ -47,8 +47,8 @@ class CommandActions(Screen[None], inherit_bindings=False):
         """Open the order form for the selected robot."""
         self.query_one(OrderForm).start(self.selection.robot)
 
-    def order_to(self, vertex: int, floor: str) -> None:
-        """Open the order form with a destination chosen on the map."""
+    def order_at(self, vertex: int, floor: str) -> None:
+        """Open the order form for a vertex chosen on the map."""
         robot = self.state.robots[self.selection.robot]
         chart = robot.charts.get(floor)
         name = chart.name_of(vertex) if chart else None

@@ -88,8 +88,8 @@ class Navigation(CommandActions):
 
     @on(messages.VertexPicked)
     def vertex_picked(self, event: messages.VertexPicked) -> None:
-        """A vertex on the map: an order to it."""
-        self.order_to(event.id, self.selection.floor)
+        """A vertex on the map: an order from it, or with cargo on board to it."""
+        self.order_at(event.id, self.selection.floor)
 
     @on(messages.RowPicked)
     def row_picked(self, event: messages.RowPicked) -> None:

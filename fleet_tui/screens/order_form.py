@@ -7,7 +7,7 @@ from textual import on
 from textual.app import ComposeResult
 from textual.containers import Horizontal
 from textual.widget import Widget
-from textual.widgets import Input, OptionList, Static
+from textual.widgets import Input, Static
 
 from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
 from fleet_tui.model.fleet import FleetState
@@ -16,6 +16,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.view.text import visible
 from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.widgets.matches import Matches
 
 FIELDS = ("robot", "from", "to")
 SHOWN = 8
@@ -30,6 +31,8 @@ class OrderForm(Overlay):
         self._send = send
         self._found: list[Place] | list[str] = []
         self._chosen: dict[str, Place] = {}
+        self._picked: Place | None = None
+        self._matches = Matches(id="matches")
 
     def compose(self) -> ComposeResult:
         """Three fields, the matches of the one that is being filled, and what is missing."""
@@ -38,16 +41,14 @@ class OrderForm(Overlay):
             "escape": self.action_close,
             "tab": partial(self.action_step, 1),
             "shift+tab": partial(self.action_step, -1),
-            "up": partial(self.action_mark, -1),
-            "down": partial(self.action_mark, 1),
+            "up": partial(self._matches.step, -1),
+            "down": partial(self._matches.step, 1),
         }
         for field in FIELDS:
             with Horizontal(classes="field"):
                 yield Static(field.capitalize(), classes="name")
                 yield Field(keys, id=field)
-        matches_list = OptionList(id="matches", markup=False)
-        matches_list.can_focus = False
-        yield matches_list
+        yield self._matches
         yield Static(id="missing", markup=False)
 
     def _input(self, field: str) -> Input:
@@ -56,19 +57,27 @@ class OrderForm(Overlay):
     def _robot(self) -> Robot | None:
         return self._state().robots.get(self._input("robot").value.strip())
 
-    def start(self, robot: str, destination: Place | None = None) -> None:
-        """Open with the robot chosen and the cursor in the first field to fill."""
-        self._chosen = {}
-        for field, text in (("robot", robot), ("from", ""), ("to", destination.name if destination else "")):
-            # Without the Changed messages: they would arrive after what is typed next.
-            with self._input(field).prevent(Input.Changed):
-                self._input(field).value = text
-        if destination:
-            self._chosen["to"] = destination
+    def start(self, robot: str, picked: Place | None = None) -> None:
+        """Open with the robot chosen and the cursor in the first field to fill.
+
+        A vertex `picked` on the map is where the order starts, or where the cargo on board goes.
+        """
+        self._chosen, self._picked = {}, picked
+        for field in FIELDS:
+            self._set(field, robot if field == "robot" else "")
         self._say("")
         self._arrange()
-        self.open(self._input("to" if not self._input("from").display else "from"))
+        self.open(self._input(self._next_to_fill()))
         self._list()
+
+    def _set(self, field: str, text: str) -> None:
+        # Without its Changed message: that would arrive after what is typed next.
+        with self._input(field).prevent(Input.Changed):
+            self._input(field).value = text
+
+    def _next_to_fill(self) -> str:
+        shown = [field for field in ("from", "to") if self._input(field).display]
+        return next((field for field in shown if field not in self._chosen), "to")
 
     def _arrange(self) -> None:
         """With cargo on board and no orders there is only a destination."""
@@ -78,10 +87,18 @@ class OrderForm(Overlay):
         box.display = has_start
         if isinstance(box.parent, Widget):
             box.parent.display = has_start
+        if self._picked is not None:
+            place, field = self._picked, "from" if has_start else "to"
+            self._picked = None
+            self._chosen[field] = place
+            self._set(field, visible(place.name))
         self.border_title = "Order" if has_start else "Come here: cargo is on board"
 
-    def _say(self, text: str) -> None:
+    def _say(self, text: str, field: str = "") -> None:
+        """Say what is wrong, and go to the field where it is."""
         self.query_one("#missing", Static).update(text)
+        if field:
+            self.screen.set_focus(self._input(field))
 
     def _field(self) -> str:
         """The field that is being filled."""
@@ -99,10 +116,7 @@ class OrderForm(Overlay):
     def _list(self) -> None:
         """The matches of what was typed, the first one marked."""
         self._found = self._find()
-        options = self.query_one("#matches", OptionList)
-        options.clear_options()
-        options.add_options(map(_line, self._found))
-        options.highlighted = 0 if self._found else None
+        self._matches.show(map(_line, self._found))
 
     @on(Input.Changed)
     def filter(self, event: Input.Changed) -> None:
@@ -122,19 +136,14 @@ class OrderForm(Overlay):
         if self.is_open:
             self._list()
 
-    def action_mark(self, step: int) -> None:
-        """Another match."""
-        options = self.query_one("#matches", OptionList)
-        (options.action_cursor_down if step > 0 else options.action_cursor_up)()
-
     def action_step(self, step: int) -> None:
         """Another field, around the ends."""
         fields = [field for field in FIELDS if self._input(field).display]
         at = fields.index(self._field())
         self.screen.set_focus(self._input(fields[(at + step) % len(fields)]))
 
-    @on(OptionList.OptionSelected, "#matches")
-    def click_match(self, event: OptionList.OptionSelected) -> None:
+    @on(Matches.OptionSelected, "#matches")
+    def click_match(self, event: Matches.OptionSelected) -> None:
         """A match by mouse."""
         event.stop()
         self._accept(event.option_index)
@@ -143,7 +152,7 @@ class OrderForm(Overlay):
         """Take the marked match and go on; in the last field send."""
         # What was typed last may not have been listed yet: look again before choosing.
         found = self._find()
-        marked = self.query_one("#matches", OptionList).highlighted or 0
+        marked = self._matches.marked
         self._found, marked = found, marked if found == self._found else 0
         self._accept(marked)
 
@@ -157,15 +166,14 @@ class OrderForm(Overlay):
             if index >= len(self._found):
                 self._say(f"{field.capitalize()}: nothing is called {box.value.strip()!r}")
                 return
-            self._take(field, box, self._found[index])
+            self._take(field, self._found[index])
         if field == "to":
             self._finish()
         else:
             self.action_step(1)
 
-    def _take(self, field: str, box: Input, choice: Place | str) -> None:
-        with box.prevent(Input.Changed):
-            box.value = choice if isinstance(choice, str) else visible(choice.name)
+    def _take(self, field: str, choice: Place | str) -> None:
+        self._set(field, choice if isinstance(choice, str) else visible(choice.name))
         if isinstance(choice, str):
             self._arrange()
         else:
@@ -175,29 +183,25 @@ class OrderForm(Overlay):
         """Send what is complete; name what is missing."""
         robot = self._robot()
         if robot is None:
-            self._stay("robot", f"Robot: nothing is called {self._input('robot').value.strip()!r}")
+            self._say(f"Robot: nothing is called {self._input('robot').value.strip()!r}", "robot")
             return
         needed = ("to",) if destination_only(robot) else ("from", "to")
         for field in needed:
             if field not in self._chosen:
                 self._arrange()
-                self._stay(field, _missing(field))
+                self._say(_missing(field), field)
                 return
         start, end = self._chosen.get("from"), self._chosen["to"]
         if destination_only(robot):
             command: Command = PlaceOrderWithCargo(robot.name, end.vertex)
         elif start is None or start.vertex == end.vertex:
-            self._stay("to", "From and To are the same place")
+            self._say("From and To are the same place", "to")
             return
         else:
             command = PlaceOrder(robot.name, start.vertex, end.vertex)
         # Closing restyles the screen; the command does not wait for that.
         self._send(command)
         self.action_close()
-
-    def _stay(self, field: str, text: str) -> None:
-        self.screen.set_focus(self._input(field))
-        self._say(text)
 
 
 def _missing(field: str) -> str:

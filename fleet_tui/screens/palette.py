@@ -6,11 +6,11 @@ from functools import partial
 from textual import on
 from textual.app import ComposeResult
 from textual.fuzzy import Matcher
-from textual.widgets import Input, OptionList
-from textual.widgets.option_list import Option
+from textual.widgets import Input
 
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.widgets.matches import Matches
 
 Entry = tuple[str, Callable[[], object]]
 SHOWN = 40
@@ -23,20 +23,19 @@ class Palette(Overlay):
         super().__init__(id="palette")
         self._entries = entries
         self._found: list[Entry] = []
+        self._matches = Matches(id="wishes")
 
     def compose(self) -> ComposeResult:
         """A field above what matches."""
         keys: Keys = {
             "enter": self._do,
             "escape": self.action_close,
-            "up": partial(self._step, -1),
-            "down": partial(self._step, 1),
+            "up": partial(self._matches.step, -1),
+            "down": partial(self._matches.step, 1),
             "ctrl+p": self.action_close,
         }
         yield Field(keys, id="wish", placeholder="what to do, or where to go")
-        matches = OptionList(id="wishes", markup=False)
-        matches.can_focus = False
-        yield matches
+        yield self._matches
 
     def show(self) -> None:
         """Open with everything there is."""
@@ -60,18 +59,11 @@ class Palette(Overlay):
         ]
         scored.sort(key=lambda pair: -pair[0])
         self._found = [entry for score, entry in scored if score > 0][:SHOWN]
-        options = self.query_one(OptionList)
-        options.clear_options()
-        options.add_options(Option(text) for text, _ in self._found)
-        options.highlighted = 0 if self._found else None
-
-    def _step(self, step: int) -> None:
-        options = self.query_one(OptionList)
-        (options.action_cursor_down if step > 0 else options.action_cursor_up)()
+        self._matches.show(text for text, _ in self._found)
 
     def _do(self) -> None:
         # What was typed last may not have been listed yet.
-        marked = self.query_one(OptionList).highlighted or 0
+        marked = self._matches.marked
         before = [text for text, _ in self._found]
         self._list()
         if before != [text for text, _ in self._found]:
@@ -83,7 +75,7 @@ class Palette(Overlay):
         self.action_close()
         self._found[index][1]()
 
-    @on(OptionList.OptionSelected, "#wishes")
-    def _clicked(self, event: OptionList.OptionSelected) -> None:
+    @on(Matches.OptionSelected, "#wishes")
+    def _clicked(self, event: Matches.OptionSelected) -> None:
         event.stop()
         self._run(event.option_index)

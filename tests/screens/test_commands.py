@@ -5,6 +5,7 @@ from typing import Any
 import msgspec
 import pytest
 from textual import events
+from textual.widgets import Input
 
 from fleet_tui.model.link import Phase
 from fleet_tui.simulator.server import RosbridgeServer
@@ -251,3 +252,27 @@ async def test_read_only_stands_on_the_screen(server: RosbridgeServer) -> None:
         await it.press("p")
         await it.shows("not sent (this console is read-only)")
         assert sent(server) == []
+
+
+async def test_an_order_from_a_vertex_on_the_map(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("n", "n", "enter")
+        await it.shows("Order")
+        start = it.app.main.query_one("#from", Input).value
+        await it.type("Consum")
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].outcome)
+        ids = {"initial_point": vertex(it, start), "end_point": vertex(it, "Consumidores")}
+        assert sent(server) == [("Execute_order", ids)]
+
+
+async def test_with_cargo_a_vertex_on_the_map_is_where_it_goes(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].cargo = True
+    async with console(config_of(server.url, 1)) as it:
+        await it.until(lambda state: state.robots["robot_0"].has_cargo)
+        await it.press("n", "n", "enter")
+        await it.shows("Come here")
+        end = it.app.main.query_one("#to", Input).value
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].outcome)
+        assert sent(server)[0][1]["end_point"] == vertex(it, end)
