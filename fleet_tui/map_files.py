@@ -1,17 +1,21 @@
 """Map images from files: map_server's YAML, or a plain image that map_metadata ties to the world."""
 
 import warnings
+from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import yaml
+from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 
 from fleet_tui.errors import MapError
 from fleet_tui.model.events import FloorMapLoaded
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import (
+    CLASS_OF_CELL,
     FREE,
     MAX_PIXELS,
     OCCUPIED,
@@ -22,8 +26,24 @@ from fleet_tui.model.occupancy import (
     check_frame,
 )
 
-# map_server's own defaults, for a plain image too.
-OCCUPIED_ABOVE, FREE_BELOW = 0.65, 0.25
+MODES = ("trinary", "scale", "raw")
+# Not all that Pillow can: TIFF's library writes on stderr, EPS starts a program.
+FORMATS = ("PPM", "PNG", "BMP", "JPEG", "GIF")
+MAX_YAML = 1_000_000  # bytes
+_BAND = 256  # rows turned into classes at a time: a large image in colour is not copied whole
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """How map_server (ROS 1) and nav2_map_server make occupancy of brightness. Thresholds: 0 to 1.
+
+    The defaults are theirs, for a plain image too.
+    """
+
+    mode: str = "trinary"
+    negate: bool = False
+    occupied_above: float = 0.65
+    free_below: float = 0.25
 
 
 def load_floor_map(floor: str, path: Path, added: bool) -> FloorMapLoaded:
@@ -31,7 +51,7 @@ def load_floor_map(floor: str, path: Path, added: bool) -> FloorMapLoaded:
     try:
         if path.suffix.lower() in (".yaml", ".yml"):
             return FloorMapLoaded(floor, _from_yaml(path, added))
-        classes = _classes(path, negate=False, occupied=OCCUPIED_ABOVE, free=FREE_BELOW)
+        classes = _classes(path, Reading())
         frame = MapFrame(1.0, classes.shape[1], classes.shape[0])
         return FloorMapLoaded(floor, build_grid(frame, classes), tied=False)
     except MapError as problem:
@@ -46,7 +66,25 @@ def _number(table: dict[str, Any], key: str, default: float | None = None) -> fl
 
 
 def _from_yaml(path: Path, added: bool) -> OccupancyGrid:
+    table = _table(path)
+    origin = table.get("origin")
+    if not isinstance(origin, list) or len(origin) not in (2, 3):
+        raise MapError("origin must be [x, y, yaw]")
+    x, y, yaw = (_number({"origin": part}, "origin") for part in [*origin, 0.0][:3])
+    resolution = _number(table, "resolution")
+    # Before the image: a mistake in the small file should not cost the reading of the large one.
+    check_frame(MapFrame(resolution, 1, 1))
+    classes = _classes(path.parent / table["image"], _reading(table))
+    height, width = classes.shape
+    frame = MapFrame(resolution, width, height, Pose(x, y, yaw), added)
+    check_frame(frame)
+    return build_grid(frame, classes)
+
+
+def _table(path: Path) -> dict[str, Any]:
     try:
+        if path.stat().st_size > MAX_YAML:
+            raise MapError(f"is no map_server file: over {MAX_YAML:,} bytes")
         table = yaml.safe_load(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise MapError("no such file") from None
@@ -54,45 +92,90 @@ def _from_yaml(path: Path, added: bool) -> OccupancyGrid:
         raise MapError(f"can't be read: {' '.join(str(problem).split())}") from None
     if not isinstance(table, dict) or not isinstance(table.get("image"), str):
         raise MapError("is no map_server file: it names no image")
-    origin = table.get("origin")
-    if not isinstance(origin, list) or len(origin) not in (2, 3):
-        raise MapError("origin must be [x, y, yaw]")
-    x, y, yaw = (_number({"origin": part}, "origin") for part in [*origin, 0.0][:3])
-    classes = _classes(
-        path.parent / table["image"],
-        negate=bool(table.get("negate", 0)),
-        occupied=_number(table, "occupied_thresh", OCCUPIED_ABOVE),
-        free=_number(table, "free_thresh", FREE_BELOW),
-    )
-    height, width = classes.shape
-    frame = MapFrame(_number(table, "resolution"), width, height, Pose(x, y, yaw), added)
-    check_frame(frame)
-    return build_grid(frame, classes)
+    return table
 
 
-def _classes(path: Path, negate: bool, occupied: float, free: float) -> Classes:
-    """Brightness to classes as map_server does it: dark is occupied unless negated."""
-    shades = np.arange(256) / 255.0
-    darkness = shades if negate else 1.0 - shades
-    table = np.where(darkness > occupied, OCCUPIED, np.where(darkness < free, FREE, UNKNOWN)).astype(np.uint8)
-    return np.asarray(table[_pixels(path)], dtype=np.uint8)
+def _reading(table: dict[str, Any]) -> Reading:
+    usual = Reading()
+    mode, negate = str(table.get("mode", usual.mode)).lower(), table.get("negate", 0)
+    if mode not in MODES:
+        raise MapError(f"mode {mode[:20]!r} is none of {', '.join(MODES)}")
+    if not isinstance(negate, int):
+        raise MapError("negate must be 0 or 1")
+    occupied = _number(table, "occupied_thresh", usual.occupied_above)
+    return Reading(mode, bool(negate), occupied, _number(table, "free_thresh", usual.free_below))
 
 
-def _pixels(path: Path) -> Classes:
-    """An image as 8-bit grey, uint8 of shape (height, width)."""
+def _classes(path: Path, reading: Reading) -> Classes:
+    """An image file as classes, uint8 of shape (height, width)."""
     try:
         with warnings.catch_warnings():
             # Pillow's own limit is lower than ours and warns on stderr, which would tear the screen.
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            with Image.open(path) as image:
+            with Image.open(path, formats=FORMATS) as image:
                 if image.width * image.height > MAX_PIXELS:
                     raise MapError(f"{image.width} x {image.height} px is over {MAX_PIXELS:,} px")
-                return np.asarray(image.convert("L"), dtype=np.uint8)
+                return _classified(image, reading)
     except FileNotFoundError:
         raise MapError(f"no image {path.name}") from None
     except UnidentifiedImageError:
-        raise MapError(f"{path.name} is no image") from None
+        raise MapError(f"{path.name} is no image that is known here: {', '.join(FORMATS)}") from None
     except Image.DecompressionBombError:
         raise MapError(f"{path.name} is over {MAX_PIXELS:,} px") from None
-    except (OSError, ValueError, SyntaxError) as problem:
+    except (OSError, ValueError, SyntaxError, MemoryError) as problem:
         raise MapError(f"{path.name} can't be read: {problem}") from None
+
+
+def _classified(image: Image.Image, reading: Reading) -> Classes:
+    classes = np.empty((image.height, image.width), np.uint8)
+    mode = _channels(image)
+    for top in range(0, image.height, _BAND):
+        band = image.crop((0, top, image.width, min(top + _BAND, image.height)))
+        cells = np.asarray(band if mode.startswith("I") else band.convert(mode))
+        classes[top : top + _BAND] = _band_classes(cells, reading)
+    return classes
+
+
+def _channels(image: Image.Image) -> str:
+    """Pillow's name for an image's channels as they count here: grey, deep grey, colour, with alpha."""
+    if image.mode.startswith("I"):
+        return image.mode
+    if "A" in image.mode or "a" in image.mode or "transparency" in image.info:
+        return "RGBA"
+    return "L" if image.mode in ("1", "L") else "RGB"
+
+
+def _band_classes(cells: NDArray[Any], reading: Reading) -> Classes:
+    """Rows of pixels, 8 bits or (without channels) 16, as classes.
+
+    map_server averages the channels, in trinary mode the alpha among them; in scale mode what is
+    not opaque is unknown.
+    """
+    if cells.ndim == 2:
+        top = 255 if cells.dtype == np.uint8 else 65535
+        grey: Classes = _table_of(top, reading)[np.clip(cells, 0, top)]
+        return grey
+    colours = cells if reading.mode == "trinary" else cells[..., :3]
+    sums = colours.sum(axis=2, dtype=np.uint16)
+    classes: Classes = _table_of(255 * colours.shape[2], reading)[sums]
+    if reading.mode == "scale" and cells.shape[2] == 4:
+        classes[cells[..., 3] < 255] = UNKNOWN
+    return classes
+
+
+@lru_cache(8)
+def _table_of(top: int, reading: Reading) -> Classes:
+    """The class of every brightness from 0 to `top`."""
+    bright = np.arange(top + 1)
+    if reading.mode == "raw":
+        percent = np.rint(bright / top * 255)
+        return np.where(percent <= 100, CLASS_OF_CELL[percent.astype(np.uint8)], UNKNOWN).astype(np.uint8)
+    dark = (bright if reading.negate else top - bright) / top
+    between = np.full(top + 1, UNKNOWN, np.uint8)
+    if reading.mode == "scale":
+        # What lies between the thresholds is a percentage, and becomes what the live map makes of it.
+        span = max(reading.occupied_above - reading.free_below, 1e-9)
+        percent = np.rint((dark - reading.free_below) / span * 100)
+        between = CLASS_OF_CELL[np.clip(percent, 0, 100).astype(np.uint8)]
+    known = np.where(dark < reading.free_below, FREE, between)
+    return np.where(dark > reading.occupied_above, OCCUPIED, known).astype(np.uint8)

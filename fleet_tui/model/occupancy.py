@@ -61,8 +61,8 @@ def _ros_table(occupied_from: int, free_to: int) -> Classes:
     return table
 
 
-# map_server's defaults: above 65 % occupied, below 25 % free (0.196 of older ones rounds here too).
-_TABLE = _ros_table(occupied_from=65, free_to=25)
+CLASS_OF_CELL = _ros_table(occupied_from=65, free_to=25)
+"""map_server's defaults: above 65 % occupied, below 25 % free (0.196 of older ones rounds here too)."""
 
 
 def grid_from_ros(frame: MapFrame, data: bytes) -> OccupancyGrid:
@@ -77,4 +77,4 @@ def grid_from_ros(frame: MapFrame, data: bytes) -> OccupancyGrid:
             f" instead of {frame.width * frame.height:,}"
         )
     cells = np.frombuffer(data, dtype=np.uint8).reshape(frame.height, frame.width)
-    return build_grid(frame, _TABLE[cells[::-1]])
+    return build_grid(frame, CLASS_OF_CELL[cells[::-1]])
