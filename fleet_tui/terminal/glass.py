@@ -23,7 +23,7 @@ _CLUSTERS = 0x110000  # characters from here on are those of `_clusters`
 
 ONE_CELL_EACH = re.compile(
     "[ -~\u00a1-\u00ac\u00ae-\u02ff\u0370-\u0373\u0391-\u0482\u048a-\u04ff\u2010-\u2027\u2030-\u205e"
-    "\u2190-\u22ff\u2400-\u2426\u2500-\u25fc\u2800-\u28ff]*"
+    "\u2190-\u2319\u2400-\u2426\u2500-\u25fc\u2800-\u28ff]*"
 )
 """What surely takes one cell for each character; for the rest it is found out."""
 

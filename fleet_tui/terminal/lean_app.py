@@ -121,6 +121,10 @@ class LeanApp(App[None]):
 
     def on_resize(self, _event: events.Resize) -> None:
         """Terminals rearrange what they show when their size changes, also there and back again."""
+        self.action_repaint()
+
+    def action_repaint(self) -> None:
+        """Send every cell again: somebody else wrote on the terminal."""
         if self._glass is not None:
             self._glass.forget()
             self.screen.refresh()
