@@ -1,5 +1,6 @@
 """The map's first row: a thin rule that carries the floor, the scale and what is switched on."""
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -16,7 +17,7 @@ _BAR = 14  # cells that the scale bar may take
 
 @dataclass(frozen=True, slots=True)
 class Caption:
-    """What the first row says."""
+    """What the first row says. cursor: where the map's cursor is, x, y in metres."""
 
     floor: str
     note: str
@@ -26,6 +27,7 @@ class Caption:
     follow: bool
     zoom_robot: bool
     focused: bool
+    cursor: tuple[float, float] | None = None
 
 
 @lru_cache(maxsize=8)
@@ -47,13 +49,26 @@ def _pieces(facts: Caption) -> list[Piece]:
     pieces: list[Piece] = [(visible(facts.floor), Ink.TITLE_FOCUSED if facts.focused else Ink.TITLE)]
     if facts.note:
         pieces.append((visible(facts.note), Ink.WARN))
+    if facts.cursor:
+        # Adding 0 turns -0.0 into 0.0.
+        x, y = (round(metres, 1) + 0.0 for metres in facts.cursor)
+        pieces.append((f"x {x:.1f} y {y:.1f} m", Ink.TEXT))
     return [
         *pieces,
         (_bar(facts), Ink.DIM),
+        *_turn(facts),
         (f"follow {'on' if facts.follow else 'off'}", Ink.TEXT if facts.follow else Ink.DIM),
         (f"zoom {'robot' if facts.zoom_robot else 'centre'}", Ink.DIM),
         (facts.drawing.value, Ink.DIM),
     ]
+
+
+def _turn(facts: Caption) -> list[Piece]:
+    """By how much the picture is turned in the world, if it is."""
+    yaw = facts.frame.origin.yaw
+    degrees = round(math.degrees(yaw)) if math.isfinite(yaw) else 0
+    unit = " deg" if facts.drawing is Drawing.ASCII else "°"
+    return [(f"yaw {degrees}{unit}", Ink.DIM)] if degrees else []
 
 
 def _bar(facts: Caption) -> str:

@@ -11,30 +11,32 @@ from fleet_tui.model.fleet import FleetState, Floor, is_paused
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Chart, Robot
-from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.mission import mission, targets
+from fleet_tui.view.scene import Line, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
 from fleet_tui.view.text import visible
 
 MARGIN, BLOCK = 2.0, 10.0
 EMPTY_RESOLUTION = 0.05
 
-Drawn = tuple[tuple[SceneVertex, ...], tuple[tuple[float, float, float, float], ...]]
+Drawn = tuple[tuple[SceneVertex, ...], tuple[Line, ...], tuple[Line, ...]]
 
 
 @lru_cache(maxsize=2)
 def _drawn(chart: Chart) -> Drawn:
-    """Vertices and edges of a chart; the same objects as long as the chart is the same."""
+    """Vertices, edges and the one-way ones of them; the same objects as long as the chart is the same."""
     graph, labels = chart.graph or RouteGraph(), chart.labels
     vertices = tuple(
         SceneVertex(vertex.id, vertex.x, vertex.y, vertex.role, visible(labels.get(vertex.id, "")))
         for vertex in graph.vertices.values()
     )
-    places = graph.vertices
-    edges = tuple(
-        (places[edge.start].x, places[edge.start].y, places[edge.end].x, places[edge.end].y)
-        for edge in graph.edges
-    )
-    return vertices, edges
+    places, joined = graph.vertices, {(edge.start, edge.end) for edge in graph.edges}
+    lines = [
+        ((places[start].x, places[start].y, places[end].x, places[end].y), (end, start) not in joined)
+        for start, end in ((edge.start, edge.end) for edge in graph.edges)
+    ]
+    one_way = tuple(line for line, alone in lines if alone and graph.directed)
+    return vertices, tuple(line for line, _ in lines), one_way
 
 
 def chart_robot(state: FleetState, selection: Selection) -> Robot | None:
@@ -138,17 +140,19 @@ def floor_scene(state: FleetState, selection: Selection) -> Scene:
     """What the map shows of the selected floor."""
     owner = chart_robot(state, selection)
     chart = owner.charts[selection.floor] if owner else Chart()
-    vertices, edges = _drawn(chart)
+    vertices, edges, one_way = _drawn(chart)
     floor = state.floors[selection.floor]
-    scene = Scene(floor.name, _ground(state, floor.name, vertices), vertices=vertices, edges=edges)
+    ground = _ground(state, floor.name, vertices)
+    scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)
     scene = _with_map(floor, chart, scene)
     tied = floor.grid is not None and floor.tied
     robots = (_robot(state, robot, selection, scene.frame, tied) for robot in state.robots.values())
-    current = state.robots[selection.robot].orders.current
+    selected = state.robots[selection.robot]
     notes = [note for note in (_elsewhere(state, selection), scene.note) if note]
     return replace(
         scene,
         robots=tuple(robot for robot in robots if robot is not None),
-        target_vertices=(current.start, current.end) if current else (),
+        target_vertices=targets(selected, floor.name),
+        mission=mission(selected, floor.name),
         note=", ".join(notes),
     )

@@ -3,15 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
-from fleet_tui.view.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.camera import Camera
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.glyphs import robot_glyph, robot_inks, robot_tag, vertex_glyph
 from fleet_tui.view.labels import Room
-from fleet_tui.view.places import Place, Points, pixels, seen_robots, seen_vertices
-from fleet_tui.view.raster import BRAILLE, Drawing, ground, pack
+from fleet_tui.view.places import Place, seen_robots, seen_vertices
+from fleet_tui.view.raster import Drawing, ground
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Scene, SceneRobot
 from fleet_tui.view.text import visible
@@ -19,12 +16,15 @@ from fleet_tui.view.text import visible
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """What the operator chose to see. cursor: the map pixel (column, row) of the map's cursor."""
+    """What the operator chose to see. cursor: where the map's cursor is, x, y in metres; pointed: the
+    id of the vertex under it."""
 
     drawing: Drawing = Drawing.BRAILLE
     edges: bool = False
     labels: bool = True
+    trails: bool = False
     cursor: tuple[float, float] | None = None
+    pointed: int | None = None
 
     @property
     def plain(self) -> bool:
@@ -37,51 +37,6 @@ def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     below = ground(scene.grid, camera, look.drawing)
     cells.codes[:] = below.codes
     cells.inks[:] = below.inks
-
-
-def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
-    """The route graph's edges as thin lines that leave every wall visible."""
-    if not (look.edges and scene.edges):
-        return
-    ends = np.array(scene.edges, np.float64)
-    left, top = camera.origin
-    corner = np.array([left * DOTS_X, top * DOTS_Y])
-    starts, stops = (
-        pixels(scene.frame, points) / camera.scale - corner for points in (ends[:, :2], ends[:, 2:])
-    )
-    mask = np.zeros((camera.height * DOTS_Y, camera.width * DOTS_X), np.bool_)
-    _trace(mask, starts, stops)
-    bits = pack(mask)
-    free = (bits > 0) & (cells.inks != Ink.WALL) & (cells.inks != Ink.WALL_BEYOND)
-    cells.codes[free] = ord("+") if look.plain else BRAILLE[bits[free]]
-    cells.inks[free] = Ink.EDGE
-
-
-@np.errstate(divide="ignore", invalid="ignore", over="ignore")
-def _trace(mask: NDArray[np.bool_], starts: Points, stops: Points) -> None:
-    """Set the dots (x, y) along each line, after cutting the lines to the mask."""
-    low, high = _within(mask.shape, starts, stops)
-    way = stops - starts
-    seen = (low < high) & np.isfinite(way).all(axis=1)
-    starts, way, low, high = starts[seen], way[seen], low[seen], high[seen]
-    steps = (np.abs(way).max(axis=1) * (high - low)).astype(np.intp) + 2
-    line = np.repeat(np.arange(len(steps)), steps)
-    along = np.arange(len(line)) - np.repeat(np.cumsum(steps) - steps, steps)
-    share = low[line] + (high - low)[line] * along / (steps[line] - 1)
-    dots = np.floor(starts[line] + way[line] * share[:, None]).astype(np.intp)
-    rows, columns = mask.shape
-    inside = (dots >= 0).all(axis=1) & (dots[:, 0] < columns) & (dots[:, 1] < rows)
-    mask[dots[inside, 1], dots[inside, 0]] = True
-
-
-def _within(shape: tuple[int, ...], starts: Points, stops: Points) -> tuple[Points, Points]:
-    """From which to which share of its length each line is inside the mask (Liang-Barsky)."""
-    size = np.array([shape[1], shape[0]], np.float64)
-    one, other = -starts / (stops - starts), (size - starts) / (stops - starts)
-    # A line along an axis divides by zero: +-inf outside, nan exactly on the border (taken as inside).
-    low = np.nan_to_num(np.minimum(one, other), nan=-np.inf, neginf=-np.inf, posinf=np.inf)
-    high = np.nan_to_num(np.maximum(one, other), nan=np.inf, neginf=-np.inf, posinf=np.inf)
-    return np.maximum(low.max(axis=1), 0.0), np.minimum(high.min(axis=1), 1.0)
 
 
 def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
@@ -146,6 +101,6 @@ def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     """The map's cursor: the cell's own character, marked."""
     if look.cursor is None:
         return
-    x, y = camera.to_cell(*look.cursor)
+    x, y = camera.to_cell(*scene.frame.to_pixel(*look.cursor))
     if camera.shows(x, y):
         cells.inks[y, x] = Ink.CURSOR

@@ -7,21 +7,21 @@ from fleet_tui.view.cells import Cells
 from fleet_tui.view.layers import (
     Look,
     draw_cursor,
-    draw_edges,
     draw_ground,
     draw_labels,
     draw_robots,
     draw_vertices,
 )
+from fleet_tui.view.lines import draw_approach, draw_edges, draw_mission, draw_trails
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Scene
 
 Layer = Callable[[Cells, Scene, Camera, Look], None]
 
-STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_vertices, draw_labels)
+STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices, draw_labels)
 """Drawn again only when the map, the graph, the mission, the camera or the look changes."""
 
-MOVING: tuple[Layer, ...] = (draw_robots, draw_cursor)
+MOVING: tuple[Layer, ...] = (draw_trails, draw_approach, draw_robots, draw_cursor)
 """Drawn at every tick."""
 
 

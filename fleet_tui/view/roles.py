@@ -12,6 +12,12 @@ class Ink(IntEnum):
     WALL_BEYOND = auto()
     """A wall with only unknown around it: it stands on the darker ground."""
     EDGE = auto()
+    TRAIL = auto()
+    TRAIL_OLD = auto()
+    MISSION_NEXT = auto()
+    """The way of the orders after the current one."""
+    MISSION = auto()
+    """The way the selected robot is driving."""
     VERTEX = auto()
     VERTEX_LABELLED = auto()
     ELEVATOR = auto()

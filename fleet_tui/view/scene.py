@@ -2,9 +2,15 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.occupancy import OccupancyGrid
+
+Line = tuple[float, float, float, float]
+"""x1, y1, x2, y2 in metres."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +40,22 @@ class SceneRobot:
     age: float = 0.0
 
 
+@dataclass(frozen=True, slots=True)
+class Mission:
+    """What the selected robot still has to drive on a floor, along the graph: the current order, and
+    those after it. entry: where, in metres, the current way begins; the robot is on its way there."""
+
+    current: tuple[Line, ...] = ()
+    following: tuple[Line, ...] = ()
+    entry: tuple[float, float] | None = None
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Scene:
-    """One floor. Without `grid` the frame still gives the extent. edges: (x1, y1, x2, y2) in metres.
+    """One floor at the monotonic second `at`. Without `grid` the frame still gives the extent.
+
+    one_way: those of the edges that lead only from start to end; trail: where robots were, rows of
+    x, y in metres and the age in seconds.
 
     Keep `grid`, `vertices` and `edges` the same objects while they are unchanged: the picture
     below the robots is made anew when one of them is another object.
@@ -46,10 +65,14 @@ class Scene:
     frame: MapFrame
     grid: OccupancyGrid | None = None
     vertices: tuple[SceneVertex, ...] = ()
-    edges: tuple[tuple[float, float, float, float], ...] = ()
+    edges: tuple[Line, ...] = ()
     robots: tuple[SceneRobot, ...] = ()
     target_vertices: tuple[int, ...] = ()
     note: str = ""
+    one_way: tuple[Line, ...] = ()
+    mission: Mission | None = None
+    trail: NDArray[np.float64] | None = None
+    at: float = 0.0
 
     @property
     def selected(self) -> SceneRobot | None:

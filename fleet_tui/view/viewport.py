@@ -10,6 +10,8 @@ from fleet_tui.view.places import seen_robots, seen_vertices
 from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 
 Thing = TypeVar("Thing")
+Point = tuple[float, float]
+"""x, y in metres."""
 
 _NEAR = 1.0  # how far off a click may be: this many rows, or twice as many columns
 
@@ -78,31 +80,39 @@ class Viewport:
         if pixel:
             self._keep(scene, self._camera(scene).centred(*pixel))
 
-    def stepped(self, scene: Scene, cursor: tuple[float, float], dx: int, dy: int) -> tuple[float, float]:
-        """The map pixel dx, dy cells from `cursor`; at the view's edge the view goes along."""
+    def middle(self, scene: Scene) -> Point:
+        """The place in the middle of the view."""
         camera = self._camera(scene)
-        x, y = camera.to_cell(*cursor)
+        return scene.frame.to_world(*camera.to_pixel(camera.width // 2, camera.height // 2))
+
+    def stepped(self, scene: Scene, cursor: Point, dx: int, dy: int) -> Point:
+        """The place dx, dy cells from `cursor`; at the view's edge the view goes along.
+
+        A cursor that was left behind starts again from the middle of the view.
+        """
+        camera = self._camera(scene)
+        x, y = camera.to_cell(*scene.frame.to_pixel(*cursor))
+        if not camera.shows(x, y):
+            return self.middle(scene)
         if not camera.shows(x + dx, y + dy):
             self.pan(scene, dx, dy)
-        return camera.to_pixel(x + dx, y + dy)
+        return scene.frame.to_world(*camera.to_pixel(x + dx, y + dy))
 
-    def next_labelled(
-        self, scene: Scene, cursor: tuple[float, float] | None, step: int
-    ) -> tuple[float, float] | None:
-        """The map pixel of the labelled vertex `step` after the one under `cursor`, brought into view.
+    def next_labelled(self, scene: Scene, cursor: Point | None, step: int) -> Point | None:
+        """The place of the labelled vertex `step` after the one under `cursor`, brought into view.
 
         In the order of the labels; None if no vertex has one.
         """
         labelled = sorted((vertex for vertex in scene.vertices if vertex.label), key=lambda v: v.label)
-        if not labelled:
+        places = [(v.x, v.y) for v in labelled if math.isfinite(v.x) and math.isfinite(v.y)]
+        if not places:
             return None
-        places = [scene.frame.to_pixel(vertex.x, vertex.y) for vertex in labelled]
         start = places.index(cursor) if cursor in places else (-1 if step > 0 else 0)
         place = places[(start + step) % len(places)]
-        camera = self._camera(scene)
-        if not camera.shows(*camera.to_cell(*place)):
+        camera, pixel = self._camera(scene), scene.frame.to_pixel(*place)
+        if not camera.shows(*camera.to_cell(*pixel)):
             self.follow = False
-            self._keep(scene, camera.centred(*place))
+            self._keep(scene, camera.centred(*pixel))
         return place
 
     def _robot_pixel(self, scene: Scene) -> tuple[float, float] | None:
@@ -111,6 +121,14 @@ class Viewport:
             return None
         pixel = scene.frame.to_pixel(robot.pose.x, robot.pose.y)
         return pixel if all(map(math.isfinite, pixel)) else None
+
+
+def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> int | None:
+    """The id of the vertex under the map's cursor."""
+    if cursor is None:
+        return None
+    at = camera.to_cell(*scene.frame.to_pixel(*cursor))
+    return next((vertex.id for vertex, place in seen_vertices(scene, camera) if place == at), None)
 
 
 def pick(scene: Scene, camera: Camera, x: int, y: int) -> SceneRobot | SceneVertex | None:

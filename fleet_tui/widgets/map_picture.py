@@ -14,7 +14,8 @@ from fleet_tui.view.layers import Look
 from fleet_tui.view.picture import backdrop, picture
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Scene, SceneRobot
-from fleet_tui.view.viewport import Viewport, pick
+from fleet_tui.view.trails import Trails
+from fleet_tui.view.viewport import Viewport, pick, pointed
 from fleet_tui.widgets.cells_view import CellsView
 from fleet_tui.widgets.messages import RobotPicked, VertexPicked
 
@@ -29,6 +30,7 @@ class MapPicture(CellsView, can_focus=True):
         self.look = Look()
         self.viewport = Viewport()
         self.scene: Scene | None = None
+        self._trails = Trails()
         self._behind: Cells | None = None
         self._behind_of: tuple[Scene, Camera, Look] | None = None
         self._drag: tuple[int, int] | None = None
@@ -37,6 +39,7 @@ class MapPicture(CellsView, can_focus=True):
     def show(self, scene: Scene) -> None:
         """Show the newest scene. Cheap where little changed: call it at every tick."""
         self.scene = scene
+        self._trails.note(scene)
         self.draw()
 
     def draw(self) -> None:
@@ -46,24 +49,29 @@ class MapPicture(CellsView, can_focus=True):
             return
         view.width, view.height = width, height - CAPTION_ROWS
         camera = view.camera(scene)
-        head = caption_row(
-            Caption(
-                floor=scene.floor,
-                note=scene.note,
-                frame=scene.frame,
-                camera=camera,
-                drawing=self.look.drawing,
-                follow=view.follow,
-                zoom_robot=view.zoom_robot,
-                focused=self.has_focus,
-            )
-        )
+        if self.look.trails:
+            scene = replace(scene, trail=self._trails.of(scene))
+        head = caption_row(self._caption(scene, camera))
         body = picture(self._backdrop(scene, camera), scene, camera, self.look)
         self.paint(Cells(np.vstack((head.codes, body.codes)), np.vstack((head.inks, body.inks))))
 
+    def _caption(self, scene: Scene, camera: Camera) -> Caption:
+        return Caption(
+            floor=scene.floor,
+            note=scene.note,
+            frame=scene.frame,
+            camera=camera,
+            drawing=self.look.drawing,
+            follow=self.viewport.follow,
+            zoom_robot=self.viewport.zoom_robot,
+            focused=self.has_focus,
+            cursor=self.look.cursor,
+        )
+
     def _backdrop(self, scene: Scene, camera: Camera) -> Cells:
         """What stands behind the robots, made again only when something in it changed."""
-        key = (scene, camera, replace(self.look, cursor=None))
+        under = pointed(scene, camera, self.look.cursor)
+        key = (scene, camera, replace(self.look, cursor=None, trails=False, pointed=under))
         if self._behind is None or self._behind_of is None or not _same(self._behind_of, key):
             self._behind = backdrop(*key)
             self._behind_of = key
@@ -132,4 +140,11 @@ def _same(before: tuple[Scene, Camera, Look], now: tuple[Scene, Camera, Look]) -
         and before[1:] == now[1:]
         and old.frame == new.frame
         and old.target_vertices == new.target_vertices
+        and _lines(old) == _lines(new)
     )
+
+
+def _lines(scene: Scene) -> tuple[object, ...]:
+    """The mission without where it begins, which moves with the robot."""
+    mission = scene.mission
+    return (mission.current, mission.following) if mission else ((), ())

@@ -1,14 +1,14 @@
 """What an operator does with the map. Keys are attached by whoever composes it."""
 
 from dataclasses import replace
+from time import monotonic
 from typing import ClassVar
 
 from fleet_tui.view.camera import ZOOM_STEP
 from fleet_tui.view.raster import Drawing
+from fleet_tui.view.stride import COLUMNS, ROWS, Stride
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.map_picture import MapPicture
-
-_PAN_COLUMNS, _PAN_ROWS = 8, 4  # cells per step: about as far in both directions
 
 
 class MapView(MapPicture, can_focus=True):
@@ -16,13 +16,16 @@ class MapView(MapPicture, can_focus=True):
 
     BINDINGS = bindings("map")
     DEFAULT_CSS: ClassVar[str] = "MapView { width: 1fr; height: 1fr; }"
+    _stride = Stride()
 
     def action_pan_map(self, dx: int, dy: int) -> None:
-        """Move the view by steps, or the cursor by cells while it is on."""
+        """Move the view by steps, or the cursor by cells while it is on: faster while the key is held."""
         if self.scene is None:
             return
+        self._stride = self._stride.then((dx, dy), monotonic())
+        dx, dy = dx * self._stride.times, dy * self._stride.times
         if self.look.cursor is None:
-            self.viewport.pan(self.scene, dx * _PAN_COLUMNS, dy * _PAN_ROWS)
+            self.viewport.pan(self.scene, dx * COLUMNS, dy * ROWS)
         else:
             self._point(self.viewport.stepped(self.scene, self.look.cursor, dx, dy))
         self.draw()
@@ -78,6 +81,11 @@ class MapView(MapPicture, can_focus=True):
         self.look = replace(self.look, labels=not self.look.labels)
         self.draw()
 
+    def action_trails(self) -> None:
+        """Show or hide where the robots were in the last minute."""
+        self.look = replace(self.look, trails=not self.look.trails)
+        self.draw()
+
     def action_drawing(self) -> None:
         """The next drawing mode."""
         modes = list(Drawing)
@@ -88,8 +96,7 @@ class MapView(MapPicture, can_focus=True):
     def action_cursor(self) -> None:
         """The cursor on, in the middle of the view, or off."""
         if self.look.cursor is None and self.scene is not None:
-            camera = self.viewport.camera(self.scene)
-            self._point(camera.to_pixel(camera.width // 2, camera.height // 2))
+            self._point(self.viewport.middle(self.scene))
         else:
             self._point(None)
         self.draw()
@@ -104,7 +111,8 @@ class MapView(MapPicture, can_focus=True):
     def action_pick(self) -> None:
         """Tell what is under the cursor."""
         if self.scene is not None and self.look.cursor is not None:
-            self.pick_at(*self.viewport.camera(self.scene).to_cell(*self.look.cursor))
+            pixel = self.scene.frame.to_pixel(*self.look.cursor)
+            self.pick_at(*self.viewport.camera(self.scene).to_cell(*pixel))
 
     def _point(self, cursor: tuple[float, float] | None) -> None:
         self.look = replace(self.look, cursor=cursor)

@@ -174,6 +174,6 @@ def test_the_missions_ends_get_their_labels_first() -> None:
 
 
 def test_the_cursor_marks_its_cell() -> None:
-    look = Look(cursor=SCENE.frame.to_pixel(6.0, 3.0))
+    look = Look(cursor=(6.0, 3.0))
     x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 3.0))
     assert drawn(look=look).inks[y, x] == Ink.CURSOR

@@ -1,0 +1,168 @@
+"""The layers made of lines and dots: edges, the remaining mission, where robots were."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fleet_tui.view.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.cells import Cells
+from fleet_tui.view.layers import Look
+from fleet_tui.view.places import Points, pixels
+from fleet_tui.view.raster import BRAILLE, pack
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.scene import Line, Scene
+
+Mask = NDArray[np.bool_]
+"""The dots of a view, (rows, columns)."""
+
+FADED = 30.0
+"""Seconds after which a trail is paler and has half as many dots."""
+_ARROW_ROOM = 8.0  # dots of an edge that must be seen before it gets an arrow head
+_ARROWS = ("▸▴◂▾", ">^<v")  # east first, counter-clockwise; the second in ASCII
+
+
+def _table(*inks: Ink) -> NDArray[np.bool_]:
+    found = np.zeros(len(Ink), np.bool_)
+    found[list(inks)] = True
+    return found
+
+
+_GROUND = _table(Ink.FLOOR, Ink.UNKNOWN)
+_OPEN = _table(Ink.FLOOR, Ink.UNKNOWN, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD, Ink.MISSION_NEXT)
+_KEPT = _table(Ink.WALL, Ink.WALL_BEYOND, Ink.MISSION)
+
+
+def _mask(camera: Camera) -> Mask:
+    return np.zeros((camera.height * DOTS_Y, camera.width * DOTS_X), np.bool_)
+
+
+def _dots(scene: Scene, camera: Camera, points: Points) -> Points:
+    """Points in metres (n x 2) as fractions of the view's dots."""
+    left, top = camera.origin
+    return pixels(scene.frame, points) / camera.scale - (left * DOTS_X, top * DOTS_Y)
+
+
+def _ends(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points, Points]:
+    ends = np.array(lines, np.float64)
+    return _dots(scene, camera, ends[:, :2]), _dots(scene, camera, ends[:, 2:])
+
+
+def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """The route graph's edges as thin lines that leave every wall visible."""
+    if not (look.edges and scene.edges):
+        return
+    mask = _mask(camera)
+    _trace(mask, *_ends(scene, camera, scene.edges))
+    bits = pack(mask)
+    free = (bits > 0) & _GROUND[cells.inks]
+    cells.codes[free] = ord("+") if look.plain else BRAILLE[bits[free]]
+    cells.inks[free] = Ink.EDGE
+    if scene.one_way:
+        _point(cells, scene, camera, look)
+
+
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")
+def _point(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """An arrow head in the middle of what is seen of each one-way edge, where there is room."""
+    starts, stops = _ends(scene, camera, scene.one_way)
+    low, high = _within((camera.height * DOTS_Y, camera.width * DOTS_X), starts, stops)
+    way = stops - starts
+    seen = (np.abs(way).max(axis=1) * (high - low) >= _ARROW_ROOM) & np.isfinite(way).all(axis=1)
+    middles = (starts + way * ((low + high) / 2)[:, None])[seen]
+    quarters = np.rint(np.arctan2(-way[seen, 1], way[seen, 0]) / (np.pi / 2)).astype(np.intp) % 4
+    arrows = _ARROWS[look.plain]
+    for (x, y), quarter in zip((middles // (DOTS_X, DOTS_Y)).astype(np.intp), quarters, strict=True):
+        if camera.shows(x, y) and cells.inks[y, x] == Ink.EDGE:
+            cells.write(int(x), int(y), arrows[quarter], Ink.EDGE)
+
+
+def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """The selected robot's remaining way: of the current order thick, of the next ones dashed."""
+    if scene.mission is None:
+        return
+    if scene.mission.following:
+        mask = _mask(camera)
+        _trace(mask, *_ends(scene, camera, scene.mission.following), dashed=True)
+        _stroke(cells, mask, Ink.MISSION_NEXT, look, ":")
+    if scene.mission.current:
+        mask = _mask(camera)
+        _trace(mask, *_ends(scene, camera, scene.mission.current))
+        _stroke(cells, _thick(mask), Ink.MISSION, look, "*")
+
+
+def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """The first piece of that way, from where the selected robot is: it changes with every pose."""
+    robot = scene.selected
+    if scene.mission is None or scene.mission.entry is None or robot is None:
+        return
+    mask = _mask(camera)
+    _trace(mask, *_ends(scene, camera, ((robot.pose.x, robot.pose.y, *scene.mission.entry),)))
+    _stroke(cells, _thick(mask), Ink.MISSION, look, "*")
+
+
+def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """Where robots were, as dots that pale and thin out with age."""
+    if scene.trail is None or not len(scene.trail):
+        return
+    dots, old = _dots(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED
+    # By place, so that a dot that stays does not come and go with its neighbours.
+    thinned = old & (np.floor(dots).sum(axis=1) % 2 == 0)
+    for some, ink in ((old & ~thinned, Ink.TRAIL_OLD), (~old, Ink.TRAIL)):
+        mask = _mask(camera)
+        _dot(mask, dots[some])
+        _stroke(cells, mask, ink, look, ",")
+
+
+def _thick(mask: Mask) -> Mask:
+    """Two dots wide: without colour, too, it is another line than an edge."""
+    thick = mask.copy()
+    thick[:-1] |= mask[1:]
+    thick[:, :-1] |= mask[:, 1:]
+    return thick
+
+
+def _stroke(cells: Cells, mask: Mask, ink: Ink, look: Look, plain: str) -> None:
+    """Draw the dots in one ink where nothing more important stands; as ASCII the character `plain`.
+
+    In braille the dots of a wall stay visible under a mission: it only takes their ink.
+    """
+    bits = pack(mask)
+    drawn = (bits > 0) & _OPEN[cells.inks]
+    cells.codes[drawn] = ord(plain) if look.plain else BRAILLE[bits[drawn]]
+    cells.inks[drawn] = ink
+    if ink in (Ink.MISSION, Ink.MISSION_NEXT):
+        shared = (bits > 0) & _KEPT[cells.inks] & (cells.codes >= BRAILLE[1]) & (cells.codes <= BRAILLE[-1])
+        cells.codes[shared] |= bits[shared]
+        cells.inks[shared] = ink
+
+
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")
+def _trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False) -> None:
+    """Set the dots (x, y) along each line, after cutting the lines to the mask."""
+    low, high = _within(mask.shape, starts, stops)
+    way = stops - starts
+    seen = (low < high) & np.isfinite(way).all(axis=1)
+    starts, way, low, high = starts[seen], way[seen], low[seen], high[seen]
+    steps = (np.abs(way).max(axis=1) * (high - low)).astype(np.intp) + 2
+    line = np.repeat(np.arange(len(steps)), steps)
+    along = np.arange(len(line)) - np.repeat(np.cumsum(steps) - steps, steps)
+    share = low[line] + (high - low)[line] * along / (steps[line] - 1)
+    dots = starts[line] + way[line] * share[:, None]
+    _dot(mask, dots[along % 4 < 2] if dashed else dots)
+
+
+def _dot(mask: Mask, dots: Points) -> None:
+    """Set the dots at x, y, as far as they are in the mask."""
+    rows, columns = mask.shape
+    inside = ((dots >= 0) & (dots < (columns, rows))).all(axis=1)
+    places = dots[inside].astype(np.intp)
+    mask[places[:, 1], places[:, 0]] = True
+
+
+def _within(shape: tuple[int, ...], starts: Points, stops: Points) -> tuple[Points, Points]:
+    """From which to which share of its length each line is inside the mask (Liang-Barsky)."""
+    size = np.array([shape[1], shape[0]], np.float64)
+    one, other = -starts / (stops - starts), (size - starts) / (stops - starts)
+    # A line along an axis divides by zero: +-inf outside, nan exactly on the border (taken as inside).
+    low = np.nan_to_num(np.minimum(one, other), nan=-np.inf, neginf=-np.inf, posinf=np.inf)
+    high = np.nan_to_num(np.maximum(one, other), nan=np.inf, neginf=-np.inf, posinf=np.inf)
+    return np.maximum(low.max(axis=1), 0.0), np.minimum(high.min(axis=1), 1.0)

@@ -1,0 +1,165 @@
+"""The way that is still to be driven: which edges, from where, and on which floor."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+
+from fleet_tui.model import events
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.view.floor_scene import floor_scene
+from fleet_tui.view.scene import Mission, Scene
+from fleet_tui.view.selection import Selection
+from tests.fleets import F0, R0, T0, fleet, graph, pose, queue, tick, told
+
+F1 = "floor_1"
+Metres = tuple[float, float]
+
+
+def scene(state: FleetState, floor: str = F0) -> Scene:
+    return floor_scene(state, Selection(R0, floor))
+
+
+def mission(state: FleetState, floor: str = F0) -> Mission:
+    found = scene(state, floor).mission
+    assert found is not None
+    return found
+
+
+def places(lines: tuple[tuple[float, float, float, float], ...]) -> list[Metres]:
+    """The places that lines lead through, which must hang together."""
+    assert all(one[2:] == other[:2] for one, other in pairwise(lines))
+    return [line[:2] for line in lines] + [line[2:] for line in lines[-1:]]
+
+
+def row(*xs: float) -> list[Metres]:
+    return [(x, 0.0) for x in xs]
+
+
+def carrying(loaded: bool) -> events.CargoReported:
+    return events.CargoReported(R0, T0, loaded)
+
+
+# Vertices 1 to 5 lie at x = 0 to 4.
+ROW = graph(1, 2, 3, 4, 5)
+DRIVING = (ROW, pose(T0, 0.4, 0.1), queue(T0, (1, 3, 5, "W"), (2, 4, 2, "Q"), current=1))
+
+
+def test_the_current_order_leads_from_the_robot_over_its_start_to_its_end() -> None:
+    found = mission(told(fleet(), *DRIVING))
+    assert found.entry == (1.0, 0.0)
+    assert places(found.current) == row(1, 2, 3, 4)
+
+
+def test_with_the_cargo_on_board_it_leads_straight_to_its_end() -> None:
+    state = told(fleet(), ROW, pose(T0, 3.4), carrying(True), queue(T0, (1, 1, 5, "W"), current=1))
+    assert (mission(state).entry, mission(state).current) == ((4.0, 0.0), ())
+    empty = told(state, carrying(False))
+    assert places(mission(empty).current) == row(3, 2, 1, 0, 1, 2, 3, 4)
+    assert mission(empty).entry == (3.0, 0.0)
+
+
+def test_the_next_orders_lead_on_from_the_end_of_the_one_before() -> None:
+    found = mission(told(fleet(), *DRIVING))
+    assert places(found.following) == row(4, 3, 2, 1)
+
+
+def test_without_a_current_order_all_are_next_ones() -> None:
+    found = mission(told(fleet(), ROW, pose(T0, 0.0), queue(T0, (2, 2, 3, "Q"))))
+    assert (found.current, found.entry) == ((), None)
+    assert places(found.following) == row(1, 2)
+
+
+def test_what_has_ended_is_driven_no_more_and_no_orders_are_no_mission() -> None:
+    ended = told(fleet(), ROW, pose(T0), queue(T0, (1, 1, 3, "D"), (2, 2, 3, "C")))
+    assert scene(ended).mission is None
+    assert scene(told(fleet(), ROW, pose(T0))).mission is None
+
+
+def test_the_backdrop_does_not_move_with_the_robot_on_its_edge() -> None:
+    state = told(fleet(), *DRIVING)
+    before = mission(state)
+    after = mission(told(state, pose(T0 + 1, 0.6), tick(T0 + 1)))
+    assert after == before
+    assert all(one is other for one, other in zip(before.current, after.current, strict=True))
+    assert mission(told(state, pose(T0 + 2, 1.4))).entry == (2.0, 0.0)
+
+
+def square(directed: bool) -> events.GraphReceived:
+    """1 (0,0) -> 2 (9,0) -> 3 (9,9) -> 4 (0,9) -> 1, ten metres of hall between the sides."""
+    corners = {1: (0.0, 0.0), 2: (9.0, 0.0), 3: (9.0, 9.0), 4: (0.0, 9.0)}
+    edges = tuple(Edge(n, n, n % 4 + 1) for n in corners)
+    vertices = {n: Vertex(n, *place) for n, place in corners.items()}
+    return events.GraphReceived(R0, F0, RouteGraph(vertices, edges, directed))
+
+
+def test_a_one_way_edge_is_not_driven_backwards() -> None:
+    to_start = queue(T0, (1, 1, 3, "W"), current=1)
+    both_ways = mission(told(fleet(), square(False), pose(T0, 3.0, 0.0), to_start))
+    assert both_ways.entry == (0.0, 0.0)
+    one_way = mission(told(fleet(), square(True), pose(T0, 3.0, 0.0), to_start))
+    assert one_way.entry == (9.0, 0.0)
+    assert places(one_way.current)[:4] == [(9.0, 0.0), (9.0, 9.0), (0.0, 9.0), (0.0, 0.0)]
+    at_start = mission(told(fleet(), square(True), pose(T0, 0.2, 0.0), to_start))
+    assert at_start.entry == (0.0, 0.0)
+
+
+def two_floors(lifts: tuple[int, ...] = (2,)) -> list[events.Event]:
+    """Vertices 1, 2, 3 below and 11, 12, 13 above; the second of each row is an elevator."""
+    facts: list[events.Event] = []
+    for floor, ids in ((F0, (1, 2, 3)), (F1, (11, 12, 13))):
+        plain = graph(*ids, floor=floor).graph
+        vertices = {
+            n: replace(vertex, role=Role.ELEVATOR if n % 10 in lifts else Role.PLAIN)
+            for n, vertex in plain.vertices.items()
+        }
+        facts.append(events.GraphReceived(R0, floor, RouteGraph(vertices, plain.edges)))
+    return facts
+
+
+def test_a_leg_to_another_floor_ends_at_the_elevator_and_goes_on_there() -> None:
+    state = told(fleet(1, 2), *two_floors(), pose(T0, 0.0), queue(T0, (1, 1, 13, "W"), current=1))
+    assert places(mission(state).current) == row(0, 1)
+    assert places(mission(state, F1).current) == row(1, 2)
+    assert mission(state, F1).entry is None
+    assert scene(state).target_vertices == (1,)
+    assert scene(state, F1).target_vertices == (13,)
+
+
+def test_without_an_elevator_the_other_floor_is_out_of_reach() -> None:
+    state = told(fleet(1, 2), *two_floors(()), pose(T0, 0.0), queue(T0, (1, 1, 13, "W"), current=1))
+    assert mission(state).current == ()
+    assert mission(state, F1).current == ()
+
+
+def test_ids_that_repeat_belong_to_the_floor_the_robot_is_on() -> None:
+    same = [graph(1, 2, 3, floor=floor) for floor in (F0, F1)]
+    state = told(fleet(1, 2), *same, pose(T0, 0.0, frame=F1), queue(T0, (1, 1, 3, "W"), current=1))
+    assert places(mission(state, F1).current) == row(0, 1, 2)
+    assert mission(state).current == ()
+    assert scene(state).target_vertices == ()
+
+
+@pytest.mark.parametrize(
+    "facts",
+    [
+        (pose(T0, 0.0), queue(T0, (1, 77, 3, "W"), current=1)),  # a vertex that is nowhere
+        (pose(T0, 1e4, -1e4), queue(T0, (1, 1, 3, "W"), current=1)),
+        (queue(T0, (1, 3, 1, "W"), current=1),),  # no pose yet
+        (pose(T0, frame="attic"), queue(T0, (1, 3, 1, "W"), current=1)),
+    ],
+)
+def test_whatever_comes_makes_a_scene(facts: tuple[events.Event, ...]) -> None:
+    assert scene(told(fleet(), ROW, *facts)).mission is not None
+    assert scene(told(fleet(), *facts)).mission is None
+    lonely = events.GraphReceived(R0, F0, RouteGraph({1: Vertex(1, 0.0, 0.0), 3: Vertex(3, 1.0, 0.0)}))
+    assert mission(told(fleet(), lonely, *facts)).current == ()
+
+
+def test_one_way_edges_are_those_without_a_way_back() -> None:
+    vertices = {n: Vertex(n, float(n), 0.0) for n in (1, 2, 3)}
+    edges = (Edge(1, 1, 2), Edge(2, 2, 1), Edge(3, 2, 3))
+    for directed, found in ((True, ((2.0, 0.0, 3.0, 0.0),)), (False, ())):
+        received = events.GraphReceived(R0, F0, RouteGraph(vertices, edges, directed))
+        assert scene(told(fleet(), received)).one_way == found
