@@ -61,7 +61,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self._link: FleetLink | None = None
         keys, _ = keymap(config.keys)
         self.main = MainScreen(self.store, self.submit, self.tell, self._show_map, keys, clock)
-        self.main.notes = ["read-only"] if config.operator.read_only else []
+        self.main.read_only, self.main.armed = config.operator.read_only, config.operator.armed
         self.main.themes = {name: partial(self.use_theme, name) for name in themes}
         # Only what differs: Textual goes through the whole keymap at every key.
         self.set_keymap(textual_keymap({id_: keys[id_] for id_ in config.keys if id_ in keys}))
@@ -83,10 +83,15 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self.run_worker(self._open_link, thread=True, exit_on_error=False)
 
     def _open_link(self) -> None:
-        from fleet_tui.link.fleet_link import FleetLink
+        try:
+            from fleet_tui.link.fleet_link import FleetLink
 
-        link = FleetLink(self._config, self.store)
-        link.open()
+            link = FleetLink(self._config, self.store)
+            link.open()
+        except Exception as problem:
+            LOG.exception("the link can't be opened")
+            self.call_from_thread(self.main.say, f"the link can't be opened: {problem} (see the log file)")
+            return
         self._link = link
         for floor in self._config.floors:
             if floor.map:
@@ -97,6 +102,8 @@ class FleetApp(LeanApp, inherit_bindings=False):
         """Send a command now, or say why not."""
         if self._link is None:
             self.main.say("not sent: the console is still starting")
+        elif not self.main.armed:
+            self.main.say("not sent: this console is not armed, : Arm lets commands leave")
         else:
             self._link.submit(command)
 

@@ -38,15 +38,24 @@ def _common(command: F) -> F:
     return click.option("--debug", is_flag=True, help="Show tracebacks, log everything.")(command)
 
 
+def _screen(command: F) -> F:
+    """What the console can be told."""
+    modes = click.Choice(["auto", "braille", "half-block", "ascii"])
+    command = click.option("--drawing", type=modes, help="How the map is drawn.")(command)
+    return click.option("--read-only", is_flag=True, help="Watch only: no command leaves.")(command)
+
+
 def _merged(run: Callable[..., None]) -> Callable[..., None]:
     """What was said before the command's name stands, unless it is said again after it."""
 
     @wraps(run)
     @click.pass_context
-    def merged(ctx: click.Context, /, config_file: str | None, debug: bool, **others: Any) -> None:
+    def merged(ctx: click.Context, /, **options: Any) -> None:
         before = ctx.parent.params if ctx.parent else {}
-        ctx.obj = bool(debug or before.get("debug"))
-        run(config_file=config_file or before.get("config_file"), debug=ctx.obj, **others)
+        for name, value in before.items():
+            if value and name not in options:
+                ctx.fail(f"--{name.replace('_', '-')} means nothing to {ctx.command.name}")
+        run(**{name: value or before.get(name, value) for name, value in options.items()})
 
     return merged
 
@@ -55,28 +64,31 @@ def _merged(run: Callable[..., None]) -> Callable[..., None]:
     cls=Commands, invoke_without_command=True, context_settings={"help_option_names": ["-h", "--help"]}
 )
 @click.version_option(__version__, prog_name="fleet-tui")
-@click.option("--read-only", is_flag=True, help="Watch only: no command leaves this console.")
+@_screen
 @_common
 @click.pass_context
-def commands(ctx: click.Context, config_file: str | None, debug: bool, read_only: bool) -> None:
+def commands(
+    ctx: click.Context, config_file: str | None, debug: bool, read_only: bool, drawing: str | None
+) -> None:
     """The terminal console for robot fleets behind a rosbridge server.
 
     Without a command it opens the console. `fleet-tui demo` shows it with simulated robots.
     """
-    ctx.obj = debug
     if ctx.invoked_subcommand is None:
         from fleet_tui.console import open_console
 
-        open_console(load(find(config_file)), read_only, debug)
+        open_console(load(find(config_file)), read_only, drawing, debug)
 
 
 @commands.command()
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
-@click.option("--read-only", is_flag=True, help="Watch only: no command leaves this console.")
+@_screen
 @_common
 @_merged
-def demo(config_file: str | None, debug: bool, robots: int, floors: int, read_only: bool) -> None:
+def demo(
+    config_file: str | None, debug: bool, robots: int, floors: int, read_only: bool, drawing: str | None
+) -> None:
     """Open the console on a simulated fleet. No ROS, no network."""
     from fleet_tui.demo import simulated
 
@@ -84,7 +96,7 @@ def demo(config_file: str | None, debug: bool, robots: int, floors: int, read_on
         from fleet_tui.console import open_console
         from fleet_tui.demo import demo_config
 
-        open_console(demo_config(load(find(config_file)), url, robots, floors), read_only, debug)
+        open_console(demo_config(load(find(config_file)), url, robots, floors), read_only, drawing, debug)
 
 
 @commands.command()

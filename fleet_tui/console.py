@@ -45,7 +45,7 @@ def _colour() -> bool:
     return "NO_COLOR" not in os.environ
 
 
-def open_console(config: Config, read_only: bool, debug: bool) -> None:
+def open_console(config: Config, read_only: bool, drawing: str | None, debug: bool) -> None:
     """Run the console until the operator leaves."""
     if not all(stream.isatty() for stream in (sys.stdin, sys.stdout, sys.stderr)):
         raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")
@@ -59,9 +59,11 @@ def open_console(config: Config, read_only: bool, debug: bool) -> None:
         )
     log_to_file(debug)
     store = Store(initial_state(config, time.monotonic()))
-    app = FleetApp(config, store, themes, _drawing(config.ui.drawing), _colour())
+    app = FleetApp(config, store, themes, _drawing(drawing or config.ui.drawing), _colour())
     for problem in problems:
-        LOG.warning("%s", problem)
+        LOG.warning("theme %s", problem)
+    if problems:
+        app.main.said = f"theme {problems[0]}" + (f" and {len(problems) - 1} more" if problems[1:] else "")
     app.run()
     if app.return_code:
         raise FleetError("the console ended with an error: the log file says more")

@@ -65,6 +65,7 @@ KEYS: tuple[Key, ...] = (
         "Queue: orders of the selected robot, or of all robots",
         hint="all orders",
     ),
+    Key("arm", (), "arm", "Arm: let commands leave this console, or no longer"),
     Key("acknowledge", ("a",), "acknowledge", "Acknowledge the alarm under the cursor", hint="ack"),
     Key("acknowledge_all", ("A",), "acknowledge_all", "Acknowledge all alarms"),
     Key("zoom_in", ("+", "="), "on_map('zoom_in')", "Zoom in", hint="zoom"),

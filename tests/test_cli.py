@@ -126,3 +126,9 @@ def test_a_port_in_use_is_named(tmp_path: Path) -> None:
     assert done.returncode == 1
     assert port in done.stderr
     assert "Traceback" not in done.stderr
+
+
+def test_an_option_that_a_command_would_ignore_is_refused(tmp_path: Path) -> None:
+    done = run("--read-only", "check", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "--read-only means nothing to check" in done.stderr

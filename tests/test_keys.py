@@ -58,11 +58,15 @@ PROMISED = {
 }
 
 
+# The palette reaches them; the config can give them a key.
+WITHOUT_A_KEY = {"arm", "trails"}
+
+
 def test_the_defaults_have_no_clash() -> None:
     chosen, problems = keymap({})
     assert problems == []
     assert list(chosen) == IDS and len(set(IDS)) == len(IDS)
-    assert all(keys for keys in chosen.values())
+    assert {id_ for id_, keys in chosen.items() if not keys} <= WITHOUT_A_KEY
 
 
 @pytest.mark.parametrize("key", [key for key in KEYS if key.id in PROMISED], ids=lambda key: key.id)

@@ -1,6 +1,7 @@
 """The one writer: the network loop tells the store, and ten times a second that time passed."""
 
 import asyncio
+import logging
 import sys
 import time
 from collections.abc import Callable, Coroutine
@@ -9,6 +10,8 @@ from typing import Any
 from fleet_tui.link.transport import network_loop
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.store import Store
+
+LOG = logging.getLogger(__name__)
 
 TICK = 0.1
 # Python lets a busy thread run 5 ms before another gets its turn: too long for a command to wait
@@ -35,10 +38,14 @@ class Writer:
 
     async def _tick(self) -> None:
         while True:
-            now = time.monotonic()
-            for look in self.before_tick:
-                look(now)
-            self.store.tell(TimePassed(now, time.time()))
+            try:
+                now = time.monotonic()
+                for look in self.before_tick:
+                    look(now)
+                self.store.tell(TimePassed(now, time.time()))
+            except Exception:
+                # Without the time nothing would age: one bad tick must not be the last.
+                LOG.exception("tick")
             await asyncio.sleep(TICK)
 
     def tell(self, event: Event) -> None:

@@ -76,7 +76,7 @@ class Help(Overlay):
         self.query_one(VerticalScroll).scroll_home(animate=False)
 
     def _line(self, key: Key) -> str:
-        return f"  {' '.join(self._keys[key.id]):<10} {key.text}  ({key.id})"
+        return f"  {' '.join(self._keys[key.id]) or '(palette)':<10} {key.text}  ({key.id})"
 
     def _is_wanted(self, wanted: str, key: Key) -> bool:
         """A single character means the key itself."""

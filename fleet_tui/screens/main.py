@@ -1,6 +1,7 @@
 """The main screen: map, fleet, alarms, queue, and what opens over the map."""
 
-from collections.abc import Callable, Mapping, Sequence
+import time
+from collections.abc import Callable, Mapping
 
 from textual.app import ComposeResult
 from textual.containers import Container
@@ -20,7 +21,7 @@ from fleet_tui.view.floor_scene import chart_robot, floor_scene
 from fleet_tui.view.hints import hints
 from fleet_tui.view.queue_rows import queue_table
 from fleet_tui.view.selection import first_selection
-from fleet_tui.view.status_line import message_line, status_line, status_right
+from fleet_tui.view.status_line import console_notes, message_line, status_line, status_right
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.map_view import MapView
@@ -52,11 +53,11 @@ class MainScreen(Navigation):
         self.map = MapView(id="map")
         self.fleet = RowsPane(id="fleet", rows=len(store.state.robots))
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
-        self.notes: Sequence[str] = ()
+        self.read_only, self.armed = False, True
         self.themes: Mapping[str, Callable[[], None]] = {}
         self._show_map, self._keys, self._clock = show_map, keys, clock
         self._all_orders = False
-        self._said = ("", 0.0)
+        self.said, self._said_at = "", 0.0
         self._mapped: tuple[str, str] | None = None
 
     def compose(self) -> ComposeResult:
@@ -80,9 +81,11 @@ class MainScreen(Navigation):
         self.fleet.show(fleet_table(state, self.selection.robot))
         self.alarms.show(alarm_table(state, self._clock))
         self.queue.show(queue_table(state, self.selection.robot, self._all_orders, self.queue.room))
-        line = status_line(state, self.selection.robot, self.notes)
-        self.status.show(line, status_right(self._clock(state.wall)))
-        self.message.show(message_line(state, *self._said))
+        notes = console_notes(self.read_only, self.armed, time.monotonic() - state.now)
+        self.status.show(
+            status_line(state, self.selection.robot, notes), status_right(self._clock(state.wall))
+        )
+        self.message.show(message_line(state, self.said, self._said_at))
         self.hints.show(*hints(self._keys, self._focused_pane()))
 
     def _focused_pane(self) -> str:
@@ -98,7 +101,7 @@ class MainScreen(Navigation):
 
     def say(self, text: str) -> None:
         """Tell the operator why nothing happened."""
-        self._said = (text, self.state.now)
+        self.said, self._said_at = text, self.state.now
         self.tick()
 
     def action_all_orders(self) -> None:
@@ -117,6 +120,11 @@ class MainScreen(Navigation):
     def action_palette(self) -> None:
         """Everything that can be done, by name."""
         self.query_one(Palette).show()
+
+    def action_arm(self) -> None:
+        """Let commands leave this console, or no longer."""
+        self.armed = not self.armed
+        self.say("this console is armed" if self.armed else "this console is not armed")
 
     def action_back(self) -> None:
         """One level back: the map's cursor goes, then the focus to the map."""

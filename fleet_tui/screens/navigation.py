@@ -65,7 +65,7 @@ class Navigation(CommandActions):
         """Everything the palette offers."""
         for key in KEYS:
             if key.pane == "console" and key.id not in NOT_WISHED:
-                yield key.text, partial(self.run_action, key.action)
+                yield key.text, partial(self.call_later, self.run_action, key.action)
         for name in self.state.robots:
             yield f"Go to robot {name}", partial(self.find_robot, name)
         for floor in self.state.floors:

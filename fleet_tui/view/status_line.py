@@ -23,6 +23,19 @@ from fleet_tui.view.text import visible
 # Commands given within this many seconds were meant as one.
 TOGETHER = 0.3
 
+# The writer tells the time ten times a second. Where it doesn't, ages stand still and all looks live.
+BLIND_AFTER = 2.0
+
+
+def console_notes(read_only: bool, armed: bool, standstill: float) -> list[str]:
+    """What holds for this console, and that it has gone blind: the state is `standstill` seconds old."""
+    notes = {
+        "read-only": read_only,
+        "not armed": not armed,
+        f"nothing is updated for {age(standstill)}: restart this console": standstill > BLIND_AFTER,
+    }
+    return [note for note, holds in notes.items() if holds]
+
 
 def _link_runs(link: LinkState, now: float) -> Iterator[Run]:
     if link.phase is not Phase.UP:

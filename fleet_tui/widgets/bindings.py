@@ -16,7 +16,7 @@ def bindings(pane: str) -> list[BindingType]:
     """The bindings that work in a pane."""
     return [
         Binding(
-            ",".join(map(textual_key, key.keys)),
+            ",".join(map(textual_key, key.keys)) or f"no_key_for_{key.id}",
             key.action,
             key.text,
             show=False,

@@ -85,7 +85,7 @@ def test_the_recording_ends_in_the_state_it_tells() -> None:
     assert robot.pose is not None and robot.battery is not None and robot.obstacle is not None
     assert (robot.pose.value.x, robot.pose.value.y) == (1.0, 0.5)
     assert robot.pose.value.yaw == pytest.approx(-math.pi / 2)
-    assert state.floor_of(robot) == "first"
+    assert robot.floor == "first"
     assert robot.battery.value == pytest.approx(87.09254)
     assert (robot.obstacle.value, robot.has_cargo, robot.paused) == (0.0, False, None)
     orders = (Order(4, 105, 8, "W"), Order(5, 105, 2, "Q"))

@@ -276,3 +276,19 @@ async def test_with_cargo_a_vertex_on_the_map_is_where_it_goes(server: Rosbridge
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].outcome)
         assert sent(server)[0][1]["end_point"] == vertex(it, end)
+
+
+async def test_a_console_that_is_not_armed_sends_nothing_until_it_is(server: RosbridgeServer) -> None:
+    config = config_of(server.url, 1)
+    config = msgspec.structs.replace(config, operator=msgspec.structs.replace(config.operator, armed=False))
+    async with console(config) as it:
+        await it.shows("not armed")
+        await it.press("p")
+        await it.shows("not sent: this console is not armed")
+        assert sent(server) == []
+        await it.press("colon")
+        await it.type("arm")
+        await it.press("enter")
+        await it.hides("not armed")
+        await it.press("p")
+        await it.until(lambda _: sent(server) == [("Pause", {})])

@@ -93,6 +93,14 @@ async def test_the_palette_goes_to_things_and_does_actions(server: RosbridgeServ
         await it.shows("Queue robot_1", "queue")
 
 
+async def test_the_palette_does_what_a_key_would(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("colon")
+        await it.type("edges on")
+        await it.press("enter")
+        await it.until(lambda _: it.app.main.map.look.edges)
+
+
 async def test_themes_change_at_once(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         before = it.app.main.map._styles
