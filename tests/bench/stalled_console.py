@@ -47,7 +47,7 @@ class Watched(FleetApp):
         while True:
             await asyncio.sleep(BEAT)
             now = time.monotonic()
-            if now - last > 2 * BEAT:
+            if now - last > BEAT + 0.001:
                 self._note("gap", now - last - BEAT)
             last = now
 
