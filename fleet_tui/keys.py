@@ -34,6 +34,7 @@ KEYS: tuple[Key, ...] = (
         "Command palette: every action, go to robot, vertex, floor",
         hint="command",
     ),
+    Key("repaint", ("ctrl+l",), "app.repaint", "Paint the whole screen anew"),
     Key("quit", ("q",), "app.quit", "Leave"),
     Key("back", ("escape",), "back", "One level back"),
     Key("next_pane", ("tab",), "app.focus_next", "Next pane"),
