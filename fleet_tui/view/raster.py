@@ -17,7 +17,8 @@ from fleet_tui.view.cells import Cells
 from fleet_tui.view.roles import Ink
 
 COARSE = 12.0
-"""Pixels per dot from which nearly every dot holds some wall: then only edges stay solid."""
+"""Pixels per dot from which nearly every dot holds some wall: then only edges stay solid, and the
+inside of walls is as dense as the map is there."""
 
 
 class Drawing(Enum):
@@ -34,13 +35,27 @@ def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cell
     shape = (camera.height * DOTS_Y, camera.width * DOTS_X)
     if grid is None:
         dots = _empty(camera, left * DOTS_X, top * DOTS_Y, shape)
+    elif camera.scale > COARSE and drawing is not Drawing.ASCII:
+        return _coarse(grid, camera, drawing)
     else:
         dots = sample(grid, camera.scale, left * DOTS_X, top * DOTS_Y, shape)
     if drawing is Drawing.BRAILLE:
-        return _braille(dots, camera.scale > COARSE)
-    if drawing is Drawing.HALF_BLOCK:
-        return _half_block(dots)
-    return _ascii(dots)
+        return _braille(dots, dots == OCCUPIED)
+    return _half_block(dots) if drawing is Drawing.HALF_BLOCK else _ascii(dots)
+
+
+def _coarse(grid: OccupancyGrid, camera: Camera, drawing: Drawing) -> Cells:
+    """Edges solid, the inside toned. Seen with a cell more on each side, so that the view's own rim
+    is no edge."""
+    left, top = camera.origin
+    shape = ((camera.height + 2) * DOTS_Y, (camera.width + 2) * DOTS_X)
+    part = (camera.scale, (left - 1) * DOTS_X, (top - 1) * DOTS_Y, shape)
+    dots, shares = sample(grid, *part), _shares(grid, *part)
+    if drawing is Drawing.BRAILLE:
+        cells = _braille(dots, _dithered(dots == OCCUPIED, shares))
+    else:
+        cells = _half_block(dots, shares)
+    return Cells(cells.codes[1:-1, 1:-1], cells.inks[1:-1, 1:-1])
 
 
 def sample(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
@@ -90,6 +105,19 @@ def _pooled(level: Classes, first: _Indices, last: _Indices, axis: int) -> Class
     return found
 
 
+def _shares(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
+    """How much of each dot is wall, looked at in 2 x 2 points: 0 to 4. Only known inside the map."""
+    depth = max(math.floor(math.log2(scale)) - 3, 0)
+    level = grid.levels[min(depth, len(grid.levels) - 1)]
+    rows, columns = (
+        np.clip((start + (np.arange(2 * count) + 0.5) / 2) * scale / 2**depth, 0, size - 1).astype(np.intp)
+        for start, count, size in ((top, shape[0], level.shape[0]), (left, shape[1], level.shape[1]))
+    )
+    walls = (level.take(rows, 0).take(columns, 1) == OCCUPIED).view(np.uint8)
+    tall: Classes = walls[0::2] + walls[1::2]
+    return tall[:, 0::2] + tall[:, 1::2]
+
+
 def _empty(camera: Camera, left: int, top: int, shape: tuple[int, int]) -> Classes:
     """Floor over the whole extent of a map that is not there."""
     rows = (np.arange(top, top + shape[0]) + 0.5) * camera.scale
@@ -112,6 +140,12 @@ def _folded(dots: NDArray[_Dots], rows: int, columns: int) -> NDArray[_Dots]:
     for column in range(1, columns):
         found = np.maximum(found, wide[:, column::columns])
     return found
+
+
+def _summed(shares: Classes) -> Classes:
+    """The sums over cells."""
+    tall = shares[0::4] + shares[1::4] + shares[2::4] + shares[3::4]
+    return tall[:, 0::2] + tall[:, 1::2]
 
 
 # Unicode numbers a braille cell's dots 0 3 / 1 4 / 2 5 / 6 7; seen as bits.
@@ -140,32 +174,46 @@ def _known(dots: Classes) -> NDArray[np.bool_]:
     return cast("NDArray[np.bool_]", free | ~unknown)
 
 
-def _braille(dots: Classes, coarse: bool) -> Cells:
-    walls = dots == OCCUPIED
-    bits = pack(_hollow(walls) if coarse else walls)
+def _braille(dots: Classes, walls: NDArray[np.bool_]) -> Cells:
+    bits = pack(walls)
     codes = BRAILLE[bits]
     inks = _WALLS[(bits > 0) * np.uint8(2) + _known(dots)]
     codes[inks == Ink.UNKNOWN] = _HATCH
     return Cells(codes, inks)
 
 
-def _hollow(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Walls with a solid edge and every other dot of the inside."""
+def _inside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """The walls with walls on all four sides."""
     inside = np.zeros_like(walls)
     inside[1:-1, 1:-1] = walls[:-2, 1:-1] & walls[2:, 1:-1] & walls[1:-1, :-2] & walls[1:-1, 2:]
-    inside[0::2, 0::2] = False
-    inside[1::2, 1::2] = False
-    return walls & ~inside
+    return inside & walls
+
+
+def _dithered(walls: NDArray[np.bool_], shares: Classes) -> NDArray[np.bool_]:
+    """Walls with a solid edge; inside one, two or three of four dots, as much of them is wall."""
+    inside = _inside(walls)
+    left_out = inside.copy()
+    left_out[0::2, 0::2] = False
+    left_out[1::2, 1::2] &= shares[1::2, 1::2] < 2
+    left_out[0::2, 1::2] &= shares[0::2, 1::2] < 4
+    return walls & ~left_out
 
 
 _HALVES = np.array([ord(" "), ord("▀"), ord("▄"), ord("█")], np.uint32)
+_TONES = np.array([ord("▒"), ord("▓")], np.uint32)
 
 
-def _half_block(dots: Classes) -> Cells:
+def _half_block(dots: Classes, shares: Classes | None = None) -> Cells:
+    """Blocks of 2 x 2 dots. With `shares` the inside of walls is in two tones."""
     pixels = _folded(dots, DOTS_Y // 2, DOTS_X)
     upper, lower = pixels[0::2], pixels[1::2]
     walls = (upper == OCCUPIED) + np.uint8(2) * (lower == OCCUPIED)
     codes = _HALVES[walls]
+    if shares is not None:
+        inside = _inside(pixels == OCCUPIED)
+        toned = inside[0::2] & inside[1::2]
+        full = DOTS_X * DOTS_Y * 4
+        codes[toned] = _TONES[(_summed(shares)[toned] * 2 >= full).astype(np.intp)]
     inks = _WALLS[(walls > 0) * np.uint8(2) + _known(dots)]
     codes[inks == Ink.UNKNOWN] = ord("░")
     return Cells(codes, inks)

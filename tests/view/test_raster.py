@@ -90,9 +90,49 @@ def test_a_coarse_view_keeps_the_edges_of_a_solid_block_and_thins_its_inside() -
     camera = Camera.fit((1600, 1600), 40, 20)
     assert camera.scale > COARSE
     text = ground(grid_of(classes), camera, Drawing.BRAILLE).text()
-    assert "⡯" in text or "⢕" in text or "⡪" in text
+    assert text.count("⢽") > 20
     fine = ground(grid_of(classes), camera.zoomed(4), Drawing.BRAILLE).text()
     assert set(fine) <= set("⣿ \n⡇⢸⠉⣀⡏⢹⣇⣸⠿⣶⣤⠛⠏⠹⣆⣰⡄⢠⠋⠙")
+    blocks = ground(grid_of(classes), camera, Drawing.HALF_BLOCK).text()
+    assert blocks.count("▓") > 20
+    assert blocks.count("█") > 10
+
+
+def test_where_all_is_wall_when_seen_from_afar_the_dense_parts_look_denser() -> None:
+    classes = np.full((1600, 1600), FREE, np.uint8)
+    classes[:, 1::9] = OCCUPIED
+    classes[:, 800:] = OCCUPIED
+    classes[:, 801::9] = FREE
+    camera = Camera.fit((1600, 1600), 40, 20)
+    middle = [
+        ground(grid_of(classes), camera, drawing).text().split("\n")[10]
+        for drawing in (Drawing.BRAILLE, Drawing.HALF_BLOCK)
+    ]
+    dots = [
+        sum((ord(cell) - 0x2800).bit_count() for cell in half) for half in (middle[0][5:18], middle[0][22:35])
+    ]
+    assert dots[0] * 1.5 <= dots[1]
+    assert middle[1][5:18].count("▒") > 6
+    assert set(middle[1][22:35]) == {"▓"}
+
+
+@settings(max_examples=100, deadline=None)
+@given(seed=st.integers(0, 999), share=st.floats(0.0, 0.05), scale=st.floats(12.5, 40.0))
+def test_in_a_coarse_view_every_wall_has_a_dot_beside_it(seed: int, share: float, scale: float) -> None:
+    rng = np.random.default_rng(seed)
+    classes = np.where(rng.random((900, 900)) < share, OCCUPIED, FREE)
+    camera = Camera(450.0, 450.0, scale, 12, 6, (900, 900))
+    left, top = camera.origin
+    walls = sample(grid_of(classes), scale, left * 2, top * 4, (24, 24)) == OCCUPIED
+    cells = ground(grid_of(classes), camera, Drawing.BRAILLE)
+    bits = np.where((cells.inks == Ink.UNKNOWN) | (cells.codes < 0x2800), 0, cells.codes & 0xFF)
+    drawn = np.zeros((26, 26), bool)
+    for dot, (y, x) in enumerate(((0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1), (3, 0), (3, 1))):
+        drawn[1 + y : 25 : 4, 1 + x : 25 : 2] = bits & (1 << dot)
+    assert not (drawn[1:-1, 1:-1] & ~walls).any()
+    near = np.logical_or.reduce([drawn[y : y + 24, x : x + 24] for y in range(3) for x in range(3)])
+    # A dot just outside the view may stand for one at its rim.
+    assert near[1:-1, 1:-1][walls[1:-1, 1:-1]].all()
 
 
 @pytest.mark.parametrize(
@@ -106,9 +146,10 @@ def test_unknown_free_and_wall_have_glyphs_of_their_own(drawing: Drawing, row: s
 
 
 @pytest.mark.parametrize("drawing", list(Drawing))
-def test_panning_by_a_cell_moves_every_cell_and_changes_none(drawing: Drawing) -> None:
-    classes = np.random.default_rng(3).choice([0, 1, 1, 2], (200, 200))
-    camera = Camera.fit((200, 200), 40, 20).zoomed(1.7).centred(100, 100)
+@pytest.mark.parametrize("side", [200, 2000])
+def test_panning_by_a_cell_moves_every_cell_and_changes_none(drawing: Drawing, side: int) -> None:
+    classes = np.random.default_rng(3).choice([0, 1, 1, 2], (side, side))
+    camera = Camera.fit((side, side), 40, 20).zoomed(1.7).centred(side / 2, side / 2)
     before, after = (ground(grid_of(classes), c, drawing) for c in (camera, camera.panned(3, -2)))
     assert np.array_equal(before.codes[:-2, 3:], after.codes[2:, :-3])
     assert np.array_equal(before.inks[:-2, 3:], after.inks[2:, :-3])
