@@ -1,10 +1,15 @@
 """Where text goes so that it covers no other text: whole, or not at all."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from fleet_tui.view.cells import Inks
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.text import cell_width
+
+_REACH = 3  # rows or cells that a tag may be away from its robot
+_THING, _TAG = 1, 2
 
 
 class Room:
@@ -14,18 +19,18 @@ class Room:
         self._width, self._height = width, height
         self._taken = bytearray(width * height)
 
-    def take(self, x: int, y: int, cells: int) -> None:
+    def take(self, x: int, y: int, cells: int, by: int = _THING) -> None:
         """Take `cells` cells of row y from x on, as far as they are in the view."""
         start, end = max(x, 0), min(x + cells, self._width)
         if 0 <= y < self._height and start < end:
-            self._taken[y * self._width + start : y * self._width + end] = b"\1" * (end - start)
+            self._taken[y * self._width + start : y * self._width + end] = bytes((by,)) * (end - start)
 
     def free(self, x: int, y: int, cells: int) -> bool:
         """Whether they are all in the view and not taken."""
         if not (0 <= y < self._height and x >= 0 and x + cells <= self._width):
             return False
         start = y * self._width + x
-        return self._taken.find(1, start, start + cells) < 0
+        return self._taken.count(0, start, start + cells) == cells
 
     def label_spot(self, x: int, y: int, text: str, inks: Inks) -> tuple[int, int] | None:
         """The place for a label near its vertex at (x, y): taken, or None where there is no room.
@@ -35,8 +40,11 @@ class Room:
         """
         cells = cell_width(text)
         middle = x - cells // 2
-        spots = ((x + 2, y), (x - 1 - cells, y), (middle, y - 1), (middle, y + 1))
-        free = [spot for spot in spots if self._apart(*spot, cells)]
+        right, left = x + 2, x - 1 - cells
+        beside = ((right, y), (left, y), (middle, y - 1), (middle, y + 1))
+        corners = ((right, y - 1), (right, y + 1), (left, y - 1), (left, y + 1))
+        free = [spot for spot in beside if self._apart(*spot, cells)]
+        free = free or [spot for spot in corners if self._apart(*spot, cells)]
         if not free:
             return None
         column, row = min(free, key=lambda spot: _hidden(inks[spot[1], spot[0] : spot[0] + cells]))
@@ -50,25 +58,42 @@ class Room:
     def tag_spot(self, x: int, y: int, glyph: int, cells: int) -> tuple[int, int] | None:
         """The place for a robot's tag beside its glyph of `glyph` cells at (x, y); now taken.
 
-        Where robots crowd, it dodges; in a heap without any room there is none.
+        Where robots crowd, it dodges, the less the better; in a heap without any room there is none.
         """
-        right, left = x + glyph, x - cells
-        spots = [(right, y)]
-        if not self._clear(right, y, cells, x, y):
-            around = [(at, side) for side in (-1, 1, -2, 2) for at in (right, x, x - cells + 1, left)]
-            spots = [(right, y), (left, y), *((at, y + side) for at, side in around)]
-            clear = [spot for spot in spots if self._clear(*spot, cells, x, y)]
-            spots = clear or [spot for spot in spots if self.free(*spot, cells)]
-        if not spots:
-            return None
-        self.take(*spots[0], cells)
-        return spots[0]
+        spot: tuple[int, int] | None = (x + glyph, y)
+        if not self._clear(x + glyph, y, cells, x, y):
+            around = [spot for spot in _around(x, y, glyph, cells) if self.free(*spot, cells)]
+            clear = (spot for spot in around if self._clear(*spot, cells, x, y))
+            alone = (spot for spot in around if self._alone(*spot, cells))
+            spot = next(clear, None) or next(alone, None) or next(iter(around), None)
+        if spot:
+            self.take(*spot, cells, _TAG)
+        return spot
 
     def _clear(self, start: int, row: int, cells: int, x: int, y: int) -> bool:
         """Whether a tag there is free and touches nothing but its own glyph at (x, y)."""
-        before = 0 if row == y and start > x else 1
-        after = 0 if row == y and start < x else 1
+        before = 0 if row == y and x < start <= x + 2 else 1  # an arrow is one or two cells wide
+        after = 0 if row == y and start + cells == x else 1
         return self.free(start - before, row, cells + before + after)
+
+    def _alone(self, x: int, y: int, cells: int) -> bool:
+        """Whether the places beside it are no tag's: two numbers side by side read as one."""
+        row = y * self._width
+        before = self._taken[row + x - 1] if x else 0
+        after = self._taken[row + x + cells] if x + cells < self._width else 0
+        return _TAG not in (before, after)
+
+
+def _around(x: int, y: int, glyph: int, cells: int) -> Iterator[tuple[int, int]]:
+    """Places for a tag, from the one beside its glyph outwards."""
+    right, left = x + glyph, x - cells
+    yield from ((right, y), (left, y))
+    for far in range(1, _REACH + 1):
+        for row in (y - far, y + far):
+            yield from ((at, row) for at in (right, x, x - cells + 1, left))
+        yield from ((right + far, y), (left - far, y))
+        for row in range(y - far + 1, y + far):
+            yield from ((right + far, row), (left - far, row))
 
 
 def _hidden(inks: Inks) -> int:

@@ -48,7 +48,10 @@ def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: Look) -> Non
 
 
 def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
-    """Labels where there is room for the whole of them: the mission's first, then by vertex id."""
+    """Labels where there is room for the whole of them, so more of them the nearer the view.
+
+    First the mission's ends, then the vertex under the cursor, then by vertex id.
+    """
     if not look.labels:
         return
     placed = seen_vertices(scene, camera)
@@ -58,7 +61,9 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
             room.take(x, y, 1)
     targets = scene.target_vertices
     labelled = [at for at in placed if at[0].label]
-    for vertex, (x, y) in sorted(labelled, key=lambda at: (at[0].id not in targets, at[0].id)):
+    for vertex, (x, y) in sorted(
+        labelled, key=lambda at: (at[0].id not in targets, at[0].id != look.pointed, at[0].id)
+    ):
         text = visible(vertex.label)
         if look.plain:
             text = text.encode("ascii", "replace").decode()
@@ -79,6 +84,9 @@ def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
         glyph, tag = glyphs[x, y], robot_tag(robot, look.plain)
         glyph_ink, tag_ink = robot_inks(robot)
         spot = room.tag_spot(x, y, len(glyph), len(tag))
+        if spot is None:
+            tag = str(robot.number)
+            spot = room.tag_spot(x, y, len(glyph), len(tag))
         owner = owners[x, y] is robot
         if owner and glyph_ink is tag_ink and spot == (x + len(glyph), y):
             cells.write(x, y, glyph + tag, tag_ink)

@@ -177,3 +177,32 @@ def test_the_cursor_marks_its_cell() -> None:
     look = Look(cursor=(6.0, 3.0))
     x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 3.0))
     assert drawn(look=look).inks[y, x] == Ink.CURSOR
+
+
+def test_the_label_under_the_cursor_goes_before_the_others_but_not_before_the_missions() -> None:
+    crowd = tuple(SceneVertex(n, 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
+    scene = replace(SCENE, vertices=crowd, target_vertices=(29,))
+    text = backdrop(scene, FIT, Look(pointed=17)).text()
+    assert "place 29" in text
+    assert "place 17" in text
+    assert "place 17" not in backdrop(scene, FIT, Look()).text()
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 10_000), st.floats(9.0, 12.0))
+def test_of_a_hundred_robots_each_has_its_number_where_there_is_room(seed: int, spread: float) -> None:
+    rng = np.random.default_rng(seed)
+    at = 6.0 + (rng.random((100, 2)) - 0.5) * (spread, spread / 2)
+    robots = tuple(SceneRobot(f"r{n}", n + 1, Pose(x, y - 2.0, n)) for n, (x, y) in enumerate(at))
+    camera = Camera.fit((240, 152), 120, 40)
+    cells = drawn(replace(SCENE, vertices=(), robots=robots), camera)
+    tags = np.where(np.isin(cells.inks, (Ink.ROBOT, Ink.ROBOT_SELECTED)), cells.codes, ord(" "))
+    numbers = "".join(map(chr, tags.ravel())).translate({ord(arrow): " " for arrow in "→↗↑↖←↙↓↘"}).split()
+    assert sorted(map(int, numbers)) == list(range(1, 101))
+
+
+def test_where_the_whole_tag_finds_no_room_the_number_alone_stands() -> None:
+    """In a view of 5 x 1 cells there is room for the number, not for `7 41 s`."""
+    robot = SceneRobot("r", 7, Pose(6.0, 3.8), online=False, age=41.0)
+    scene = replace(SCENE, vertices=(), robots=(robot,), target_vertices=())
+    assert "→7" in drawn(scene, Camera.fit((240, 152), 5, 1)).text()
