@@ -27,8 +27,8 @@ def _table(*inks: Ink) -> NDArray[np.bool_]:
 
 
 _GROUND = _table(Ink.FLOOR, Ink.UNKNOWN)
-_OPEN = _table(Ink.FLOOR, Ink.UNKNOWN, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD, Ink.MISSION_NEXT)
-_KEPT = _table(Ink.WALL, Ink.WALL_BEYOND, Ink.MISSION)
+_OPEN = _table(Ink.FLOOR, Ink.UNKNOWN, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD)
+_KEPT = _table(Ink.WALL, Ink.WALL_BEYOND, Ink.MISSION_NEXT, Ink.MISSION)
 
 
 def _mask(camera: Camera) -> Mask:
@@ -127,6 +127,8 @@ def _stroke(cells: Cells, mask: Mask, ink: Ink, look: Look, plain: str) -> None:
     """
     bits = pack(mask)
     drawn = (bits > 0) & _OPEN[cells.inks]
+    if look.plain and ink is Ink.MISSION:
+        drawn |= (bits > 0) & (cells.inks == Ink.MISSION_NEXT)
     cells.codes[drawn] = ord(plain) if look.plain else BRAILLE[bits[drawn]]
     cells.inks[drawn] = ink
     if ink in (Ink.MISSION, Ink.MISSION_NEXT):

@@ -1,0 +1,152 @@
+"""Missions, one-way edges and trails on the picture: what they cover, and what they never do."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
+from fleet_tui.view.camera import Camera
+from fleet_tui.view.cells import Cells
+from fleet_tui.view.layers import Look
+from fleet_tui.view.picture import backdrop, picture
+from fleet_tui.view.raster import Drawing
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.scene import Line, Mission, Scene, SceneRobot, SceneVertex
+
+FRAME = MapFrame(0.05, 400, 200)
+CAMERA = Camera.fit((400, 200), 80, 22)
+WALLS = (Ink.WALL, Ink.WALL_BEYOND)
+
+
+def hall() -> Scene:
+    classes = np.full((200, 400), FREE, np.uint8)
+    classes[0] = classes[-1] = classes[:, 0] = classes[:, -1] = OCCUPIED
+    classes[40:, 200] = OCCUPIED
+    return Scene("f", FRAME, build_grid(FRAME, classes))
+
+
+SCENE = hall()
+ACROSS: tuple[Line, ...] = ((2.0, 5.0, 18.0, 5.0),)
+
+
+def drawn(scene: Scene, look: Look | None = None, camera: Camera = CAMERA) -> Cells:
+    look = look or Look()
+    return picture(backdrop(scene, camera, look), scene, camera, look)
+
+
+def dots(cells: Cells, y: int) -> int:
+    """How many dots of a row are set in braille."""
+    codes = [int(code) - 0x2800 for code in cells.codes[y]]
+    return sum(code.bit_count() for code in codes if 0 < code < 256)
+
+
+def test_current_next_and_edge_are_three_kinds_of_line_without_colour_too() -> None:
+    y = CAMERA.to_cell(*FRAME.to_pixel(5.0, 5.0))[1]
+    empty = dots(drawn(SCENE), y)
+    edge = dots(drawn(replace(SCENE, edges=ACROSS), Look(edges=True)), y) - empty
+    following = dots(drawn(replace(SCENE, mission=Mission((), ACROSS))), y) - empty
+    current = dots(drawn(replace(SCENE, mission=Mission(ACROSS))), y) - empty
+    assert following < 0.7 * edge
+    assert current > 1.5 * edge
+    rows = [
+        drawn(scene, Look(Drawing.ASCII, edges=True)).text().split("\n")[y]
+        for scene in (
+            replace(SCENE, edges=ACROSS),
+            replace(SCENE, mission=Mission(ACROSS)),
+            replace(SCENE, mission=Mission((), ACROSS)),
+        )
+    ]
+    assert all(row.count(mark) > 30 for row, mark in zip(rows[:2], "+*", strict=True))
+    assert rows[2].count(":") > 15
+
+
+lines = st.tuples(st.floats(-5, 25), st.floats(-5, 15), st.floats(-5, 25), st.floats(-5, 15))
+
+
+@settings(deadline=None)
+@given(
+    st.lists(lines, max_size=6), st.lists(lines, max_size=6), st.floats(0.3, 8.0), st.sampled_from(Drawing)
+)
+def test_no_mission_takes_a_wall_away(
+    current: list[Line], following: list[Line], zoom: float, drawing: Drawing
+) -> None:
+    camera, look = CAMERA.zoomed(zoom), Look(drawing)
+    robot = SceneRobot("r", 1, Pose(-9.0, -9.0), selected=True)
+    mission = Mission(tuple(current), tuple(following), (5.0, 5.0))
+    before = drawn(SCENE, look, camera)
+    after = drawn(replace(SCENE, mission=mission, robots=(robot,)), look, camera)
+    walls = np.isin(before.inks, WALLS)
+    if drawing is Drawing.BRAILLE:
+        assert (after.codes[walls] & before.codes[walls] == before.codes[walls]).all()
+    else:
+        assert (after.codes[walls] == before.codes[walls]).all()
+
+
+def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
+    vertices = (SceneVertex(1, 2.0, 5.0, label="Base"), SceneVertex(2, 18.0, 5.0, label="Store"))
+    robot = SceneRobot("r", 1, Pose(6.0, 5.0), selected=True)
+    scene = replace(
+        SCENE, vertices=vertices, robots=(robot,), mission=Mission(ACROSS, (), (2.0, 5.0)), edges=ACROSS
+    )
+    cells = drawn(scene, Look(edges=True))
+    for part in ("Base", "Store", "→1", "o"):
+        assert part in cells.text()
+    assert Ink.EDGE not in cells.inks[CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))[1]]
+
+
+def test_the_way_to_the_entry_moves_with_the_robot_over_the_same_backdrop() -> None:
+    scene = replace(SCENE, mission=Mission(ACROSS, (), (2.0, 5.0)))
+    behind = backdrop(scene, CAMERA, Look())
+    x, y = CAMERA.to_cell(*FRAME.to_pixel(2.0, 7.0))
+    for top, there in ((9.0, True), (6.0, False)):
+        robot = SceneRobot("r", 1, Pose(2.0, top), selected=True)
+        cells = picture(behind, replace(scene, robots=(robot,)), CAMERA, Look())
+        assert (cells.inks[y, x] == Ink.MISSION) == there
+    assert behind.inks[y, x] != Ink.MISSION
+
+
+@pytest.mark.parametrize(
+    ("line", "arrow", "plain"),
+    [
+        ((2.0, 5.0, 8.0, 5.0), "▸", ">"),
+        ((8.0, 5.0, 2.0, 5.0), "◂", "<"),
+        ((5.0, 2.0, 5.0, 8.0), "▴", "^"),
+        ((5.0, 8.0, 5.0, 2.0), "▾", "v"),
+    ],
+)
+def test_a_one_way_edge_has_an_arrow_in_its_middle(line: Line, arrow: str, plain: str) -> None:
+    scene = replace(SCENE, edges=(line,), one_way=(line,))
+    x, y = CAMERA.to_cell(*FRAME.to_pixel((line[0] + line[2]) / 2, (line[1] + line[3]) / 2))
+    for drawing, mark in ((Drawing.BRAILLE, arrow), (Drawing.HALF_BLOCK, arrow), (Drawing.ASCII, plain)):
+        row = drawn(scene, Look(drawing, edges=True)).text().split("\n")[y]
+        assert mark in row[x - 1 : x + 2]
+    assert arrow not in drawn(scene).text()
+    assert arrow not in drawn(replace(scene, one_way=()), Look(edges=True)).text()
+
+
+def test_an_edge_seen_in_part_has_its_arrow_where_it_is_seen_and_a_short_one_none() -> None:
+    long, short = (-500.0, 9.0, 50.0, 9.0), (5.0, 2.0, 5.2, 2.0)
+    scene = replace(SCENE, edges=(long, short), one_way=(long, short))
+    assert drawn(scene, Look(edges=True)).text().count("▸") == 1
+
+
+def trail(*points: tuple[float, float, float]) -> np.ndarray:
+    return np.array(points, np.float64)
+
+
+def test_trails_pale_and_thin_out_with_age_and_hide_nothing() -> None:
+    young = trail(*((2.0 + n / 4, 3.0, 5.0) for n in range(30)))
+    old = trail(*((2.0 + n / 4, 7.0, 50.0) for n in range(30)))
+    walls = trail(*((n / 10, 0.02, 1.0) for n in range(200)))
+    before, after = drawn(SCENE), drawn(replace(SCENE, trail=np.concatenate((young, old, walls))))
+    young_row, old_row = (CAMERA.to_cell(*FRAME.to_pixel(2.0, y))[1] for y in (3.0, 7.0))
+    assert Ink.TRAIL in after.inks[young_row]
+    assert Ink.TRAIL_OLD in after.inks[old_row]
+    assert dots(after, old_row) < dots(after, young_row)
+    hidden = np.isin(before.inks, WALLS)
+    assert np.array_equal(before.codes[hidden], after.codes[hidden])
+    assert np.array_equal(before.inks[hidden], after.inks[hidden])
