@@ -1,6 +1,8 @@
 """The roof: owns the store, the link and the tick; theme, keymap, which screen."""
 
+import asyncio
 import logging
+import signal
 import time
 from functools import partial
 from pathlib import Path
@@ -78,6 +80,8 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self.main.map.look = Look(drawing=self._drawing)
         self.set_interval(1 / self._config.ui.ticks_per_second, self.main.tick)
         self.call_after_refresh(self._connect)
+        for name in (signal.SIGTERM, signal.SIGHUP):
+            asyncio.get_running_loop().add_signal_handler(name, self.exit)
 
     def _connect(self) -> None:
         self.run_worker(self._open_link, thread=True, exit_on_error=False)

@@ -13,7 +13,7 @@ import click
 
 from fleet_tui import __version__
 from fleet_tui.config.check import did_you_mean, missing_files
-from fleet_tui.config.load import find, load, user_folder
+from fleet_tui.config.load import find, load, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, FleetError
 
@@ -135,8 +135,8 @@ def sim(
 def check(config_file: str | None, debug: bool, file: str | None) -> None:
     """Validate a configuration: every problem at once."""
     path = find(file or config_file)
-    config = load(path)
-    problems = [*missing_files(config), *_theme_problems(config)]
+    config, problems = read(path)
+    problems += [*missing_files(config), *_theme_problems(config)]
     if problems:
         raise ConfigError([f"{path}: {line}" for line in problems])
     robots, floors = len(config.robots), len(config.floors)

@@ -12,6 +12,9 @@ from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.errors import FleetError
 
+# Seconds for the simulator to end by itself.
+PATIENCE = 1.0
+
 
 @contextmanager
 def simulated(robots: int, floors: int) -> Iterator[str]:
@@ -36,6 +39,10 @@ def simulated(robots: int, floors: int) -> Iterator[str]:
             yield url
         finally:
             child.terminate()
+            try:
+                child.wait(PATIENCE)
+            except subprocess.TimeoutExpired:
+                child.kill()
 
 
 def demo_config(found: Config, url: str, robots: int, floors: int) -> Config:

@@ -1,7 +1,8 @@
 """The table in the middle of the house: the newest state, for everybody to read."""
 
+from fleet_tui.model.apply import apply
 from fleet_tui.model.events import Event
-from fleet_tui.model.fleet import FleetState, apply
+from fleet_tui.model.fleet import FleetState
 
 
 class Store:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from fleet_tui.config.start import initial_state
+from fleet_tui.model.apply import apply
 from fleet_tui.model.events import (
     BatteryReported,
     Event,
@@ -19,7 +20,7 @@ from fleet_tui.model.events import (
     QueueReported,
     TimePassed,
 )
-from fleet_tui.model.fleet import FleetState, apply
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import Phase

@@ -6,6 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.config.check import PROFILES
+from fleet_tui.robots import KINDS
+
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "fleet_tui"
 FILES = sorted(PACKAGE.rglob("*.py"))
@@ -83,6 +86,23 @@ def test_pure_rooms_touch_nothing(path: Path) -> None:
         if isinstance(part, ast.Call) and isinstance(part.func, ast.Name | ast.Attribute)
     }
     assert called.isdisjoint(IMPURE_CALLS)
+
+
+def test_only_the_transport_knows_roslibpy() -> None:
+    knows = [
+        str(path.relative_to(PACKAGE))
+        for path in FILES
+        if any(
+            f"{word} {name}" in path.read_text()
+            for word in ("import", "from")
+            for name in ("roslibpy", "autobahn")
+        )
+    ]
+    assert knows == ["link/transport.py"]
+
+
+def test_a_kind_of_robot_is_a_profile_name() -> None:
+    assert set(KINDS) == set(PROFILES)
 
 
 def test_every_exception_to_the_rules_has_its_reason() -> None:

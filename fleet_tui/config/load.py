@@ -45,6 +45,14 @@ def find(given: str | None) -> Path:
 
 def load(path: Path) -> Config:
     """Read and check a file. Raises ConfigError with every problem found."""
+    config, problems = read(path)
+    if problems:
+        raise ConfigError([f"{path}: {line}" for line in problems])
+    return config
+
+
+def read(path: Path) -> tuple[Config, list[str]]:
+    """A file as far as it can be read, and what is wrong with it. Raises ConfigError for no TOML."""
     try:
         table = tomllib.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -56,15 +64,11 @@ def load(path: Path) -> Config:
     except (ValueError, RecursionError) as problem:
         raise ConfigError([f"{path}: is not TOML: {problem}"]) from None
     problems: list[str] = []
-    config: Config | None = _read(Config, table, "", problems)
+    config: Config = _read(Config, table, "", problems) or Config()
     if "path" in table:
         problems.append("path: unknown key")
-    if config is not None:
-        config = msgspec.structs.replace(config, path=path.absolute())
-        problems += checked(config)
-    if problems or config is None:
-        raise ConfigError([f"{path}: {line}" for line in problems])
-    return config
+    config = msgspec.structs.replace(config, path=path.absolute())
+    return config, problems + checked(config)
 
 
 def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> Any | None:

@@ -53,12 +53,9 @@ FIELDS = frozenset(f"{message}.{field}" for message, fields in _FIELDS_OF.items(
 
 # A robot refuses in the text of an answer that says the call itself went well.
 REFUSALS = (
-    r"(?i)\breject",
-    r"(?i)\brefus",
-    r"(?i)\berror\b",
-    r"(?i)\bfail",
-    r"(?i)\binvalid\b",
-    r"(?i)\bdenied\b",
+    r"(?i)\b(reject|refus|fail|invalid|denied|unknown|unable|cannot|can't|impossible)",
+    r"(?i)\bno such\b",
+    r"(?i)(?<!without )(?<!without an )(?<!no )\berror",
 )
 
 VERTEX_TYPES: Mapping[str, Literal["plain", "elevator", "docking"]] = MappingProxyType(

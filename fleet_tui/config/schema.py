@@ -9,7 +9,7 @@ from fleet_tui.config.profile import Profile
 
 DEFAULT_LINK = "rosbridge"
 
-Positive = Annotated[float, msgspec.Meta(gt=0)]
+Positive = Annotated[float, msgspec.Meta(gt=0, lt=1e6)]
 Percent = Annotated[float, msgspec.Meta(ge=0, le=100)]
 
 

@@ -48,7 +48,7 @@ class Calls:
         try:
             return await asyncio.wait_for(call.answer, within)
         except TimeoutError:
-            raise NoAnswerError(f"no answer from {call.service} in {within:g} s") from None
+            raise NoAnswerError(f"from {call.service} in {within:g} s: it may still be carried out") from None
         finally:
             del self._pending[call.id]
 
@@ -70,4 +70,6 @@ class Calls:
         """End every call under way: on a new connection no answer to them can come."""
         for answer in self._pending.values():
             if not answer.done():
-                answer.set_exception(LinkLostError("the link went down before an answer came"))
+                answer.set_exception(
+                    LinkLostError("the link went down before an answer: it may still be carried out")
+                )

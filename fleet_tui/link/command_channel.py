@@ -3,6 +3,7 @@
 import asyncio
 import logging
 import time
+from collections.abc import Callable
 
 from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.link.calls import Call, Calls, LinkLostError, NoAnswerError
@@ -17,6 +18,8 @@ from fleet_tui.rosbridge import operations
 LOG = logging.getLogger(__name__)
 
 HEARTBEAT_EVERY, HEARTBEAT_TIMEOUT = 5.0, 5.0
+# Poses come ten times a second: a bridge that spoke and is silent for this long is not well.
+LONGEST_SILENCE = 2.0
 # A command that waited longer for a stalled console was not meant for this moment any more.
 LATEST = 1.0
 
@@ -24,11 +27,21 @@ LATEST = 1.0
 class CommandChannel:
     """Sends commands now or not at all; each ends exactly once. Runs on the network loop."""
 
-    def __init__(self, link: str, url: str, interface: Interface, writer: Writer, timeout: float) -> None:
+    def __init__(
+        self,
+        link: str,
+        url: str,
+        interface: Interface,
+        writer: Writer,
+        timeout: float,
+        silence: Callable[[], float],
+    ) -> None:
+        """`timeout` of an answer in seconds; `silence`: for how long a link that spoke has not."""
         self._link = link
         self._interface = interface
         self._writer = writer
         self._timeout = timeout
+        self._silence = silence
         self._path = CommandPath.UNTRIED
         self._path_reason = ""
         self._heartbeat: asyncio.Task[None] | None = None
@@ -85,6 +98,7 @@ class CommandChannel:
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic), before anything else happens."""
+        LOG.info("command %d: %s", command_id, command)
         try:
             call = self._send(command_id, command, given_at)
         except (LinkError, CommandError) as problem:
@@ -99,8 +113,13 @@ class CommandChannel:
         if late > LATEST:
             raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
         # A pause is tried even where others are held back: it can only make things safer.
-        if self._path is CommandPath.DEAD and not isinstance(command, PauseRobot):
-            raise LinkError(f"no link for commands: {self._path_reason}")
+        if not isinstance(command, PauseRobot):
+            if self._path is CommandPath.DEAD:
+                raise LinkError(f"no link for commands: {self._path_reason}")
+            silent = self._silence()
+            if silent > LONGEST_SILENCE:
+                # What goes into a frozen connection may come out, and be obeyed, much later.
+                raise LinkError(f"nothing has come from the bridge for {silent:.1f} s")
         call = self._interface.call(command, command_id)
         return self._calls.start(call.service, call.args)
 
@@ -119,6 +138,8 @@ class CommandChannel:
         self._finish(command_id, outcome, words)
 
     def _finish(self, command_id: int, outcome: Outcome, words: str) -> None:
+        level = logging.INFO if outcome is Outcome.ACCEPTED else logging.WARNING
+        LOG.log(level, "command %d: %s %s", command_id, outcome.value, words)
         self._writer.store.tell(CommandFinished(command_id, outcome, words))
 
     def close(self) -> None:

@@ -23,7 +23,7 @@ class Link:
         interface = KINDS[config.profile.name](config.profile)
         self._telemetry = Telemetry(name, url, config, interface, writer)
         timeout = config.alarms.no_answer_after
-        self._commands = CommandChannel(name, url, interface, writer, timeout)
+        self._commands = CommandChannel(name, url, interface, writer, timeout, self._telemetry.silence)
 
     def open(self) -> None:
         """Connect, and stay connected."""

@@ -43,6 +43,7 @@ class Telemetry:
         self._maps_heard: set[str] = set()
         self._heard = 0.0
         self._told_heard = 0.0
+        self._spoke = 0.0
         self._subscribing: asyncio.Task[None] | None = None
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         self.connection = Connection(url, self)
@@ -57,6 +58,10 @@ class Telemetry:
             self._told_heard = self._heard
             self._tell(events.LinkHeard(self._link, self._heard))
 
+    def silence(self) -> float:
+        """Seconds since the last message on this connection, 0 as long as none has come."""
+        return time.monotonic() - self._spoke if self._spoke else 0.0
+
     def on_connecting(self) -> None:
         """A try has begun."""
         self._tell(events.LinkChanged(self._link, time.monotonic(), Phase.CONNECTING))
@@ -65,6 +70,7 @@ class Telemetry:
         """Subscribe to everything: the bridge remembers nothing of us."""
         self._tell(events.LinkChanged(self._link, time.monotonic(), Phase.UP))
         self._maps_heard.clear()
+        self._spoke = 0.0
         self._subscribing = asyncio.ensure_future(self._subscribe_all())
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
@@ -105,7 +111,7 @@ class Telemetry:
         if problem:
             if wanted.subscription.topic not in self._refused:
                 self._refused.add(wanted.subscription.topic)
-                self._reject(wanted, problem)
+                self._take(events.MessageRejected(wanted.robot, problem))
             return
         asked = wanted.subscription
         # ROS 2 writes the same type with a middle part: the bridge wants its own spelling back.
@@ -119,7 +125,8 @@ class Telemetry:
             self.connection.send(operations.subscribe(asked))
         except LinkError:
             return
-        if asked.compression == "cbor" and asked.topic in self._types:
+        # Where rosapi answers it says whether there is a map at all.
+        if asked.compression == "cbor" and (asked.topic in self._types or not self._types):
             asyncio.get_running_loop().call_later(CBOR_PATIENCE, self._ask_plainly, wanted)
 
     def _ask_plainly(self, wanted: Wanted) -> None:
@@ -147,7 +154,7 @@ class Telemetry:
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Decode here, or beside the loop if that takes long."""
-        self._heard = time.monotonic()
+        self._heard = self._spoke = time.monotonic()
         if len(payload) < HEAVY_BYTES:
             self._take(self._read(payload, is_binary, self._heard))
             return
@@ -203,10 +210,6 @@ class Telemetry:
             if isinstance(read, events.MessageRejected | events.FrameRejected):
                 self._log_once(read.text)
             self._tell(read)
-
-    def _reject(self, wanted: Wanted, problem: str) -> None:
-        self._log_once(problem)
-        self._tell(events.MessageRejected(wanted.robot, problem))
 
     def _log_once(self, text: str) -> None:
         if text not in self._logged and len(self._logged) < 1000:

@@ -70,8 +70,8 @@ class _Protocol(AsyncioRosBridgeProtocol):  # type: ignore[misc]  # roslibpy has
 def _plain(code: int, reason: str | None) -> str:
     """Why a connection ended, in plain words."""
     text = reason or ""
-    if "upgrade failed" in text:
-        return "the server there is no rosbridge: " + text.partition("(")[2].rstrip(")")
+    if "upgrade failed" in text or "HTTP" in text:
+        return "the server there is no rosbridge: " + (text.partition("(")[2].rstrip(")") or text)
     if "did not perform opening handshake" in text or "opening handshake" in text:
         return "the server there does not answer"
     if "ping timeout" in text or "pong" in text:

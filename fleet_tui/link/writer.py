@@ -4,8 +4,7 @@ import asyncio
 import logging
 import sys
 import time
-from collections.abc import Callable, Coroutine
-from typing import Any
+from collections.abc import Callable
 
 from fleet_tui.link.transport import network_loop
 from fleet_tui.model.events import Event, TimePassed
@@ -51,10 +50,6 @@ class Writer:
     def tell(self, event: Event) -> None:
         """Tell the store, from any thread."""
         self.loop.call_soon_threadsafe(self.store.tell, event)
-
-    def run(self, work: Coroutine[Any, Any, None]) -> None:
-        """Run a coroutine on the loop, from any thread."""
-        asyncio.run_coroutine_threadsafe(work, self.loop)
 
     def stop(self) -> None:
         """Stop telling the time."""

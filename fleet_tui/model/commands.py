@@ -68,7 +68,7 @@ class Outcome(Enum):
 @dataclass(frozen=True, slots=True)
 class CommandRecord:
     """One command from the key to its end. `issued_at` is monotonic, `wall` is Unix seconds;
-    `words` are the robot's own, or the reason why nothing was sent."""
+    `words` are the robot's own, or the reason why nothing was sent; `ended_at` is monotonic too."""
 
     id: int
     command: Command
@@ -76,3 +76,4 @@ class CommandRecord:
     wall: float
     outcome: Outcome | None = None
     words: str = ""
+    ended_at: float | None = None

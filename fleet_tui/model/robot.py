@@ -127,6 +127,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     driving = robot.paused_at is not None and (
         math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
     )
+    stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
     return replace(
         robot,
         pose=Reading(event.pose, true_at),
@@ -134,7 +135,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         clock=clock,
         heard=max(robot.heard if robot.heard is not None else true_at, true_at),
         paused_by_us=robot.paused_by_us and not driving,
-        paused_at=None if driving else robot.paused_at,
+        paused_at=None if driving else stood_at,
     )
 
 

@@ -41,11 +41,16 @@ class Interface:
 
 
 def judge(values: object, result: bool, refusals: Sequence[re.Pattern[str]]) -> tuple[Outcome, str]:
-    """How a call ended. A refusal may come in an answer that says the call went well."""
+    """How a call ended. A refusal may come in an answer that says the call went well.
+
+    An answer says `success`, or is a `status` text; one that does neither says nothing.
+    """
     if not result:
         return Outcome.REFUSED, str(values)
-    if not isinstance(values, dict):
-        return Outcome.ACCEPTED, "" if values is None else str(values)
-    words = str(values.get("status", values.get("message", "")))
-    refused = values.get("success") is False or any(pattern.search(words) for pattern in refusals)
-    return (Outcome.REFUSED if refused else Outcome.ACCEPTED), words
+    fields = values if isinstance(values, dict) else {}
+    success, words = fields.get("success"), fields.get("status", fields.get("message"))
+    if not isinstance(success, bool) and not ("success" not in fields and isinstance(words, str)):
+        return Outcome.UNKNOWN, f"an answer that says nothing: {values}"
+    text = words if isinstance(words, str) else ""
+    refused = success is False or any(pattern.search(text) for pattern in refusals)
+    return (Outcome.REFUSED if refused else Outcome.ACCEPTED), text

@@ -21,6 +21,7 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.store import Store
 from fleet_tui.view.fleet_rows import mission
 from fleet_tui.view.selection import Selection
+from fleet_tui.view.text import visible
 from fleet_tui.widgets.bindings import EAGER
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -48,17 +49,20 @@ class CommandActions(Screen[None], inherit_bindings=False):
         self.query_one(OrderForm).start(self.selection.robot)
 
     def order_at(self, vertex: int, floor: str) -> None:
-        """Open the order form for a vertex chosen on the map."""
+        """Open the order form for a vertex chosen on the map, if it is one of the robot's own graph."""
         robot = self.state.robots[self.selection.robot]
         chart = robot.charts.get(floor)
         name = chart.name_of(vertex) if chart else None
-        self.query_one(OrderForm).start(robot.name, Place(vertex, name or str(vertex), floor))
+        if name is None:
+            self.say(f"{robot.name} knows no vertex {vertex} on {floor}")
+        else:
+            self.query_one(OrderForm).start(robot.name, Place(vertex, name, floor))
 
     def action_cancel(self) -> None:
         """Cancel the order under the queue's cursor, after asking."""
         key = self.queue.cursor
         if isinstance(key, tuple):
-            self.ask_cancel(*key)
+            self.ask_cancel(*key[:2])
         else:
             self.say("there is no order to cancel")
 
@@ -112,8 +116,9 @@ class CommandActions(Screen[None], inherit_bindings=False):
 
     def robot_menu(self, robot: str) -> None:
         """What can be done with a robot."""
+        fault = self.state.robots[robot].last_fault
         self.query_one(Menu).show(
-            robot,
+            f"{robot}: {visible(fault)}" if fault else robot,
             [
                 ("Order", lambda: self._for(robot, self.action_order)),
                 ("Pause", lambda: self._for(robot, self.action_pause)),

@@ -39,6 +39,8 @@ class Confirm(Overlay):
     @on(Button.Pressed, "#yes")
     def action_confirm(self) -> None:
         """Yes."""
+        if not self.is_open:
+            return
         # Closing restyles the screen; the command does not wait for that.
         self._then()
         self.action_close()

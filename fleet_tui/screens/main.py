@@ -78,7 +78,7 @@ class MainScreen(Navigation):
         self.selection = self.selection.settled(state, self.map.viewport.follow)
         self._ask_for_map()
         self.map.show(floor_scene(state, self.selection))
-        self.fleet.show(fleet_table(state, self.selection.robot))
+        self.fleet.show(fleet_table(state, self.selection.robot, self.fleet.room))
         self.alarms.show(alarm_table(state, self._clock))
         self.queue.show(queue_table(state, self.selection.robot, self._all_orders, self.queue.room))
         notes = console_notes(self.read_only, self.armed, time.monotonic() - state.now)

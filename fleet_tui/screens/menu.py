@@ -44,5 +44,8 @@ class Menu(Overlay):
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         """Do it."""
         event.stop()
+        # A second Enter may have been on its way already.
+        if not self.is_open:
+            return
         self.action_close()
         self._entries[event.option_index][1]()

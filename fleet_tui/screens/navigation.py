@@ -8,6 +8,7 @@ from textual import on
 
 from fleet_tui.keys import KEYS
 from fleet_tui.screens.command_actions import CommandActions
+from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.palette import Entry
 from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
@@ -81,6 +82,12 @@ class Navigation(CommandActions):
         for name, use in self.themes.items():
             yield f"Theme: {name}", use
 
+    def on_descendant_focus(self) -> None:
+        """What is open goes, undone, when the mouse gives the focus to something outside it."""
+        for overlay in self.query(Overlay):
+            if overlay.is_open and (self.focused is None or overlay not in self.focused.ancestors_with_self):
+                overlay.display = False
+
     @on(messages.RobotPicked)
     def robot_picked(self, event: messages.RobotPicked) -> None:
         """A robot on the map."""
@@ -103,7 +110,7 @@ class Navigation(CommandActions):
         match event.pane, event.key:
             case "fleet", str(robot):
                 self.robot_menu(robot)
-            case "queue", (str(robot), int(order_id)):
+            case "queue", (str(robot), int(order_id), _):
                 self.queue_menu(robot, order_id)
             case "alarms", (str(source), str(kind)):
                 self.alarm_menu(source, kind)
@@ -112,7 +119,7 @@ class Navigation(CommandActions):
     def button_pressed(self, event: messages.ButtonPressed) -> None:
         """A button of the queue."""
         match event.name, event.key:
-            case "cancel", (str(robot), int(order_id)):
+            case "cancel", (str(robot), int(order_id), _):
                 self.ask_cancel(robot, order_id)
             case "clear", _:
                 self.action_clear()

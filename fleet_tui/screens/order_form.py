@@ -32,6 +32,7 @@ class OrderForm(Overlay):
         self._found: list[Place] | list[str] = []
         self._chosen: dict[str, Place] = {}
         self._picked: Place | None = None
+        self._whose = ""
         self._matches = Matches(id="matches")
 
     def compose(self) -> ComposeResult:
@@ -62,12 +63,13 @@ class OrderForm(Overlay):
 
         A vertex `picked` on the map is where the order starts, or where the cargo on board goes.
         """
-        self._chosen, self._picked = {}, picked
+        self._chosen, self._picked, self._whose = {}, picked, robot
         for field in FIELDS:
             self._set(field, robot if field == "robot" else "")
         self._say("")
         self._arrange()
-        self.open(self._input(self._next_to_fill()))
+        to_fill = "from" if self._input("from").display and "from" not in self._chosen else "to"
+        self.open(self._input(to_fill))
         self._list()
 
     def _set(self, field: str, text: str) -> None:
@@ -75,9 +77,11 @@ class OrderForm(Overlay):
         with self._input(field).prevent(Input.Changed):
             self._input(field).value = text
 
-    def _next_to_fill(self) -> str:
-        shown = [field for field in ("from", "to") if self._input(field).display]
-        return next((field for field in shown if field not in self._chosen), "to")
+    def _forget_other_robots(self) -> None:
+        """Ids are those of one robot's graph: for another robot everything is chosen anew."""
+        if (robot := self._robot()) is not None and robot.name != self._whose:
+            self._whose = robot.name
+            self._chosen.clear()
 
     def _arrange(self) -> None:
         """With cargo on board and no orders there is only a destination."""
@@ -107,11 +111,17 @@ class OrderForm(Overlay):
 
     def _find(self) -> list[Place] | list[str]:
         """What the field with the cursor can mean."""
-        typed, robot = self._input(self._field()).value, self._robot()
-        if self._field() == "robot":
+        field, robot = self._field(), self._robot()
+        typed = self._input(field).value
+        if field == "robot":
             wanted = typed.strip().casefold()
             return [name for name in self._state().robots if wanted in name.casefold()][:SHOWN]
-        return matches(robot, typed)[:SHOWN] if robot else []
+        found = matches(robot, typed)[:SHOWN] if robot else []
+        chosen = self._chosen.get(field)
+        if chosen is None or visible(chosen.name) != typed:
+            return found
+        # Floors may have the same label: what was chosen stays what Enter takes.
+        return [chosen, *(place for place in found if place != chosen)]
 
     def _list(self) -> None:
         """The matches of what was typed, the first one marked."""
@@ -126,6 +136,7 @@ class OrderForm(Overlay):
         # The message may be about letters that were typed before the choice was made.
         if field in self._chosen and visible(self._chosen[field].name) != value:
             del self._chosen[field]
+        self._forget_other_robots()
         if event.input.id == "robot":
             self._arrange()
         self._say("")
@@ -146,7 +157,8 @@ class OrderForm(Overlay):
     def click_match(self, event: Matches.OptionSelected) -> None:
         """A match by mouse."""
         event.stop()
-        self._accept(event.option_index)
+        if self.is_open:
+            self._accept(event.option_index)
 
     def _enter(self) -> None:
         """Take the marked match and go on; in the last field send."""
@@ -185,26 +197,34 @@ class OrderForm(Overlay):
         if robot is None:
             self._say(f"Robot: nothing is called {self._input('robot').value.strip()!r}", "robot")
             return
-        needed = ("to",) if destination_only(robot) else ("from", "to")
-        for field in needed:
+        self._forget_other_robots()
+        only_to = destination_only(robot)
+        if only_to == self._input("from").display:
+            self._arrange()
+            now = "carries cargo and has no orders now: only To" if only_to else "needs a From now"
+            self._say(f"{robot.name} {now}. Enter sends", "to" if only_to else "from")
+            return
+        for field in ("to",) if only_to else ("from", "to"):
             if field not in self._chosen:
-                self._arrange()
-                self._say(_missing(field), field)
+                self._say(_missing(field, self._input(field).value), field)
                 return
         start, end = self._chosen.get("from"), self._chosen["to"]
-        if destination_only(robot):
-            command: Command = PlaceOrderWithCargo(robot.name, end.vertex)
-        elif start is None or start.vertex == end.vertex:
+        if start is not None and start.vertex == end.vertex:
             self._say("From and To are the same place", "to")
             return
-        else:
-            command = PlaceOrder(robot.name, start.vertex, end.vertex)
+        command = (
+            PlaceOrderWithCargo(robot.name, end.vertex)
+            if only_to or start is None
+            else PlaceOrder(robot.name, start.vertex, end.vertex)
+        )
         # Closing restyles the screen; the command does not wait for that.
         self._send(command)
         self.action_close()
 
 
-def _missing(field: str) -> str:
+def _missing(field: str, typed: str = "") -> str:
+    if typed.strip():
+        return f"{field.capitalize()}: Enter takes the marked place of this robot"
     remedy = "its name" if field == "robot" else "a label or a vertex id"
     return f"{field.capitalize()} is missing: type {remedy}"
 

@@ -78,4 +78,5 @@ class Palette(Overlay):
     @on(Matches.OptionSelected, "#wishes")
     def _clicked(self, event: Matches.OptionSelected) -> None:
         event.stop()
-        self._run(event.option_index)
+        if self.is_open:
+            self._run(event.option_index)

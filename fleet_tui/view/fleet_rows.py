@@ -1,13 +1,12 @@
 """The fleet pane: one row for each robot, calm while nothing needs a person."""
 
 from collections.abc import Iterator
-from typing import Any
 
-from fleet_tui.model.fleet import FleetState, age, is_paused
+from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.order import Order
-from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.model.robot import Robot
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Row, Run, Table, column
+from fleet_tui.view.table import Row, Run, Table, column, width_of
 from fleet_tui.view.text import fit, visible
 
 CARGO = "■"
@@ -31,28 +30,37 @@ def floor_text(state: FleetState, robot: Robot) -> str:
     return robot.floor or "unknown floor"
 
 
-def _old(state: FleetState, name: str, reading: Reading[Any] | None) -> Iterator[Run]:
+def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
     """A value that has gone quiet while its robot speaks must not look live."""
-    if reading is not None and state.now - reading.at > state.limits.offline_after:
-        yield f"{name} {age(state.now - reading.at)} old", Ink.WARN
+    readings = {
+        "pose": robot.pose,
+        "battery": robot.battery,
+        "queue": robot.queue,
+        "cargo": robot.cargo,
+        "obstacle": robot.obstacle,
+        "pause": robot.paused,
+    }
+    for name, reading in readings.items():
+        if reading is not None and state.is_old(reading):
+            yield f"{name} {age(state.now - reading.at)} old", Ink.WARN
 
 
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """What a person should know about a robot, the most urgent first."""
+    online = state.is_online(robot)
     if robot.heard is None:
         yield "never seen", Ink.DIM
-    online = state.is_online(robot)
-    if not online and robot.heard is not None:
+    elif not online:
         yield f"offline {age(state.now - robot.heard)}", Ink.ALARM
-    if robot.obstacle is not None and state.is_obstructed(robot):
-        text = f"obstacle {robot.obstacle.value:.1f} s"
-        yield (text, Ink.ALARM) if online else (f"{text} then", Ink.DIM)
-    if is_paused(robot):
+    contact = robot.obstacle if state.was_obstructed(robot) else None
+    if contact is not None and not state.is_old(contact):
+        yield obstacle_text(state, contact), Ink.ALARM
+    if state.is_paused(robot):
         yield ("paused" if robot.paused is not None else "paused (by us)"), Ink.WARN
+    if contact is not None and state.is_old(contact):
+        yield obstacle_text(state, contact), Ink.DIM
     if online:
-        yield from _old(state, "pose", robot.pose)
-        yield from _old(state, "battery", robot.battery)
-        yield from _old(state, "queue", robot.queue)
+        yield from _old(state, robot)
     if robot.faults:
         yield f"bad data x{robot.faults}", Ink.WARN
 
@@ -69,37 +77,51 @@ def _battery(state: FleetState, robot: Robot) -> Run:
     return f"{int(percent):3d} %", ink
 
 
-def _row(state: FleetState, robot: Robot, selected: bool, columns: tuple[int, int, int]) -> Row:
-    numbers, names, floors = columns
+def _head(state: FleetState, robot: Robot, selected: bool, numbers: int, names: int) -> list[Run]:
+    """What every row begins with: whether it is there, which one it is, its battery."""
     online = state.is_online(robot)
     ink = Ink.TEXT if online else Ink.DIM
     dot: Run = ("●", Ink.GOOD) if online else ("○", Ink.DIM if robot.heard is None else Ink.ALARM)
-    runs: list[Run] = [
+    return [
         dot,
         (f" {robot.number:{numbers}d} ", Ink.DIM),
         (fit(robot.name, names), Ink.ACCENT if selected else ink),
         (" ", ink),
         _battery(state, robot),
-        (" " + fit(floor_text(state, robot), floors), ink),
-        (f" {CARGO} " if robot.has_cargo else "   ", Ink.TEXT if online else Ink.DIM),
+        (" ", ink),
     ]
-    for text, colour in news(state, robot):
-        runs += [(text, colour), (" ", ink)]
+
+
+def _doing(state: FleetState, robot: Robot, ink: Ink) -> Run:
     current = robot.orders.current
-    waiting = len(robot.orders.orders)
     if current is not None:
-        runs.append((mission(robot, current), ink))
-    elif online:
-        runs.append((f"{waiting} waiting" if waiting else "idle", Ink.DIM))
-    return Row(robot.name, tuple(runs))
+        return mission(robot, current), ink
+    waiting = len(robot.orders.orders)
+    return (f"{waiting} waiting" if waiting else "idle") if state.is_online(robot) else "", Ink.DIM
 
 
-def fleet_table(state: FleetState, selected: str) -> Table:
-    """The whole fleet, in the order of the config."""
+def _row(state: FleetState, robot: Robot, head: list[Run], floors: int, width: int) -> Row:
+    ink = Ink.TEXT if state.is_online(robot) else Ink.DIM
+    told: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", ink))]
+    floor: list[Run] = [
+        (fit(floor_text(state, robot), floors), ink),
+        (f" {CARGO} " if robot.has_cargo else "   ", ink),
+    ]
+    # News must not be cut: where both don't fit, the floor gives way.
+    fits = width_of([*head, *floor, *told]) <= width + 1
+    middle = [*floor, *told] if fits else [*told, *floor]
+    return Row(robot.name, (*head, *middle, _doing(state, robot, ink)))
+
+
+def fleet_table(state: FleetState, selected: str, width: int) -> Table:
+    """The whole fleet, in the order of the config, for a pane of `width` cells."""
     robots = state.robots.values()
     online = sum(state.is_online(robot) for robot in robots)
+    numbers = len(str(len(robots)))
     names = column((robot.name for robot in robots), 6, 14)
     floors = column((floor_text(state, robot) for robot in robots), 5, 13)
-    columns = (len(str(len(state.robots))), names, floors)
-    rows = tuple(_row(state, robot, robot.name == selected, columns) for robot in robots)
+    rows = tuple(
+        _row(state, robot, _head(state, robot, robot.name == selected, numbers, names), floors, width)
+        for robot in robots
+    )
     return Table((("Fleet", Ink.TITLE), (f" {online} of {len(rows)} online", Ink.DIM)), rows)

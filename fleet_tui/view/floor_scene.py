@@ -7,7 +7,7 @@ their own map_metadata into it.
 from dataclasses import replace
 from functools import lru_cache
 
-from fleet_tui.model.fleet import FleetState, Floor, is_paused
+from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Chart, Robot
@@ -118,7 +118,7 @@ def _robot(
         cargo=robot.has_cargo,
         selected=robot.name == selection.robot,
         online=state.is_online(robot) and state.now - robot.pose.at <= state.limits.offline_after,
-        paused=is_paused(robot),
+        paused=state.is_paused(robot),
         obstacle=state.is_obstructed(robot),
         other_map=other_map,
         age=state.now - robot.pose.at,

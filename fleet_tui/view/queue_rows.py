@@ -47,7 +47,7 @@ def _row(entry: Listed, columns: tuple[int, int, int, int], width: int) -> Row:
     runs.append((_status(order, room - width_of(runs)), ink))
     runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
     button = Button(room, room + len(CANCEL), "cancel")
-    return Row((robot.name, order.id), (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
+    return Row((robot.name, order.id, position), (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
 
 
 def _title(robot: Robot, state: FleetState, entries: Iterable[Listed], all_robots: bool) -> list[Run]:

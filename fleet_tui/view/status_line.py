@@ -20,9 +20,13 @@ from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run
 from fleet_tui.view.text import visible
 
-# Commands given within this many seconds were meant as one.
-TOGETHER = 0.3
+# Commands given within this many seconds were meant as one; so many of them fit in a line.
+TOGETHER, FEW = 0.3, 3
+# Seconds for which a command that did not end well stays in view.
+REMEMBERED = 30.0
 
+# A link on which something came within so many seconds is well.
+SILENT_AFTER = 2.0
 # The writer tells the time ten times a second. Where it doesn't, ages stand still and all looks live.
 BLIND_AFTER = 2.0
 
@@ -47,11 +51,16 @@ def _link_runs(link: LinkState, now: float) -> Iterator[Run]:
             yield "trying now", Ink.TEXT
         else:
             yield f"next try {max(0.0, link.next_try - now):.0f} s", Ink.TEXT
-        yield f", since {age(now - link.since)}", Ink.DIM
+        heard = "" if link.heard is None else f", last message {age(now - link.heard)} ago"
+        yield f", since {age(now - link.since)}{heard}", Ink.DIM
         return
     yield "● ", Ink.GOOD
     yield f"{visible(link.url)} ", Ink.TEXT
-    yield ("nothing heard yet" if link.heard is None else f"{max(0.0, now - link.heard):.1f} s"), Ink.DIM
+    if link.heard is None:
+        yield "nothing heard yet", Ink.DIM
+    else:
+        silent = max(0.0, now - link.heard)
+        yield f"{silent:.1f} s", Ink.DIM if silent < SILENT_AFTER else Ink.WARN
     if link.command_path is CommandPath.DEAD:
         yield f" commands dead: {visible(link.command_reason)}", Ink.ALARM
     if link.faults:
@@ -104,15 +113,18 @@ def command_text(state: FleetState, command: Command) -> str:
             return f"{name} resume"
 
 
-def command_runs(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
-    """One command and where it stands."""
-    text = command_text(state, record.command)
-    if record.outcome is None:
-        return (text, Ink.TEXT), (f": sent {age(state.now - record.issued_at)} ago", Ink.DIM)
-    ink = Ink.GOOD if record.outcome is Outcome.ACCEPTED else Ink.ALARM
-    said = visible(record.words)
-    words = f" ({said})" if said.casefold() not in ("", record.outcome.value) else ""
-    return (text, Ink.TEXT), (f": {record.outcome.value}", ink), (words, Ink.DIM)
+def _group_runs(state: FleetState, records: list[CommandRecord]) -> tuple[Run, ...]:
+    """Commands of one kind with one end, as one: pause all of a large fleet is one line."""
+    first = records[0]
+    text = command_text(state, first.command)
+    if len(records) > 1:
+        text += f" and {len(records) - 1} more like it"
+    if first.outcome is None:
+        return (text, Ink.TEXT), (f": sent {age(state.now - first.issued_at)} ago", Ink.DIM)
+    ink = Ink.GOOD if first.outcome is Outcome.ACCEPTED else Ink.ALARM
+    said = visible(first.words)
+    words = f" ({said})" if said.casefold() not in ("", first.outcome.value) else ""
+    return (text, Ink.TEXT), (f": {first.outcome.value}", ink), (words, Ink.DIM)
 
 
 def status_right(clock: str) -> tuple[Run, ...]:
@@ -120,20 +132,38 @@ def status_right(clock: str) -> tuple[Run, ...]:
     return (("fleet-tui  ", Ink.DIM), (f"{clock} ", Ink.DIM))
 
 
-def message_line(state: FleetState, said: str, said_at: float) -> tuple[Run, ...]:
-    """The newest word to the operator: what the console says, else how the last commands stand.
+def _worth_saying(state: FleetState) -> list[CommandRecord]:
+    """What was given last, and what ended badly a short while ago, whatever was given since."""
+    last = state.commands[-1]
+    return [
+        record
+        for record in state.commands
+        if last.issued_at - record.issued_at < TOGETHER
+        or (
+            record.outcome not in (Outcome.ACCEPTED, None)
+            and record.ended_at is not None
+            and state.now - record.ended_at < REMEMBERED
+        )
+    ]
 
-    Commands given together, as by pause all, stand together.
-    """
-    last = state.commands[-1] if state.commands else None
-    if said and (last is None or said_at > last.issued_at):
-        return ((f" {said}", Ink.WARN),)
-    if last is None:
-        return ()
-    together = [record for record in state.commands[-20:] if last.issued_at - record.issued_at < TOGETHER]
-    # What went wrong must not be cut off at the right end.
-    together.sort(key=lambda record: record.outcome in (Outcome.ACCEPTED, None))
-    runs: list[Run] = []
-    for record in together:
-        runs += [(" " if not runs else "   ", Ink.TEXT), *command_runs(state, record)]
+
+def message_line(state: FleetState, said: str, said_at: float) -> tuple[Run, ...]:
+    """The newest word to the operator: what the console says, how the last commands stand."""
+    groups: dict[object, list[CommandRecord]] = {}
+    # What went wrong comes first, the newest before the others: it must not be cut at the right end.
+    records = sorted(
+        _worth_saying(state) if state.commands else [],
+        key=lambda record: (record.outcome in (Outcome.ACCEPTED, None), -record.issued_at),
+    )
+    for record in records:
+        group = (type(record.command), record.outcome, record.words)
+        groups.setdefault(group if len(records) > FEW else record.id, []).append(record)
+    runs: list[Run] = [(f" {said}", Ink.WARN)] if said and _is_news(state, said_at) else []
+    for together in groups.values():
+        runs += [(" " if not runs else "   ", Ink.TEXT), *_group_runs(state, together)]
     return tuple(runs)
+
+
+def _is_news(state: FleetState, said_at: float) -> bool:
+    """The console's own word stands until the next command."""
+    return not state.commands or said_at > state.commands[-1].issued_at

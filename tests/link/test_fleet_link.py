@@ -22,7 +22,7 @@ from fleet_tui.model.commands import (
     ResumeRobot,
 )
 from fleet_tui.model.events import CommandFinished
-from fleet_tui.model.fleet import FleetState, is_paused
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
@@ -127,9 +127,9 @@ async def test_pause_and_resume_are_told_by_the_robot(server: RosbridgeServer) -
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         await finished(link, store, PauseRobot("robot_0"))
-        await store.until(lambda state: is_paused(state.robots["robot_0"]))
+        await store.until(lambda state: state.is_paused(state.robots["robot_0"]))
         await finished(link, store, ResumeRobot("robot_0"))
-        await store.until(lambda state: not is_paused(state.robots["robot_0"]))
+        await store.until(lambda state: not state.is_paused(state.robots["robot_0"]))
 
 
 async def test_a_refusal_in_an_answer_that_went_well(server: RosbridgeServer) -> None:
@@ -305,3 +305,20 @@ async def test_closing_leaves_no_task_behind(server: RosbridgeServer) -> None:
     async with asyncio.timeout(5):
         while server.subscribers("/robot_0/pose"):  # noqa: ASYNC110  # nobody tells that a client left
             await asyncio.sleep(0)
+
+
+async def test_nothing_is_put_into_a_connection_that_fell_silent(server: RosbridgeServer) -> None:
+    """What a frozen bridge takes in it may obey much later."""
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(ready)
+        server.muted.update(topic for topic in store_topics(server))
+        heard = store.state.links["rosbridge"].heard or 0.0
+        await store.until(lambda state: state.now - max(heard, state.links["rosbridge"].heard or 0.0) > 2.5)
+        record = await finished(link, store, ResumeRobot("robot_0"))
+        assert record.outcome is Outcome.NOT_SENT
+        assert "nothing has come from the bridge" in record.words
+        assert (await finished(link, store, PauseRobot("robot_0"))).outcome is Outcome.ACCEPTED
+
+
+def store_topics(server: RosbridgeServer) -> set[str]:
+    return {operation["topic"] for operation in server.received if operation["op"] == "subscribe"}

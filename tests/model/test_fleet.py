@@ -4,8 +4,9 @@ import pytest
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm
+from fleet_tui.model.apply import COMMANDS_KEPT
 from fleet_tui.model.commands import Command, Outcome, PauseRobot, PlaceOrder
-from fleet_tui.model.fleet import COMMANDS_KEPT, FleetState, age
+from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
@@ -188,8 +189,19 @@ def test_a_command_ends_exactly_once_whatever_comes() -> None:
 
 def test_the_newest_commands_are_kept() -> None:
     commands: list[Command] = [PlaceOrder(R0, n, n) for n in range(COMMANDS_KEPT + 5)]
-    state = told(fleet(), *(events.CommandIssued(n, command, T0, WALL) for n, command in enumerate(commands)))
+    state = fleet()
+    for n, command in enumerate(commands):
+        issued = events.CommandIssued(n, command, T0, WALL)
+        state = told(state, issued, events.CommandFinished(n, Outcome.ACCEPTED))
     assert [record.command for record in state.commands] == commands[-COMMANDS_KEPT:]
+
+
+def test_a_command_under_way_is_kept_until_its_end_has_come() -> None:
+    many = range(2 * COMMANDS_KEPT)
+    state = told(fleet(), *(events.CommandIssued(n, PauseRobot(R0), T0, WALL) for n in many))
+    assert len(state.commands) == len(many)
+    state = told(state, events.CommandFinished(0, Outcome.NO_ANSWER))
+    assert state.commands[0].outcome is Outcome.NO_ANSWER
     assert told(state, events.CommandFinished(0, Outcome.ACCEPTED)) is state
 
 

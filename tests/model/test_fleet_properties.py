@@ -16,7 +16,7 @@ from fleet_tui.model.commands import (
     PlaceOrderWithCargo,
     ResumeRobot,
 )
-from fleet_tui.model.fleet import FleetState, is_paused
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import CommandPath, Phase
@@ -103,7 +103,7 @@ def check(state: FleetState) -> None:
     keys = [alarm.key for alarm in state.alarms]
     assert len(keys) == len(set(keys))
     for robot in state.robots.values():
-        assert is_paused(robot) in (True, False) and state.is_online(robot) in (True, False)
+        assert state.is_paused(robot) in (True, False) and state.is_online(robot) in (True, False)
         assert robot.floor in (None, "floor_0", "floor_1")
         assert robot.faults >= 0 and bool(robot.last_fault) <= bool(robot.faults)
 

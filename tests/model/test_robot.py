@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from fleet_tui.model.commands import Command, Outcome, PauseRobot, ResumeRobot
 from fleet_tui.model.events import CommandFinished, CommandIssued, Event, GraphReceived, PausedReported
-from fleet_tui.model.fleet import FleetState, is_paused
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Reading, Robot
 from tests.fleets import F0, R0, T0, battery, fleet, graph, labels, pose, queue, tick, told
@@ -107,27 +107,28 @@ def accepted(command: Command, outcome: Outcome = Outcome.ACCEPTED, id_: int = 1
 
 def test_paused_by_us_until_it_moves() -> None:
     state = told(fleet(), pose(T0, 5.0, 5.0), *accepted(PauseRobot(R0)))
-    assert is_paused(robot(state)) and robot(state).paused_by_us
+    assert state.is_paused(robot(state)) and robot(state).paused_by_us
     braking = told(state, pose(T0 + 1, 5.3, 5.0), pose(T0 + 2, 5.4, 5.0))
-    assert is_paused(robot(braking))
-    assert not is_paused(robot(told(braking, pose(T0 + 3, 5.6, 5.0))))
+    assert braking.is_paused(robot(braking))
+    driving = told(braking, pose(T0 + 3, 5.6, 5.0))
+    assert not driving.is_paused(robot(driving))
 
 
 def test_paused_by_us_until_we_resume() -> None:
     state = told(fleet(), *accepted(PauseRobot(R0)), *accepted(ResumeRobot(R0), id_=2))
-    assert not is_paused(robot(state))
+    assert not state.is_paused(robot(state))
 
 
 @pytest.mark.parametrize("outcome", [outcome for outcome in Outcome if outcome is not Outcome.ACCEPTED])
 def test_a_pause_that_was_not_accepted_pauses_nothing(outcome: Outcome) -> None:
     state = told(fleet(), *accepted(PauseRobot(R0), outcome))
-    assert not is_paused(robot(state))
+    assert not state.is_paused(robot(state))
 
 
 @pytest.mark.parametrize("says", [True, False])
 def test_the_robots_own_word_counts_more_than_our_pause(says: bool) -> None:
     state = told(fleet(), *accepted(PauseRobot(R0)), PausedReported(R0, T0, says))
-    assert is_paused(robot(state)) is says
+    assert state.is_paused(robot(state)) is says
 
 
 ORDERS = ((1, 10, 11, "W"), (2, 11, 99, "Q"))

@@ -1,7 +1,8 @@
 """Where a robot is, and what follows from it."""
 
 from fleet_tui.model import events
-from fleet_tui.model.fleet import FleetState, Floor, apply
+from fleet_tui.model.apply import apply
+from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import RouteGraph, Vertex
 from fleet_tui.model.link import LinkState, Phase

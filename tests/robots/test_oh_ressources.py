@@ -14,8 +14,9 @@ from fleet_tui.config.schema import Config, FloorEntry, RobotEntry
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
+from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import Outcome
-from fleet_tui.model.fleet import FleetState, apply
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.order import Order, OrderQueue

@@ -198,10 +198,14 @@ def test_the_origin_is_taken_as_the_profile_says(origin: Any) -> None:
         ({"success": True, "message": "paused"}, True, Outcome.ACCEPTED, "paused"),
         ("Service /x does not exist", False, Outcome.REFUSED, "Service /x does not exist"),
         ({"status": "ACCEPTED"}, False, Outcome.REFUSED, "{'status': 'ACCEPTED'}"),
-        (None, True, Outcome.ACCEPTED, ""),
-        ({}, True, Outcome.ACCEPTED, ""),
-        ({"status": None}, True, Outcome.ACCEPTED, "None"),
-        ([1], True, Outcome.ACCEPTED, "[1]"),
+        (None, True, Outcome.UNKNOWN, "an answer that says nothing: None"),
+        ({}, True, Outcome.UNKNOWN, "an answer that says nothing: {}"),
+        ({"status": None}, True, Outcome.UNKNOWN, "an answer that says nothing: {'status': None}"),
+        ([1], True, Outcome.UNKNOWN, "an answer that says nothing: [1]"),
+        ({"success": 0}, True, Outcome.UNKNOWN, "an answer that says nothing: {'success': 0}"),
+        ({"success": True, "message": None}, True, Outcome.ACCEPTED, ""),
+        ({"status": "unknown vertex 77"}, True, Outcome.REFUSED, "unknown vertex 77"),
+        ({"status": "executed without error"}, True, Outcome.ACCEPTED, "executed without error"),
     ],
 )
 def test_an_answer_is_judged_by_its_words(values: object, result: bool, outcome: Outcome, words: str) -> None:

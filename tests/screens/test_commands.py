@@ -8,6 +8,7 @@ from textual import events
 from textual.widgets import Input
 
 from fleet_tui.model.link import Phase
+from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
 from tests.console_pilot import Console, console
@@ -292,3 +293,82 @@ async def test_a_console_that_is_not_armed_sends_nothing_until_it_is(server: Ros
         await it.hides("not armed")
         await it.press("p")
         await it.until(lambda _: sent(server) == [("Pause", {})])
+
+
+async def test_another_robot_in_the_form_means_other_ids(server: RosbridgeServer) -> None:
+    """What was chosen for one robot is not sent to another: each has a graph of its own."""
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("o")
+        await it.type("Base")
+        await it.press("enter", "shift+tab", "shift+tab", "end", "backspace", "1", "tab", "tab")
+        await it.type("Store")
+        await it.press("enter")
+        await it.shows("From: Enter takes the marked place of this robot")
+        assert sent(server) == []
+
+
+async def test_a_vertex_that_the_robot_does_not_know_opens_no_form(server: RosbridgeServer) -> None:
+    config = config_of(server.url, 2, 2)
+    first, second = config.robots
+    only_below = msgspec.structs.replace(first, floors=["floor_0"])
+    async with console(msgspec.structs.replace(config, robots=[only_below, second])) as it:
+        await it.press("}", "n", "n", "enter")
+        await it.shows("knows no vertex")
+        assert not it.app.main.query_one(OrderForm).is_open
+
+
+async def test_the_same_label_on_two_floors_stays_what_was_picked(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].cargo = True
+    async with console(config_of(server.url, 1, 2)) as it:
+        await it.until(lambda state: state.robots["robot_0"].has_cargo)
+        charts = it.store.state.robots["robot_0"].charts
+        labels = [{"label": "Lift", "vertex_id": id_} for id_ in charts["floor_1"].labels]
+        server.publish_raw("/robot_0/floor_1/labeled_vertices", {"vertices": labels})
+        await it.until(
+            lambda state: set(state.robots["robot_0"].charts["floor_1"].labels.values()) == {"Lift"}
+        )
+        wanted = labels[3]["vertex_id"]
+        assert isinstance(wanted, int)
+        it.app.main.order_at(wanted, "floor_1")
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].outcome)
+        assert sent(server)[0][1]["end_point"] == wanted
+
+
+async def test_cargo_that_came_on_board_meanwhile_changes_the_form_not_the_command(
+    server: RosbridgeServer,
+) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("o")
+        await it.type("Base")
+        await it.press("enter")
+        await it.type("Store")
+        server.world.robots["robot_0"].cargo = True
+        await it.until(lambda state: state.robots["robot_0"].has_cargo)
+        await it.press("enter")
+        await it.shows("carries cargo and has no orders now")
+        assert sent(server) == []
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].outcome)
+        assert [name for name, _ in sent(server)] == ["Execute_order_with_cargo"]
+
+
+async def test_two_enters_in_a_menu_do_it_once(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("tab", "enter", "j")
+        one_packet(it, "\r\r")
+        await it.until(lambda state: state.commands and state.commands[-1].outcome)
+        await it.pilot.pause()
+        assert sent(server) == [("Pause", {})]
+
+
+async def test_a_click_beside_a_question_is_no(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("Base -> Consumidores", "queue")
+        await it.press("X")
+        await it.shows("Clear all 1 orders")
+        await it.pilot.click("#fleet", offset=(5, 1))
+        await it.hides("Clear all 1 orders")
+        await it.press("y")
+        assert len(server.calls) == 1

@@ -10,9 +10,11 @@ from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run
 from tests.fleets import R0, T0, battery, fleet, graph, labels, link_up, pose, queue, text_of, tick, told
 
+WIDTH = 80
+
 
 def runs(state: FleetState, robot: int = 0, selected: str = R0) -> tuple[Run, ...]:
-    return fleet_table(state, selected).rows[robot].runs
+    return fleet_table(state, selected, WIDTH).rows[robot].runs
 
 
 def row(state: FleetState) -> str:
@@ -69,7 +71,8 @@ def test_obstacle_above_three_seconds(seconds: float, said: bool) -> None:
 
 def test_an_obstacle_of_an_offline_robot_was_then() -> None:
     state = told(heard(events.ObstacleReported(R0, T0 + 1, 4.2)), tick(T0 + 30))
-    assert "obstacle 4.2 s then" in row(state) and ink_of(state, "obstacle") is Ink.DIM
+    assert "obstacle" not in row(state)
+    assert "contact for 4.2 s, 29 s ago" in row(state) and ink_of(state, "contact") is Ink.DIM
 
 
 def test_paused_by_its_own_word_or_by_ours() -> None:
@@ -129,10 +132,19 @@ def test_a_mission_marks_a_vertex_that_no_graph_has() -> None:
 
 def test_every_robot_has_its_row_in_the_order_of_the_config() -> None:
     state = told(fleet(12), battery(T0), battery(T0, robot="robot_11"), tick(T0))
-    table = fleet_table(state, "robot_3")
+    table = fleet_table(state, "robot_3", WIDTH)
     assert [line.key for line in table.rows] == [f"robot_{n}" for n in range(12)]
     assert text_of(table.title) == "Fleet 2 of 12 online"
     marked = [line.key for line in table.rows if Ink.ACCENT in {ink for _, ink in line.runs}]
     assert marked == ["robot_3"]
     starts = {text_of(line.runs).index("robot_") for line in table.rows}
     assert len(starts) == 1
+
+
+def test_news_is_whole_where_the_floor_has_to_give_way() -> None:
+    """120 columns leave a pane of 47 cells."""
+    state = told(
+        heard(events.ObstacleReported(R0, T0 + 1, 4.2), events.PausedReported(R0, T0 + 1, True)), tick(T0 + 1)
+    )
+    shown = "".join(text for text, _ in fleet_table(state, R0, 47).rows[0].runs)[:47]
+    assert "obstacle 4.2 s paused" in shown

@@ -78,7 +78,7 @@ def states(text: str) -> Iterable[FleetState]:
 
 
 def tables(state: FleetState) -> Iterable[Table]:
-    yield fleet_table(state, R0)
+    yield fleet_table(state, R0, 60)
     yield alarm_table(state, lambda wall: f"{wall:.0f}")
     yield from (queue_table(state, R0, everybody, width) for everybody in (False, True) for width in WIDTHS)
 

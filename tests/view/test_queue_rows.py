@@ -32,7 +32,11 @@ def under(runs: tuple[Run, ...], button: Button) -> str:
 def test_the_current_order_stands_first_and_positions_count_from_0() -> None:
     words = [line.split() for line in lines(state())]
     assert [(word[0], word[1]) for word in words] == [("0", "12"), ("1", "11"), ("2", "15")]
-    assert [row.key for row in queue_table(state(), R0, False, 100).rows] == [(R0, 12), (R0, 11), (R0, 15)]
+    assert [row.key for row in queue_table(state(), R0, False, 100).rows] == [
+        (R0, 12, 0),
+        (R0, 11, 1),
+        (R0, 15, 2),
+    ]
 
 
 @pytest.mark.parametrize("current", [-1, 0, 99])
@@ -86,7 +90,7 @@ def test_clear_all_lies_where_it_stands_or_is_not_there() -> None:
 def test_the_queue_of_all_robots_names_each() -> None:
     both = told(state(2), queue(T0, (11, 1, 2, "W"), current=11, robot="robot_1"))
     table = queue_table(both, R0, True, 100)
-    assert [row.key for row in table.rows] == [(R0, 12), (R0, 11), (R0, 15), ("robot_1", 11)]
+    assert [row.key for row in table.rows] == [(R0, 12, 0), (R0, 11, 1), (R0, 15, 2), ("robot_1", 11, 0)]
     assert text_of(table.rows[3].runs).startswith("robot_1")
     assert text_of(table.title) == "Queue all robots 4 orders"
     assert table.title_buttons == ()

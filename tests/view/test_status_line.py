@@ -164,7 +164,18 @@ def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -
     text = text_of(message_line(state, "older", T0 + 9))
     assert text.count("pause") == 3 and "older" not in text
     assert text.index("robot_2") < text.index("robot_0")  # what went wrong must not be cut off
-    assert text_of(message_line(state, "newer", T0 + 11)) == " newer"
+    # A command that ended badly stays in view, whatever is said or given after it.
+    newer = text_of(message_line(told(state, issued(9, T0 + 12)), "newer", T0 + 11))
+    assert "robot_2 pause: refused (no)" in newer and "newer" not in newer
+    later = told(state, issued(9, T0 + 12), tick(T0 + 41))
+    assert "refused" not in text_of(message_line(later, "", 0.0))
+
+
+def test_pause_all_of_a_large_fleet_is_one_word() -> None:
+    state = told(fleet(9), *(issued(n, T0, f"robot_{n}") for n in range(9)))
+    state = told(state, *(events.CommandFinished(n, Outcome.NOT_SENT, "no link") for n in range(9)))
+    text = text_of(message_line(state, "", 0.0))
+    assert text == " robot_0 pause and 8 more like it: not sent (no link)"
 
 
 @pytest.mark.parametrize("pane", ["map", "table"])

@@ -1,0 +1,144 @@
+"""How each fact turns the picture of the world into the next one."""
+
+from dataclasses import replace
+from typing import assert_never
+
+from fleet_tui.model import events
+from fleet_tui.model.alarm import acknowledge, ripen
+from fleet_tui.model.commands import Command, CommandRecord, Outcome, PauseRobot, ResumeRobot
+from fleet_tui.model.fleet import FleetState, conditions
+from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.model.robot import Robot, hear, take_chart, with_fault
+
+COMMANDS_KEPT = 200
+
+
+def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
+    state = replace(state, now=event.at, wall=event.wall)
+    return replace(state, alarms=ripen(state.alarms, conditions(state), event.at, event.wall))
+
+
+def _with_robot(state: FleetState, robot: Robot) -> FleetState:
+    return replace(state, robots={**state.robots, robot.name: robot})
+
+
+def _with_link(state: FleetState, link: LinkState) -> FleetState:
+    return replace(state, links={**state.links, link.name: link})
+
+
+def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
+    """While it is tried again and again, `since` stays the moment of the loss."""
+    link = state.links[event.link]
+    same_side = (link.phase is Phase.UP) == (event.phase is Phase.UP)
+    return _with_link(
+        state,
+        replace(
+            link,
+            phase=event.phase,
+            reason=event.reason or (link.reason if event.phase is not Phase.UP else ""),
+            next_try=event.next_try,
+            since=link.since if same_side and link.since else event.at,
+        ),
+    )
+
+
+def _after_command(robot: Robot, command: Command, outcome: Outcome) -> Robot:
+    """Our own accepted pause is all that is known where no topic tells it."""
+    if outcome is not Outcome.ACCEPTED:
+        return robot
+    match command:
+        case PauseRobot():
+            return replace(robot, paused_by_us=True, paused_at=robot.pose.value if robot.pose else None)
+        case ResumeRobot():
+            return replace(robot, paused_by_us=False, paused_at=None)
+    return robot
+
+
+def _finish_command(state: FleetState, event: events.CommandFinished) -> FleetState:
+    """A command ends once: whatever else comes for it changes nothing."""
+    found = next((record for record in state.commands if record.id == event.id), None)
+    if found is None or found.outcome is not None:
+        return state
+    ended = replace(found, outcome=event.outcome, words=event.words, ended_at=state.now)
+    commands = tuple(ended if record is found else record for record in state.commands)
+    robot = state.robots.get(found.command.robot)
+    if robot is not None:
+        state = _with_robot(state, _after_command(robot, found.command, event.outcome))
+    return replace(state, commands=commands)
+
+
+def _apply_to_robot(
+    state: FleetState, event: events.Telemetry | events.ChartReceived | events.MessageRejected
+) -> FleetState:
+    robot = state.robots.get(event.robot)
+    if robot is None:
+        return state
+    match event:
+        case events.MessageRejected():
+            return _with_robot(state, with_fault(robot, event.text))
+        case (
+            events.FrameReceived() | events.GraphReceived() | events.LabelsReceived() | events.GridReceived()
+        ):
+            return _with_robot(state, take_chart(robot, event))
+        case events.PoseReported():
+            robot = hear(robot, event)
+            return _with_robot(state, replace(robot, floor=_floor_with(state, robot.frame_id)))
+        case _:
+            return _with_robot(state, hear(robot, event))
+
+
+def _floor_with(state: FleetState, frame_id: str) -> str | None:
+    return next((floor.name for floor in state.floors.values() if floor.frame_id == frame_id), None)
+
+
+def _apply_to_link(
+    state: FleetState,
+    event: events.LinkChanged | events.LinkHeard | events.CommandPathChanged | events.FrameRejected,
+) -> FleetState:
+    if isinstance(event, events.LinkChanged):
+        return _change_link(state, event)
+    link = state.links[event.link]
+    match event:
+        case events.LinkHeard():
+            return _with_link(state, replace(link, heard=event.at))
+        case events.CommandPathChanged():
+            return _with_link(state, replace(link, command_path=event.path, command_reason=event.reason))
+        case events.FrameRejected():
+            return _with_link(state, replace(link, faults=link.faults + 1, last_fault=event.text))
+        case _:
+            assert_never(event)
+
+
+def _issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
+    record = CommandRecord(event.id, event.command, event.at, event.wall)
+    commands = (*state.commands, record)
+    # What is under way stays, however much there is: its end must find it.
+    surplus = len(commands) - COMMANDS_KEPT
+    if surplus > 0:
+        old = [one.id for one in commands if one.outcome is not None][:surplus]
+        commands = tuple(one for one in commands if one.id not in old)
+    return replace(state, commands=commands)
+
+
+def _load_floor_map(state: FleetState, event: events.FloorMapLoaded) -> FleetState:
+    floor = replace(state.floors[event.floor], grid=event.grid, problem=event.problem, tied=event.tied)
+    return replace(state, floors={**state.floors, floor.name: floor})
+
+
+def apply(state: FleetState, event: events.Event) -> FleetState:
+    """The state after one fact."""
+    match event:
+        case events.TimePassed():
+            return _pass_time(state, event)
+        case events.LinkChanged() | events.LinkHeard() | events.CommandPathChanged() | events.FrameRejected():
+            return _apply_to_link(state, event)
+        case events.CommandIssued():
+            return _issue_command(state, event)
+        case events.CommandFinished():
+            return _finish_command(state, event)
+        case events.AlarmAcknowledged():
+            return replace(state, alarms=acknowledge(state.alarms, event.source, event.kind))
+        case events.FloorMapLoaded():
+            return _load_floor_map(state, event)
+        case _:
+            return _apply_to_robot(state, event)
