@@ -81,7 +81,6 @@ KEYS: tuple[Key, ...] = (
     Key("edges", ("e",), "on_map('edges')", "Edges on or off"),
     Key("labels", ("v",), "on_map('labels')", "Labels on or off"),
     Key("trails", ("t",), "on_map('trails')", "Trails on or off: where robots were in the last minute"),
-    Key("trails", ("t",), "on_map('trails')", "Trails on or off: where robots were in the last minute"),
     Key("drawing", ("m",), "on_map('drawing')", "Drawing: braille, half-block, ASCII"),
     Key("map_cursor", ("g",), "on_map('cursor')", "Map cursor on or off: arrows move it"),
     Key("next_vertex", ("n",), "on_map('next_vertex', 1)", "Next labelled vertex under the map cursor"),
