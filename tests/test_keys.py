@@ -59,7 +59,7 @@ PROMISED = {
 
 
 # The palette reaches them; the config can give them a key.
-WITHOUT_A_KEY = {"arm", "trails"}
+WITHOUT_A_KEY = {"arm"}
 
 
 def test_the_defaults_have_no_clash() -> None:
