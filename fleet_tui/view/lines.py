@@ -1,5 +1,7 @@
 """The layers made of lines and dots: edges, the remaining mission, where robots were."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,6 +16,8 @@ from fleet_tui.view.scene import Line, Scene
 Mask = NDArray[np.bool_]
 """The dots of a view, (rows, columns)."""
 
+OFF_EDGE = 1.0
+"""Metres from which a robot is beside its edge, not on it."""
 FADED = 30.0
 """Seconds after which a trail is paler and has half as many dots."""
 _ARROW_ROOM = 8.0  # dots of an edge that must be seen before it gets an arrow head
@@ -90,12 +94,21 @@ def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None
 
 
 def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
-    """The first piece of that way, from where the selected robot is: it changes with every pose."""
+    """The first piece of that way, what is left of the edge that the selected robot is on.
+
+    As long as it is near the edge, the edge's own dots: they don't dance when the pose does.
+    """
     robot = scene.selected
-    if scene.mission is None or scene.mission.entry is None or robot is None:
+    if scene.mission is None or scene.mission.edge is None or robot is None:
         return
+    x, y, to_x, to_y = edge = scene.mission.edge
+    pose, along = robot.pose, (to_x - x, to_y - y)
+    ahead = (pose.x - x) * along[0] + (pose.y - y) * along[1]
+    done = min(max(ahead / max(along[0] ** 2 + along[1] ** 2, 1e-12), 0.0), 1.0)
+    if math.dist((pose.x, pose.y), (x + done * along[0], y + done * along[1])) > OFF_EDGE:
+        edge, done = (pose.x, pose.y, to_x, to_y), 0.0
     mask = _mask(camera)
-    _trace(mask, *_ends(scene, camera, ((robot.pose.x, robot.pose.y, *scene.mission.entry),)))
+    _trace(mask, *_ends(scene, camera, (edge,)), done=done)
     _stroke(cells, _thick(mask), Ink.MISSION, look, "*")
 
 
@@ -138,8 +151,8 @@ def _stroke(cells: Cells, mask: Mask, ink: Ink, look: Look, plain: str) -> None:
 
 
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")
-def _trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False) -> None:
-    """Set the dots (x, y) along each line, after cutting the lines to the mask."""
+def _trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False, done: float = 0.0) -> None:
+    """Set the dots (x, y) along each line, after cutting the lines to the mask and by the share `done`."""
     low, high = _within(mask.shape, starts, stops)
     way = stops - starts
     seen = (low < high) & np.isfinite(way).all(axis=1)
@@ -148,8 +161,10 @@ def _trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False) -> N
     line = np.repeat(np.arange(len(steps)), steps)
     along = np.arange(len(line)) - np.repeat(np.cumsum(steps) - steps, steps)
     share = low[line] + (high - low)[line] * along / (steps[line] - 1)
-    dots = starts[line] + way[line] * share[:, None]
-    _dot(mask, dots[along % 4 < 2] if dashed else dots)
+    kept = share >= done
+    if dashed:
+        kept &= along % 4 < 2
+    _dot(mask, (starts[line] + way[line] * share[:, None])[kept])
 
 
 def _dot(mask: Mask, dots: Points) -> None:

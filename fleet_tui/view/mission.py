@@ -60,7 +60,7 @@ class _Routes:
         return min(ways, key=lambda at: at[0].length + at[1], default=(_Way(), 0.0))[0]
 
     def near(self, pose: Pose) -> tuple[Place, ...]:
-        """The ends of the edge that the robot is on, as far as it may drive to them."""
+        """The two ends of the edge that the robot is on; endlessly far is one that it may not drive to."""
         at = (pose.x, pose.y)
         if not self._graph.edges or not all(map(math.isfinite, at)):
             return ()
@@ -70,7 +70,12 @@ class _Routes:
         edge = self._graph.edges[int(off.argmin())]
         start, end = ((v, math.dist(at, self.point(v))) for v in (edge.start, edge.end))
         back = any(id_ == edge.start for id_, _ in self._graph.neighbours[edge.end])
-        return (end, start) if back or start[1] < AT_VERTEX else (end,)
+        return (end, start if back or start[1] < AT_VERTEX else (edge.start, math.inf))
+
+    def edge(self, ends: tuple[Place, ...], ahead: int) -> Line:
+        """The edge between two ends in the direction of one of them."""
+        behind = next((id_ for id_, _ in ends if id_ != ahead), ahead)
+        return self._line(behind, ahead)
 
     def point(self, vertex: int) -> tuple[float, float]:
         """Where a vertex is, in metres."""
@@ -105,18 +110,20 @@ def mission(robot: Robot, floor: str) -> Mission | None:
     routes = _routes(robot.charts[floor]) if floor in robot.charts and orders else None
     if routes is None:
         return None
-    legs = list(_legs(robot, floor, routes, orders))
+    at = _whereabouts(robot, floor, routes)
+    legs = list(_legs(robot, floor, routes, orders, at))
     current = tuple(line for order, way in legs if order is robot.orders.current for line in way.lines)
     following = tuple(line for order, way in legs if order is not robot.orders.current for line in way.lines)
     order, way = legs[0]
     if order is not robot.orders.current or robot.floor != floor or way.start is None:
         return Mission(current, following)
-    return Mission(current, following, routes.point(way.start))
+    return Mission(current, following, routes.edge(at, way.start))
 
 
-def _legs(robot: Robot, floor: str, routes: _Routes, orders: list[Order]) -> Iterator[tuple[Order, _Way]]:
+def _legs(
+    robot: Robot, floor: str, routes: _Routes, orders: list[Order], at: tuple[Place, ...]
+) -> Iterator[tuple[Order, _Way]]:
     """The ways from where the robot is to one stop after the other."""
-    at = _whereabouts(robot, floor, routes)
     for order in orders:
         for vertex in _stops(robot, order):
             goals = _places(robot, floor, routes, vertex)

@@ -43,11 +43,12 @@ class SceneRobot:
 @dataclass(frozen=True, slots=True)
 class Mission:
     """What the selected robot still has to drive on a floor, along the graph: the current order, and
-    those after it. entry: where, in metres, the current way begins; the robot is on its way there."""
+    those after it. edge: the one that the robot is on, from the vertex behind it to the one ahead, where
+    the current way begins."""
 
     current: tuple[Line, ...] = ()
     following: tuple[Line, ...] = ()
-    entry: tuple[float, float] | None = None
+    edge: Line | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

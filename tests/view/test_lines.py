@@ -76,7 +76,7 @@ def test_no_mission_takes_a_wall_away(
 ) -> None:
     camera, look = CAMERA.zoomed(zoom), Look(drawing)
     robot = SceneRobot("r", 1, Pose(-9.0, -9.0), selected=True)
-    mission = Mission(tuple(current), tuple(following), (5.0, 5.0))
+    mission = Mission(tuple(current), tuple(following), (8.0, 8.0, 5.0, 5.0))
     before = drawn(SCENE, look, camera)
     after = drawn(replace(SCENE, mission=mission, robots=(robot,)), look, camera)
     walls = np.isin(before.inks, WALLS)
@@ -90,16 +90,18 @@ def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
     vertices = (SceneVertex(1, 2.0, 5.0, label="Base"), SceneVertex(2, 18.0, 5.0, label="Store"))
     robot = SceneRobot("r", 1, Pose(6.0, 5.0), selected=True)
     scene = replace(
-        SCENE, vertices=vertices, robots=(robot,), mission=Mission(ACROSS, (), (2.0, 5.0)), edges=ACROSS
+        SCENE, vertices=vertices, robots=(robot,), mission=Mission((), (), ACROSS[0]), edges=ACROSS
     )
     cells = drawn(scene, Look(edges=True))
     for part in ("Base", "Store", "→1", "o"):
         assert part in cells.text()
-    assert Ink.EDGE not in cells.inks[CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))[1]]
+    x, y = CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))
+    assert Ink.MISSION not in cells.inks[y, :x]
+    assert Ink.MISSION in cells.inks[y, x:]
 
 
 def test_the_way_to_the_entry_moves_with_the_robot_over_the_same_backdrop() -> None:
-    scene = replace(SCENE, mission=Mission(ACROSS, (), (2.0, 5.0)))
+    scene = replace(SCENE, mission=Mission(ACROSS, (), (2.0, 9.5, 2.0, 5.0)))
     behind = backdrop(scene, CAMERA, Look())
     x, y = CAMERA.to_cell(*FRAME.to_pixel(2.0, 7.0))
     for top, there in ((9.0, True), (6.0, False)):
@@ -150,3 +152,22 @@ def test_trails_pale_and_thin_out_with_age_and_hide_nothing() -> None:
     hidden = np.isin(before.inks, WALLS)
     assert np.array_equal(before.codes[hidden], after.codes[hidden])
     assert np.array_equal(before.inks[hidden], after.inks[hidden])
+
+
+@given(st.floats(2.0, 17.0), st.floats(-0.3, 0.3))
+def test_the_line_ahead_does_not_dance_with_the_pose(x: float, noise: float) -> None:
+    scene = replace(SCENE, mission=Mission((), (), (2.0, 2.0, 18.0, 7.3)))
+    on_it = Pose(x, 2.0 + (x - 2.0) * 5.3 / 16)
+    rows = []
+    for pose in (on_it, Pose(on_it.x - noise * 0.33, on_it.y + noise)):
+        robot = SceneRobot("r", 1, pose, selected=True)
+        codes = drawn(replace(scene, robots=(robot,))).codes
+        rows.append(codes[:, CAMERA.to_cell(*FRAME.to_pixel(x, 5.0))[0] + 4 :])
+    assert np.array_equal(rows[0], rows[1])
+
+
+def test_a_robot_beside_its_edge_is_led_back_to_it() -> None:
+    scene = replace(SCENE, mission=Mission((), (), (2.0, 2.0, 8.0, 2.0)))
+    cells = drawn(replace(scene, robots=(SceneRobot("r", 1, Pose(8.0, 8.0), selected=True),)))
+    x, y = CAMERA.to_cell(*FRAME.to_pixel(8.0, 5.0))
+    assert cells.inks[y, x] == Ink.MISSION

@@ -75,12 +75,12 @@ async def test_trails_are_off_until_asked_for_and_then_tell_of_the_last_minute()
 async def test_the_backdrop_stands_while_the_robot_drives_to_where_its_mission_begins() -> None:
     lines = ((5.0, 5.0, 18.0, 8.0),)
     async with Pane().run_test(size=(100, 30)) as pilot:
-        view = await started(pilot, replace(SCENE, mission=Mission(lines, (), (5.0, 5.0))))
+        view = await started(pilot, replace(SCENE, mission=Mission(lines, (), (3.0, 5.0, 5.0, 5.0))))
         behind = view._behind
         view.action_trails()
-        view.show(replace(driven(1.0), mission=Mission(lines, (), (5.0, 5.0))))
+        view.show(replace(driven(1.0), mission=Mission(lines, (), (3.0, 5.0, 5.0, 5.0))))
         assert view._behind is behind
-        view.show(replace(driven(2.5), mission=Mission(lines, (), (18.0, 8.0))))
+        view.show(replace(driven(2.5), mission=Mission(lines, (), (5.0, 5.0, 18.0, 8.0))))
         assert view._behind is behind
         view.show(replace(driven(2.5), mission=Mission((), lines)))
         assert view._behind is not behind
