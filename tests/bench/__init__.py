@@ -1,1 +1,1 @@
-"""Benchmarks: each bench_*.py prints its figures; none of them asserts a time."""
+"""Benchmarks: each bench_*.py measures figures of docs/performance.md; none of them asserts a time."""

@@ -9,7 +9,6 @@ import os
 import random
 import time
 from dataclasses import replace
-from typing import Any
 from unittest.mock import patch
 
 import numpy as np
@@ -21,6 +20,7 @@ from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import load_themes
 from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
+from tests.bench.rows import Row, row
 from tests.played_terminal import PlayedDriver, paint, terminal_of
 
 WIDTH, HEIGHT = 200, 61  # 60 rows of map below the caption
@@ -102,27 +102,16 @@ async def per_tick(robots: int, lean: bool) -> tuple[float, float]:
     return len("".join(written).encode()) / TICKS, spent / TICKS * 1000
 
 
-def main() -> list[dict[str, Any]]:
+def main() -> list[Row]:
     rows = []
     with patch.dict(os.environ, TERM="xterm-256color", COLORTERM="truecolor"):
         os.environ.pop("NO_COLOR", None)
         for robots, target in TARGETS.items():
             lean, lean_ms = asyncio.run(per_tick(robots, True))
             stock, stock_ms = asyncio.run(per_tick(robots, False))
-            print(
-                f"P4 {robots:3} robots: {lean:.0f} bytes per tick (target {target}), {stock / lean:.0f} times"
-                f" fewer than stock Textual ({stock:.0f}); {lean_ms:.2f} ms of CPU, stock {stock_ms:.2f}"
-            )
-            rows.append(
-                {
-                    "id": "P4",
-                    "what": f"bytes to the terminal per tick, {robots} robots",
-                    "figure": lean,
-                    "target": target,
-                    "ratio": lean / stock,
-                    "against": f"stock Textual ({stock:.0f} bytes)",
-                }
-            )
+            what = f"map tick to the terminal, {robots} robot{'s' * (robots > 1)}"
+            rows.append(row("P4", what, lean, "bytes", target, stock, "stock Textual"))
+            print(f"    {lean_ms:.2f} ms of CPU, stock {stock_ms:.2f}")
     return rows
 
 

@@ -15,6 +15,8 @@ from fleet_tui.view.picture import backdrop, picture
 from fleet_tui.view.raster import Drawing, ground
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Scene, SceneRobot
+from tests.bench.others import others
+from tests.bench.rows import Row, row
 
 WIDTH, HEIGHT = 200, 60
 SIDE = 4000
@@ -67,10 +69,9 @@ def median_ms(work: Callable[[], object], times: int) -> float:
     return statistics.median(spent) * 1000
 
 
-def frame_times(grid: OccupancyGrid) -> None:
+def frame_times(grid: OccupancyGrid) -> list[Row]:
+    """Our worst frame, and beside it the whole map drawn by others."""
     fit = Camera.fit((SIDE, SIDE), WIDTH, HEIGHT)
-    plain = median_ms(lambda: per_dot(grid, fit), 5)
-    print(f"P1 pure Python per dot: {plain:.1f} ms")
     worst = 0.0
     for zoom in ZOOMS:
         camera = fit.zoomed(zoom, (SIDE * 0.3, SIDE * 0.4))
@@ -80,11 +81,20 @@ def frame_times(grid: OccupancyGrid) -> None:
         ]
         worst = max(worst, *times)
         shown = "  ".join(f"{d.value} {ms:.2f}" for d, ms in zip(Drawing, times, strict=True))
-        print(f"P1 {camera.scale:7.3f} px/dot: {shown} ms")
-    print(f"P1 worst {worst:.2f} ms (target 2), 1/{plain / worst:.0f} of per dot (target 1/15)")
+        print(f"    {camera.scale:7.3f} px/dot: {shown} ms")
+    plain = median_ms(lambda: per_dot(grid, fit), 7)
+    what = f"map frame, {SIDE} x {SIDE}, worst zoom and drawing"
+    rows = [
+        row("P1", what, worst, "ms", 2.0, plain, "pure Python per dot"),
+        row("P1", f"{what}, times pure Python's", worst / plain, "x", 1 / 15),
+    ]
+    for name, draw in others(grid.levels[0], WIDTH, HEIGHT):
+        rows.append(row("P1", what, worst, "ms", None, median_ms(draw, 9), name))
+    return rows
 
 
 def tick_times(grid: OccupancyGrid) -> None:
+    """What moves, over a backdrop that stands: to read beside P3."""
     rng = random.Random(1)
     camera = Camera.fit((SIDE, SIDE), WIDTH, HEIGHT)
     for count in (1, 10, 100):
@@ -95,7 +105,7 @@ def tick_times(grid: OccupancyGrid) -> None:
         scene = Scene("floor_0", grid.frame, grid, robots=robots)
         behind = backdrop(scene, camera, Look())
         ms = median_ms(lambda b=behind, s=scene: picture(b, s, camera, Look()), 41)  # type: ignore[misc]  # as above
-        print(f"robots over the backdrop: {count:3} robots {ms:.2f} ms")
+        print(f"    robots over the backdrop: {count:3} robots {ms:.2f} ms")
 
 
 def walls_lost(cases: int = 3300) -> tuple[int, int]:
@@ -122,12 +132,12 @@ def walls_lost(cases: int = 3300) -> tuple[int, int]:
     return lost, total
 
 
-def main() -> None:
+def main() -> list[Row]:
     grid = warehouse()
-    frame_times(grid)
+    rows = frame_times(grid)
     tick_times(grid)
     lost, total = walls_lost()
-    print(f"P2 walls lost: {lost} of {total}")
+    return [*rows, row("P2", f"walls of one pixel lost in {total} cases", lost, "walls", 0)]
 
 
 if __name__ == "__main__":

@@ -1,12 +1,10 @@
 """P7: from Enter in the order form to the service call on the wire, with 1 and with 100 robots."""
 
 import asyncio
-import statistics
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 from textual import events
 
@@ -18,6 +16,7 @@ from fleet_tui.link.transport import Connection
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.themes import load_themes
 from fleet_tui.view.raster import Drawing
+from tests.bench.rows import Row, p95, row
 from tests.console_pilot import Console
 from tests.watched import WatchedStore
 
@@ -76,11 +75,7 @@ async def direct(it: Console) -> list[float]:
     return taken
 
 
-def p95(values: list[float]) -> float:
-    return statistics.quantiles(values, n=20)[-1]
-
-
-async def measure(robots: int) -> dict[str, Any]:
+async def measure(robots: int) -> Row:
     with simulated(robots, 2) as url:
         config = demo_config(Config(path=Path("bench")), url, robots, 2)
         store = WatchedStore(initial_state(config, time.monotonic()))
@@ -90,24 +85,12 @@ async def measure(robots: int) -> dict[str, Any]:
             await it.until(lambda state: all(robot.queue for robot in state.robots.values()))
             await it.shows("Base", "map")
             screen, bare = await orders(it), await direct(it)
-    return {
-        "id": "P7",
-        "what": f"Enter -> call on the wire, {robots} robots, p95 ms",
-        "figure": p95(screen),
-        "target": TARGETS[robots],
-        "ratio": p95(screen) / p95(bare),
-        "against": f"submit -> wire without the screen ({p95(bare):.2f} ms)",
-    }
+    what = f"Enter -> call on the wire, {robots} robot{'s' * (robots > 1)}, p95"
+    return row("P7", what, p95(screen), "ms", TARGETS[robots], p95(bare), "submit -> wire, no screen")
 
 
-def main() -> list[dict[str, Any]]:
-    rows = [asyncio.run(measure(robots)) for robots in TARGETS]
-    for row in rows:
-        print(
-            f"{row['id']} {row['what']}: {row['figure']:.2f} (target {row['target']:g}),"
-            f" {row['ratio']:.1f} x {row['against']}"
-        )
-    return rows
+def main() -> list[Row]:
+    return [asyncio.run(measure(robots)) for robots in TARGETS]
 
 
 if __name__ == "__main__":

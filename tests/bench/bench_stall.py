@@ -16,9 +16,10 @@ import tempfile
 import termios
 import time
 from pathlib import Path
-from typing import Any
 
 import pyte
+
+from tests.bench.rows import Row, row
 
 WIDTH, HEIGHT = 200, 60
 STALL, STEPS = 5.0, 50  # seconds, keys pressed in them
@@ -78,25 +79,13 @@ def stall(kind: str) -> tuple[float, bool, float]:
     return max(gaps, default=0.0) * 1000, called, behind
 
 
-def main() -> list[dict[str, Any]]:
-    measured = {kind: stall(kind) for kind in ("lean", "stock")}
-    for kind, (gap, called, behind) in measured.items():
-        print(
-            f"P8 {kind}: not read for {STALL:g} s: loop gap {gap:.0f} ms (target {TARGET:g}), command"
-            f" {'went out' if called else 'did NOT go out'}, picture {behind:g} s behind 0.5 s after"
-        )
-    lean, stock = measured["lean"], measured["stock"]
+def main() -> list[Row]:
+    (gap, sent, behind), (stock, *_) = stall("lean"), stall("stock")
+    what = f"terminal not read for {STALL:g} s: "
     return [
-        {
-            "id": "P8",
-            "what": "event loop gap while the terminal is not read for 5 s, ms",
-            "figure": lean[0],
-            "target": TARGET,
-            "ratio": lean[0] / stock[0] if stock[0] else 1.0,
-            "against": f"stock Textual ({stock[0]:.0f} ms)",
-            "command_sent": lean[1],
-            "seconds_behind_after": lean[2],
-        }
+        row("P8", what + "loop gap", gap, "ms", TARGET, stock, "stock Textual"),
+        row("P8", what + "commands that did not go out", float(not sent), "of 1", 0),
+        row("P8", what + "picture behind 0.5 s after", behind, "s", 1),
     ]
 
 

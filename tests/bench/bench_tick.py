@@ -1,0 +1,67 @@
+"""P3: the whole console's tick with 100 robots against the same with 1: CPU of the screen thread.
+
+Run: python -m tests.bench.bench_tick
+"""
+
+import asyncio
+import os
+import statistics
+import time
+from pathlib import Path
+from unittest.mock import patch
+
+import fleet_tui
+from fleet_tui.app import FleetApp
+from fleet_tui.themes import load_themes
+from fleet_tui.view.raster import Drawing
+from fleet_tui.widgets.cells_view import CellsView
+from tests.bench.bench_bytes import CountingDriver
+from tests.bench.driven_fleet import DrivenFleet
+from tests.bench.in_pty import HEIGHT, WIDTH
+from tests.bench.rows import Row, row
+from tests.played_terminal import paint
+
+TICKS, WARM = 300, 30
+TARGET = 3.0
+
+
+class Unlinked(FleetApp):
+    """The console on a state that is told from here; it ticks when it is told to."""
+
+    CSS_PATH = str(Path(fleet_tui.__file__).parent / "fleet.tcss")
+
+    def _connect(self) -> None: ...
+
+
+async def tick_ms(robots: int) -> float:
+    """Milliseconds of CPU for main.tick and the painting that it causes: mean of the middle half."""
+    fleet = DrivenFleet(robots)
+    app = Unlinked(fleet.config, fleet.store, load_themes(None)[0], Drawing.BRAILLE)
+    app.driver_class = CountingDriver
+    spent = []
+    async with app.run_test(headless=False, size=(WIDTH, HEIGHT)) as pilot:
+        fleet.step()
+        await pilot.pause()
+        views = list(app.main.query(CellsView))
+        for _ in range(WARM + TICKS):
+            fleet.step()
+            start = time.thread_time()
+            app.main.tick()
+            paint(app, *views)
+            spent.append((time.thread_time() - start) * 1000)
+    middle = sorted(spent[WARM:])[TICKS // 4 : -TICKS // 4]
+    return statistics.mean(middle)
+
+
+def main() -> list[Row]:
+    with patch.dict(os.environ, TERM="xterm-256color", COLORTERM="truecolor"):
+        os.environ.pop("NO_COLOR", None)
+        one, hundred = asyncio.run(tick_ms(1)), asyncio.run(tick_ms(100))
+    return [
+        row("P3", "tick and painting, 100 robots, times that of 1", hundred / one, "x", TARGET),
+        row("P3", "tick and painting, 100 robots", hundred, "ms CPU", None, one, "1 robot"),
+    ]
+
+
+if __name__ == "__main__":
+    main()

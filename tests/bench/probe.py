@@ -1,0 +1,123 @@
+"""The console with a watch on what happens when; benchmarks start it in a pty.
+
+Arguments: the file for what was noted (JSON, written at the end), what to watch for, `--`, and the
+arguments of fleet-tui. Times are monotonic: the same clock in every process.
+"""
+
+import asyncio
+import json
+import sys
+import time
+from collections.abc import Callable
+from functools import wraps
+from pathlib import Path
+from typing import Any
+
+from textual.drivers.linux_driver import LinuxDriver
+
+from fleet_tui.app import FleetApp
+from fleet_tui.cli import main as fleet_tui
+from fleet_tui.model.events import Event, PoseReported
+from fleet_tui.screens.main import MainScreen
+from fleet_tui.store import Store
+from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.widgets.map_view import MapView
+
+BEAT = 0.002
+noted: dict[str, list[Any]] = {"handler": [], "write": [], "tick": [], "pose": [], "beat": [], "map": []}
+
+
+def after(owner: type[Any], name: str, note: Callable[..., None]) -> None:
+    """Have something noted whenever a method has run."""
+    method = getattr(owner, name)
+
+    @wraps(method)
+    def watched(*args: Any, **options: Any) -> Any:
+        result = method(*args, **options)
+        note(*args, **options)
+        return result
+
+    setattr(owner, name, watched)
+
+
+def before(owner: type[Any], name: str, kind: str) -> None:
+    """Have the time noted whenever a method begins."""
+    method = getattr(owner, name)
+
+    @wraps(method)
+    def watched(*args: Any, **options: Any) -> Any:
+        noted[kind].append(time.monotonic())
+        return method(*args, **options)
+
+    setattr(owner, name, watched)
+
+
+def stock() -> None:
+    """Textual's own way to the terminal."""
+    LeanApp.LEAN = False
+
+
+def keys() -> None:
+    before(MapView, "action_zoom_in", "handler")
+    before(MapView, "action_zoom_out", "handler")
+    writes()
+
+
+def writes() -> None:
+    before(LinuxDriver, "write", "write")
+
+
+def poses() -> None:
+    """Every pose that came, and at every tick the newest one shown of each robot, by their stamps."""
+
+    def came(_store: Store, event: Event) -> None:
+        if isinstance(event, PoseReported):
+            noted["pose"].append((event.robot, event.stamp))
+
+    def ticked(screen: MainScreen) -> None:
+        shown = {robot.name: robot.clock.stamp for robot in screen.state.robots.values() if robot.clock}
+        noted["tick"].append((time.monotonic(), time.time(), shown))
+
+    after(Store, "tell", came)
+    after(MainScreen, "tick", ticked)
+    writes()
+
+
+def beats() -> None:
+    """How late the screen's loop is, and how wide the map is that it shows."""
+
+    def started(app: FleetApp) -> None:
+        app.run_worker(beat())
+
+    async def beat() -> None:
+        due = time.monotonic()
+        while True:
+            due += BEAT
+            await asyncio.sleep(due - time.monotonic())
+            now = time.monotonic()
+            noted["beat"].append((now, now - due))
+            due = now
+
+    def ticked(screen: MainScreen) -> None:
+        scene = screen.map.scene
+        width = scene.grid.frame.width if scene and scene.grid else 0
+        if not noted["map"] or noted["map"][-1][1] != width:
+            noted["map"].append((time.monotonic(), width))
+
+    after(FleetApp, "on_ready", started)
+    after(MainScreen, "tick", ticked)
+
+
+def main() -> None:
+    path, *wanted = sys.argv[1 : sys.argv.index("--")]
+    sys.argv = ["fleet-tui", *sys.argv[sys.argv.index("--") + 1 :]]
+    for name in wanted:
+        {"stock": stock, "keys": keys, "poses": poses, "beats": beats}[name]()
+    try:
+        fleet_tui()
+    finally:
+        Path(path).write_text(json.dumps(noted))
+
+
+if __name__ == "__main__":
+    main()
