@@ -23,7 +23,8 @@ unit: $(READY)
 	@$(BIN)/pytest -q -n 2
 
 bench: $(READY)
-	@$(BIN)/python -m tests.bench
+	@$(BIN)/pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[bench]' || echo "measuring without the others"
+	@$(BIN)/python -m tests.bench --json docs/performance.json
 
 format: $(READY)
 	@$(BIN)/ruff format .
