@@ -6,7 +6,7 @@ from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Row, Run, Table, column, width_of
+from fleet_tui.view.table import LateRows, Row, Run, Table, column, width_of
 from fleet_tui.view.text import fit, visible
 
 CARGO = "■"
@@ -115,13 +115,16 @@ def _row(state: FleetState, robot: Robot, head: list[Run], floors: int, width: i
 
 def fleet_table(state: FleetState, selected: str, width: int) -> Table:
     """The whole fleet, in the order of the config, for a pane of `width` cells."""
-    robots = state.robots.values()
+    robots = list(state.robots.values())
     online = sum(state.is_online(robot) for robot in robots)
     numbers = len(str(len(robots)))
     names = column((robot.name for robot in robots), 6, 14)
     floors = column((floor_text(state, robot) for robot in robots), 5, 13)
-    rows = tuple(
-        _row(state, robot, _head(state, robot, robot.name == selected, numbers, names), floors, width)
-        for robot in robots
-    )
+
+    def row(place: int) -> Row:
+        robot = robots[place]
+        head = _head(state, robot, robot.name == selected, numbers, names)
+        return _row(state, robot, head, floors, width)
+
+    rows = LateRows(list(state.robots), row)
     return Table((("Fleet", Ink.TITLE), (f" {online} of {len(rows)} online", Ink.DIM)), rows)

@@ -1,7 +1,8 @@
 """What a pane shows: a title and rows of runs, with buttons where the mouse can press."""
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import overload
 
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.text import cell_width, fit
@@ -27,14 +28,38 @@ class Row:
     buttons: tuple[Button, ...] = ()
 
 
+class LateRows(Sequence[Row]):
+    """Rows that are made when they are looked at: of many a pane shows a few, ten times a second."""
+
+    def __init__(self, keys: Sequence[Hashable], make: Callable[[int], Row]) -> None:
+        self.keys = keys
+        self._make = make
+
+    def __len__(self) -> int:
+        return len(self.keys)
+
+    @overload
+    def __getitem__(self, index: int) -> Row: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Row]: ...
+    def __getitem__(self, index: int | slice) -> Row | list[Row]:
+        places = range(len(self.keys))[index]
+        return self._make(places) if isinstance(places, int) else [self._make(place) for place in places]
+
+
 @dataclass(frozen=True, slots=True)
 class Table:
     """A pane at one moment. `empty` stands where there is no row."""
 
     title: tuple[Run, ...]
-    rows: tuple[Row, ...]
+    rows: Sequence[Row]
     empty: str = ""
     title_buttons: tuple[Button, ...] = ()
+
+    @property
+    def keys(self) -> Sequence[Hashable]:
+        """Whose the rows are, one after the other."""
+        return self.rows.keys if isinstance(self.rows, LateRows) else [row.key for row in self.rows]
 
 
 def width_of(runs: Iterable[Run]) -> int:

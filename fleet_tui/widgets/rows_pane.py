@@ -43,7 +43,7 @@ class RowsPane(CellsView, can_focus=True):
     def show(self, table: Table) -> None:
         """Show the newest rows. If the cursor's row is gone, the one now in its place has it."""
         self._table = table
-        keys = [row.key for row in table.rows]
+        keys = table.keys
         if self.cursor in keys:
             self._place = keys.index(self.cursor)
         else:
