@@ -25,6 +25,9 @@ COLOURLESS = ("dumb", "unknown", "vt100", "vt102", "vt220")
 """Terminals (TERM) without colour, of which Textual would ask the full 24 bits."""
 
 
+MULTIPLEXERS = {"tmux": "TMUX", "screen": "STY"}
+
+
 def _drawing(wanted: str) -> Drawing:
     """Braille where the terminal can: the Linux console's font has none, nor has a plain locale."""
     if wanted != "auto":
@@ -45,6 +48,19 @@ def _colour() -> bool:
     return "NO_COLOR" not in os.environ
 
 
+def _terminal(drawing: Drawing, colour: bool) -> str:
+    """What was found out about the terminal, and what follows from it."""
+    term, colorterm = os.environ.get("TERM", "not set"), os.environ.get("COLORTERM", "not set")
+    size = os.get_terminal_size()
+    inside = next((name for name, mark in MULTIPLEXERS.items() if os.environ.get(mark)), "none")
+    return (
+        f"Terminal: {size.columns} x {size.lines}, TERM {term}, COLORTERM {colorterm},"
+        f" multiplexer {inside}, encoding {sys.stdout.encoding}.\n"
+        f"So the map starts as {drawing.value} (m or --drawing change it), colours are"
+        f" {'on' if colour else 'off: NO_COLOR, or a terminal without'}."
+    )
+
+
 def open_console(config: Config, read_only: bool, drawing: str | None, debug: bool) -> None:
     """Run the console until the operator leaves."""
     if not all(stream.isatty() for stream in (sys.stdin, sys.stdout, sys.stderr)):
@@ -59,7 +75,9 @@ def open_console(config: Config, read_only: bool, drawing: str | None, debug: bo
         )
     log_to_file(debug)
     store = Store(initial_state(config, time.monotonic()))
-    app = FleetApp(config, store, themes, _drawing(drawing or config.ui.drawing), _colour())
+    mode, colour = _drawing(drawing or config.ui.drawing), _colour()
+    app = FleetApp(config, store, themes, mode, colour)
+    app.main.terminal = _terminal(mode, colour)
     for problem in problems:
         LOG.warning("theme %s", problem)
     if problems:

@@ -9,10 +9,10 @@ from textual.binding import BindingType
 from textual.containers import Horizontal
 from textual.widgets import Button, Static
 
-from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.overlay import MouseButton, Overlay
 
 
-class Confirm(Overlay):
+class Confirm(Overlay, can_focus=True):
     """A question with what will be lost; the default is No."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -24,11 +24,8 @@ class Confirm(Overlay):
         """The question above its two answers."""
         yield Static(id="question", markup=False)
         with Horizontal():
-            yes, no = Button("y  yes", id="yes", compact=True), Button("n  no", id="no", compact=True)
-            # Enter must not press a button that happens to have the focus.
-            yes.can_focus = no.can_focus = False
-            yield yes
-            yield no
+            yield MouseButton("y  yes", id="yes", compact=True)
+            yield MouseButton("n  no", id="no", compact=True)
 
     def ask(self, lines: Iterable[str], then: Callable[[], None]) -> None:
         """Ask, and call `then` only after a yes."""

@@ -49,7 +49,7 @@ class Help(Overlay):
             yield Static(id="keys", markup=False)
 
     def show(self, pane: str, detail: str) -> None:
-        """Open on the keys of a pane; `detail` says how the map is drawn."""
+        """Open on the keys of a pane; `detail` says what the terminal can do."""
         self._pane, self._detail = pane, detail
         search = self.query_one("#search", Input)
         search.value = ""

@@ -58,6 +58,7 @@ class MainScreen(Navigation):
         self._show_map, self._keys, self._clock = show_map, keys, clock
         self._all_orders = False
         self.said, self._said_at = "", 0.0
+        self.terminal = ""
         self._mapped: tuple[str, str] | None = None
 
     def compose(self) -> ComposeResult:
@@ -115,7 +116,7 @@ class MainScreen(Navigation):
 
     def action_help(self) -> None:
         """Every key there is."""
-        self.query_one(Help).show(self._focused_pane(), f"Map: {self.map.look.drawing.value}")
+        self.query_one(Help).show(self._focused_pane(), self.terminal)
 
     def action_palette(self) -> None:
         """Everything that can be done, by name."""

@@ -7,13 +7,13 @@ from textual import on
 from textual.app import ComposeResult
 from textual.containers import Horizontal
 from textual.widget import Widget
-from textual.widgets import Input, Static
+from textual.widgets import Button, Input, Static
 
 from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.lookup import Place, destination_only, matches
 from fleet_tui.model.robot import Robot
-from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.overlay import MouseButton, Overlay
 from fleet_tui.view.text import visible
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.matches import Matches
@@ -51,6 +51,7 @@ class OrderForm(Overlay):
                 yield Field(keys, id=field)
         yield self._matches
         yield Static(id="missing", markup=False)
+        yield MouseButton("Enter  send", id="send", compact=True)
 
     def _input(self, field: str) -> Input:
         return self.query_one(f"#{field}", Input)
@@ -157,9 +158,10 @@ class OrderForm(Overlay):
     def click_match(self, event: Matches.OptionSelected) -> None:
         """A match by mouse."""
         event.stop()
-        if self.is_open:
-            self._accept(event.option_index)
+        if self.is_open and event.option_index < len(self._found):
+            self._take(self._field(), self._found[event.option_index])
 
+    @on(Button.Pressed, "#send")
     def _enter(self) -> None:
         """Take the marked match and go on; in the last field send."""
         # What was typed last may not have been listed yet: look again before choosing.
@@ -170,26 +172,25 @@ class OrderForm(Overlay):
 
     def _accept(self, index: int) -> None:
         field = self._field()
-        box = self._input(field)
-        if not box.value.strip() and field not in self._chosen and index == 0:
+        typed = self._input(field).value.strip()
+        if not typed and index == 0:
             self._say(_missing(field))
-            return
-        if field not in self._chosen or box.value.strip():
-            if index >= len(self._found):
-                self._say(f"{field.capitalize()}: nothing is called {box.value.strip()!r}")
-                return
-            self._take(field, self._found[index])
-        if field == "to":
-            self._finish()
+        elif index >= len(self._found):
+            self._say(f"{field.capitalize()}: nothing is called {typed!r}")
         else:
-            self.action_step(1)
+            self._take(field, self._found[index])
 
     def _take(self, field: str, choice: Place | str) -> None:
+        """Fill the field and go on to the next one; after the last one send."""
         self._set(field, choice if isinstance(choice, str) else visible(choice.name))
         if isinstance(choice, str):
             self._arrange()
         else:
             self._chosen[field] = choice
+        if field == "to":
+            self._finish()
+        else:
+            self.action_step(1)
 
     def _finish(self) -> None:
         """Send what is complete; name what is missing."""

@@ -6,9 +6,14 @@ that opened it already finds it.
 
 from textual.containers import Vertical
 from textual.widget import Widget
+from textual.widgets import Button
 
 
-class Overlay(Vertical, can_focus=True):
+class MouseButton(Button, can_focus=False):
+    """For the mouse alone: the keys stay where they are, and Enter never presses it."""
+
+
+class Overlay(Vertical):
     """Hidden until opened. Only keys that work everywhere reach through it."""
 
     _before: Widget | None = None

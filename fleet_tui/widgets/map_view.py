@@ -9,6 +9,7 @@ from fleet_tui.view.raster import Drawing
 from fleet_tui.view.stride import COLUMNS, ROWS, Stride
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.map_picture import MapPicture
+from fleet_tui.widgets.messages import VertexPicked
 
 
 class MapView(MapPicture, can_focus=True):
@@ -109,8 +110,13 @@ class MapView(MapPicture, can_focus=True):
             self.draw()
 
     def action_pick(self) -> None:
-        """Tell what is under the cursor."""
-        if self.scene is not None and self.look.cursor is not None:
+        """Tell what is under the cursor: the vertex it was set on, whoever stands there."""
+        if self.scene is None or self.look.cursor is None:
+            return
+        on = [vertex.id for vertex in self.scene.vertices if (vertex.x, vertex.y) == self.look.cursor]
+        if on:
+            self.post_message(VertexPicked(on[0]))
+        else:
             pixel = self.scene.frame.to_pixel(*self.look.cursor)
             self.pick_at(*self.viewport.camera(self.scene).to_cell(*pixel))
 

@@ -372,3 +372,43 @@ async def test_a_click_beside_a_question_is_no(server: RosbridgeServer) -> None:
         await it.hides("Clear all 1 orders")
         await it.press("y")
         assert len(server.calls) == 1
+
+
+async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        it.app.main.action_order()
+        await it.shows("Receiving  (", "matches")
+        for field in ("from", "to"):
+            rows = it.app.main.query_one("#matches")
+            labels = [rows.render_line(y).text for y in range(rows.size.height)]
+            wanted = "Base" if field == "from" else "Store"
+            row = next(y for y, text in enumerate(labels) if text.startswith(wanted))
+            await it.pilot.click("#matches", offset=(3, row))
+        await it.until(lambda state: state.commands and state.commands[-1].outcome)
+        ids = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Store")}
+        assert sent(server) == [("Execute_order", ids)]
+
+
+async def test_the_send_button_does_what_enter_does(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("o")
+        await it.type("Base")
+        await it.pilot.click("#send")
+        await it.type("Store")
+        await it.pilot.click("#send")
+        await it.until(lambda state: state.commands and state.commands[-1].outcome)
+        assert [name for name, _ in sent(server)] == ["Execute_order"]
+
+
+async def test_a_vertex_chosen_by_key_is_meant_even_where_a_robot_stands(server: RosbridgeServer) -> None:
+    """robot_0 waits at Base."""
+    async with console(config_of(server.url, 1)) as it:
+        it.app.main.map.action_next_vertex(1)
+        scene = it.app.main.map.scene
+        assert scene is not None
+        labelled = [found for found in scene.vertices if found.label]
+        while it.app.main.map.look.cursor != next((v.x, v.y) for v in labelled if v.label == "Base"):
+            it.app.main.map.action_next_vertex(1)
+        await it.press("enter")
+        await it.shows("Order")
+        assert it.app.main.query_one("#from", Input).value == "Base"
