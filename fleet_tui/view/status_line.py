@@ -122,8 +122,8 @@ def _group_runs(state: FleetState, records: list[CommandRecord]) -> tuple[Run, .
     if first.outcome is None:
         return (text, Ink.TEXT), (f": sent {age(state.now - first.issued_at)} ago", Ink.DIM)
     ink = Ink.GOOD if first.outcome is Outcome.ACCEPTED else Ink.ALARM
-    said = visible(first.words)
-    words = f" ({said})" if said.casefold() not in ("", first.outcome.value) else ""
+    # What a robot says on accepting ("paused") is true for that moment only.
+    words = "" if first.outcome is Outcome.ACCEPTED or not first.words else f" ({visible(first.words)})"
     return (text, Ink.TEXT), (f": {first.outcome.value}", ink), (words, Ink.DIM)
 
 
