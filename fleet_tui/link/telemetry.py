@@ -4,11 +4,13 @@ import asyncio
 import logging
 import time
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.link.calls import Calls
 from fleet_tui.link.map_process import WORTH_A_PROCESS, decode_apart, topic_of
+from fleet_tui.link.memory import give_back
 from fleet_tui.link.subscriptions import Wanted, type_problem, wanted_topics
 from fleet_tui.link.transport import Connection
 from fleet_tui.link.writer import Writer
@@ -24,6 +26,8 @@ ROSAPI_TIMEOUT = 2.0
 HEAVY_BYTES = 100_000
 # A bridge too old for CBOR says nothing: after this many seconds the map is asked for as JSON.
 CBOR_PATIENCE = 20.0
+# Seconds until nobody holds the frame of a large map any more, nor the map before it.
+TIDY_AFTER = 1.0
 
 
 class Telemetry:
@@ -161,6 +165,12 @@ class Telemetry:
         loop = asyncio.get_running_loop()
         work = loop.run_in_executor(self._decoder, self._read, payload, is_binary, self._heard)
         work.add_done_callback(lambda done: self._take(done.result()) if not done.cancelled() else None)
+        if len(payload) > WORTH_A_PROCESS:
+            work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, self._tidy))
+
+    def _tidy(self) -> None:
+        with suppress(RuntimeError):  # closed meanwhile
+            self._decoder.submit(give_back)
 
     def _read(
         self, payload: bytes, is_binary: bool, at: float
