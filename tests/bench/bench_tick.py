@@ -34,7 +34,10 @@ class Unlinked(FleetApp):
 
 
 async def tick_ms(robots: int) -> float:
-    """Milliseconds of CPU for main.tick and the painting that it causes: mean of the middle half."""
+    """Milliseconds of CPU for main.tick and the painting that it causes: mean without the slowest 2 %.
+
+    Where nothing changed for the eye there is no painting: with 1 robot in two ticks of three.
+    """
     fleet = DrivenFleet(robots)
     app = Unlinked(fleet.config, fleet.store, load_themes(None)[0], Drawing.BRAILLE)
     app.driver_class = CountingDriver
@@ -49,8 +52,7 @@ async def tick_ms(robots: int) -> float:
             app.main.tick()
             paint(app, *views)
             spent.append((time.thread_time() - start) * 1000)
-    middle = sorted(spent[WARM:])[TICKS // 4 : -TICKS // 4]
-    return statistics.mean(middle)
+    return statistics.mean(sorted(spent[WARM:])[: -TICKS // 50])
 
 
 def main() -> list[Row]:
