@@ -136,7 +136,7 @@ def issued(id_: int, at: float, robot: str = R0) -> events.CommandIssued:
 @pytest.mark.parametrize(
     ("outcome", "words", "said", "ink"),
     [
-        (Outcome.ACCEPTED, "paused", ": accepted (paused)", Ink.GOOD),
+        (Outcome.ACCEPTED, "paused", ": accepted", Ink.GOOD),
         (Outcome.ACCEPTED, "ACCEPTED", ": accepted", Ink.GOOD),
         (Outcome.REFUSED, "REJECTED: no", ": refused (REJECTED: no)", Ink.ALARM),
         (Outcome.NO_ANSWER, "within 5 s", ": no answer (within 5 s)", Ink.ALARM),
