@@ -4,7 +4,6 @@ import asyncio
 import logging
 import time
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
 
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import LinkError, WireError
@@ -166,11 +165,7 @@ class Telemetry:
         work = loop.run_in_executor(self._decoder, self._read, payload, is_binary, self._heard)
         work.add_done_callback(lambda done: self._take(done.result()) if not done.cancelled() else None)
         if len(payload) > WORTH_A_PROCESS:
-            work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, self._tidy))
-
-    def _tidy(self) -> None:
-        with suppress(RuntimeError):  # closed meanwhile
-            self._decoder.submit(give_back)
+            work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, give_back))
 
     def _read(
         self, payload: bytes, is_binary: bool, at: float
