@@ -86,7 +86,7 @@ def frame_times(grid: OccupancyGrid) -> list[Row]:
     what = f"map frame, {SIDE} x {SIDE}, worst zoom and drawing"
     rows = [
         row("P1", what, worst, "ms", 2.0, plain, "pure Python per dot"),
-        row("P1", f"{what}, times pure Python's", worst / plain, "x", 1 / 15),
+        row("P1", "map frame, times that of pure Python per dot", worst / plain, "x", 1 / 15),
     ]
     for name, draw in others(grid.levels[0], WIDTH, HEIGHT):
         rows.append(row("P1", what, worst, "ms", None, median_ms(draw, 9), name))
