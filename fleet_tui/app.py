@@ -14,7 +14,6 @@ from textual.theme import Theme
 from fleet_tui.config.check import map_path
 from fleet_tui.config.schema import Config
 from fleet_tui.keys import keymap
-from fleet_tui.map_files import load_floor_map
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
 from fleet_tui.screens.main import MainScreen
@@ -78,6 +77,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
             self.register_theme(Theme(**theme.textual()))
         self.use_theme(self._config.ui.theme)
         self.main.map.look = Look(drawing=self._drawing)
+        self.main.tick()
         self.set_interval(1 / self._config.ui.ticks_per_second, self.main.tick)
         self.call_after_refresh(self._connect)
         for name in (signal.SIGTERM, signal.SIGHUP):
@@ -97,6 +97,11 @@ class FleetApp(LeanApp, inherit_bindings=False):
             self.call_from_thread(self.main.say, f"the link can't be opened: {problem} (see the log file)")
             return
         self._link = link
+        self._load_maps(link)
+
+    def _load_maps(self, link: "FleetLink") -> None:
+        from fleet_tui.map_files import load_floor_map
+
         for floor in self._config.floors:
             if floor.map:
                 path: Path = map_path(self._config, floor.map)

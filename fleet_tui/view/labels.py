@@ -1,6 +1,6 @@
 """Where text goes so that it covers no other text: whole, or not at all."""
 
-from collections.abc import Iterator
+from functools import lru_cache
 
 import numpy as np
 
@@ -62,13 +62,24 @@ class Room:
         """
         spot: tuple[int, int] | None = (x + glyph, y)
         if not self._clear(x + glyph, y, cells, x, y):
-            around = [spot for spot in _around(x, y, glyph, cells) if self.free(*spot, cells)]
-            clear = (spot for spot in around if self._clear(*spot, cells, x, y))
-            alone = (spot for spot in around if self._alone(*spot, cells))
-            spot = next(clear, None) or next(alone, None) or next(iter(around), None)
+            spot = self._near_spot(x, y, glyph, cells)
         if spot:
             self.take(*spot, cells, _TAG)
         return spot
+
+    def _near_spot(self, x: int, y: int, glyph: int, cells: int) -> tuple[int, int] | None:
+        """The first place that touches nothing, else that touches no tag, else that is free at all."""
+        alone = some = None
+        for dx, dy in _around(glyph, cells):
+            spot = (x + dx, y + dy)
+            if not self.free(*spot, cells):
+                continue
+            if self._clear(*spot, cells, x, y):
+                return spot
+            some = some or spot
+            if alone is None and self._alone(*spot, cells):
+                alone = spot
+        return alone or some
 
     def _clear(self, start: int, row: int, cells: int, x: int, y: int) -> bool:
         """Whether a tag there is free and touches nothing but its own glyph at (x, y)."""
@@ -84,16 +95,18 @@ class Room:
         return _TAG not in (before, after)
 
 
-def _around(x: int, y: int, glyph: int, cells: int) -> Iterator[tuple[int, int]]:
-    """Places for a tag, from the one beside its glyph outwards."""
-    right, left = x + glyph, x - cells
-    yield from ((right, y), (left, y))
+@lru_cache
+def _around(glyph: int, cells: int) -> tuple[tuple[int, int], ...]:
+    """Places for a tag relative to its glyph, from the one beside it outwards."""
+    right, left = glyph, -cells
+    places = [(right, 0), (left, 0)]
     for far in range(1, _REACH + 1):
-        for row in (y - far, y + far):
-            yield from ((at, row) for at in (right, x, x - cells + 1, left))
-        yield from ((right + far, y), (left - far, y))
-        for row in range(y - far + 1, y + far):
-            yield from ((right + far, row), (left - far, row))
+        for row in (-far, far):
+            places += [(at, row) for at in (right, 0, 1 - cells, left)]
+        places += [(right + far, 0), (left - far, 0)]
+        for row in range(1 - far, far):
+            places += [(right + far, row), (left - far, row)]
+    return tuple(dict.fromkeys(places))
 
 
 def _hidden(inks: Inks) -> int:

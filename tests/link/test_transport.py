@@ -172,7 +172,7 @@ async def test_an_error_in_a_listener_costs_only_its_frame(caplog: pytest.LogCap
 
 async def test_a_frozen_server_is_noticed() -> None:
     """One that takes the connection and then neither reads nor answers pings."""
-    frozen: list[asyncio.StreamReader] = []
+    frozen: list[asyncio.StreamWriter] = []
 
     async def attend(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         request = (await reader.readuntil(b"\r\n\r\n")).decode()
@@ -186,7 +186,8 @@ async def test_a_frozen_server_is_noticed() -> None:
             b"HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
             + f"Sec-WebSocket-Accept: {answer}\r\n\r\n".encode()
         )
-        frozen.append(reader)
+        # Held, so that nobody closes it.
+        frozen.append(writer)
 
     server = await asyncio.start_server(attend, "127.0.0.1", 0)
     async with server:

@@ -189,7 +189,7 @@ def test_the_label_under_the_cursor_goes_before_the_others_but_not_before_the_mi
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.integers(0, 10_000), st.floats(9.0, 12.0))
+@given(st.integers(0, 10_000), st.floats(10.5, 12.0))
 def test_of_a_hundred_robots_each_has_its_number_where_there_is_room(seed: int, spread: float) -> None:
     rng = np.random.default_rng(seed)
     at = 6.0 + (rng.random((100, 2)) - 0.5) * (spread, spread / 2)
