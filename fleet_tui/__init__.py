@@ -1,3 +1,9 @@
 """The terminal console for robot fleets behind a rosbridge server."""
 
+import os
+
 __version__ = "0.1.0"
+
+# Textual reads this when it is imported: a key is painted within 4 ms instead of 17. What has not
+# changed is not sent, whatever the rate.
+os.environ.setdefault("TEXTUAL_FPS", "250")

@@ -23,7 +23,7 @@ from textual.screen import Screen
 from fleet_tui.terminal.glass import Glass
 
 MADE_FOR = "8.2.8"
-RETRY = 0.03
+RETRY = 0.003
 """Seconds until the next look whether the terminal reads again."""
 
 Part = tuple[int, int, int, Iterator[Segment]]
