@@ -12,10 +12,10 @@ from typing import Any, NoReturn, TypeVar
 import click
 
 from fleet_tui import __version__
-from fleet_tui.config.check import did_you_mean, missing_files
+from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, load, read, user_folder
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import ConfigError, FleetError
+from fleet_tui.errors import ConfigError, FleetError, did_you_mean
 
 F = TypeVar("F", bound=Callable[..., Any])
 

@@ -9,11 +9,10 @@ import time
 import msgspec
 
 from fleet_tui.app import FleetApp
-from fleet_tui.config.check import did_you_mean
 from fleet_tui.config.load import user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.errors import ConfigError, FleetError
+from fleet_tui.errors import ConfigError, FleetError, did_you_mean
 from fleet_tui.log_file import log_to_file
 from fleet_tui.store import Store
 from fleet_tui.themes import load_themes

@@ -1,5 +1,8 @@
 """What can go wrong, in the words an operator reads. The message names the thing and the remedy."""
 
+from collections.abc import Iterable
+from difflib import get_close_matches
+
 
 class FleetError(Exception):
     """Base of every error the program raises on purpose."""
@@ -27,3 +30,9 @@ class CommandError(FleetError):
 
 class MapError(FleetError):
     """A map that can't be drawn, and why."""
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """`, did you mean NAME?` where a known name is near."""
+    near = get_close_matches(word, sorted(known), n=1, cutoff=0.5)
+    return f", did you mean {near[0]}?" if near else ""

@@ -2,7 +2,8 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
+
+from fleet_tui.errors import did_you_mean
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,8 +130,7 @@ def _problem_of_key(key: str) -> str | None:
     *modifiers, last = key.split("+") if len(key) > 1 else [key]
     known = (len(last) == 1 and last.isprintable() and not last.isspace()) or last in _NAMED
     if not known:
-        near = get_close_matches(last, sorted(_NAMED), n=1)
-        return "no such key" + (f", did you mean {near[0]}?" if near else "")
+        return f"no such key{did_you_mean(last, _NAMED)}"
     if len(last) == 1 and "shift" in modifiers:
         return "write the shifted character itself"
     if len(last) == 1 and last.isupper() and "ctrl" in modifiers:
@@ -157,8 +157,7 @@ def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list
     chosen = {key.id: key.keys for key in KEYS}
     for id_, text in changes.items():
         if id_ not in _BY_ID:
-            near = get_close_matches(id_, list(_BY_ID), n=1, cutoff=0.5)
-            problems.append(f"keys.{id_}: no such key id" + (f", did you mean {near[0]}?" if near else ""))
+            problems.append(f"keys.{id_}: no such key id{did_you_mean(id_, _BY_ID)}")
             continue
         keys = ("," if text == "," else part.strip() for part in ([text] if text == "," else text.split(",")))
         chosen[id_] = tuple(keys)

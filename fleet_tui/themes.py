@@ -4,13 +4,12 @@ import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from rich.style import Style
 
-from fleet_tui.errors import ConfigError
+from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.view.roles import Ink
 
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
@@ -151,8 +150,7 @@ def _strangers(
 ) -> Iterator[str]:
     for name in entries:
         if name not in names:
-            near = get_close_matches(name, names, 1)
-            yield f"{prefix}{name} is unknown" + (f": did you mean {near[0]}" if near else "")
+            yield f"{prefix}{name} is unknown{did_you_mean(name, names)}"
 
 
 def _gaps(content: dict[str, Any]) -> Iterator[str]:

@@ -2,13 +2,13 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
-from difflib import get_close_matches
+from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import urlsplit
 
 from fleet_tui.config.profile import FIELDS, FLOOR_TOPICS, SERVICES, TOPICS, Profile
 from fleet_tui.config.schema import DEFAULT_LINK, Config
+from fleet_tui.errors import did_you_mean
 from fleet_tui.keys import keymap
 
 # ROS graph names, and what is harmless beside them.
@@ -51,12 +51,6 @@ def expanded(name: str) -> Path:
         return Path(name).expanduser()
     except RuntimeError:
         return Path(name)
-
-
-def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """`, did you mean NAME?` where a known name is near."""
-    near = get_close_matches(word, sorted(known), n=1, cutoff=0.5)
-    return f", did you mean {near[0]}?" if near else ""
 
 
 def _urls(config: Config) -> Iterator[str]:

@@ -11,9 +11,9 @@ from typing import Any, Literal
 import msgspec
 import platformdirs
 
-from fleet_tui.config.check import checked, did_you_mean, expanded
+from fleet_tui.config.check import checked, expanded
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import ConfigError
+from fleet_tui.errors import ConfigError, did_you_mean
 
 _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "true or false"} | {
     "array": "a list",

@@ -153,17 +153,6 @@ class ActionQueue(msgspec.Struct, frozen=True):
     orders: list[Any]
 
 
-# Structs whose field names are ours: the source doesn't give them, so a profile may change them.
-RENAMEABLE: Mapping[str, type[msgspec.Struct]] = {
-    "graph": Graph,
-    "vertex": GraphVertex,
-    "edge": GraphEdge,
-    "labels": LabeledVertices,
-    "label": LabeledVertex,
-    "queue": ActionQueue,
-    "order": QueuedOrder,
-}
-
 S = TypeVar("S", bound=msgspec.Struct)
 
 

@@ -41,4 +41,3 @@ class Ink(IntEnum):
     WARN = auto()
     ALARM = auto()
     KEY = auto()
-    ROW_CURSOR = auto()

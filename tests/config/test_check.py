@@ -5,9 +5,10 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.config.check import checked, did_you_mean, map_path, missing_files
+from fleet_tui.config.check import checked, map_path, missing_files
 from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import Alarms, Config, FloorEntry, Link, RobotEntry
+from fleet_tui.errors import did_you_mean
 
 GOOD = Config(
     floors=[FloorEntry("floor_0"), FloorEntry("floor_1")],

@@ -64,7 +64,7 @@ def test_without_colour_the_selected_robot_still_stands_out(name: str) -> None:
     ("content", "problem"),
     [
         ("nonsense", "can't be read"),
-        ("[inks]\nwal = '#112233'", "inks.wal is unknown: did you mean wall"),
+        ("[inks]\nwal = '#112233'", "inks.wal is unknown, did you mean wall?"),
         ("[inks]\nwall = 'red'", "inks.wall = 'red' is no colour"),
         ("[inks]\nwall = { on = 3 }", "inks.wall.on = 3 is no colour"),
         ("[inks]\nwall = { bold = 'yes' }", "inks.wall.bold must be true or false"),
