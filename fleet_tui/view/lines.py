@@ -21,6 +21,8 @@ OFF_EDGE = 1.0
 FADED = 30.0
 """Seconds after which a trail is paler and has half as many dots."""
 _ARROW_ROOM = 8.0  # dots of an edge that must be seen before it gets an arrow head
+_NEXT = ":"
+"""The next orders' way in ASCII."""
 _ARROWS = ("▸▴◂▾", ">^<v")  # east first, counter-clockwise; the second in ASCII
 
 
@@ -32,6 +34,7 @@ def _table(*inks: Ink) -> NDArray[np.bool_]:
 
 _GROUND = _table(Ink.FLOOR, Ink.UNKNOWN)
 _OPEN = _table(Ink.FLOOR, Ink.UNKNOWN, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD)
+_WAYS = (Ink.MISSION, Ink.MISSION_NEXT)
 _KEPT = _table(Ink.WALL, Ink.WALL_BEYOND, Ink.MISSION_NEXT, Ink.MISSION)
 
 
@@ -86,11 +89,11 @@ def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None
     if scene.mission.following:
         mask = _mask(camera)
         _trace(mask, *_ends(scene, camera, scene.mission.following), dashed=True)
-        _stroke(cells, mask, Ink.MISSION_NEXT, look, ":")
+        _stroke(cells, mask, Ink.MISSION_NEXT, look, _NEXT)
     if scene.mission.current:
         mask = _mask(camera)
         _trace(mask, *_ends(scene, camera, scene.mission.current))
-        _stroke(cells, _thick(mask), Ink.MISSION, look, "*")
+        _stroke(cells, mask if look.plain else _thick(mask), Ink.MISSION, look, "*")
 
 
 def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
@@ -109,7 +112,7 @@ def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> Non
         edge, done = (pose.x, pose.y, to_x, to_y), 0.0
     mask = _mask(camera)
     _trace(mask, *_ends(scene, camera, (edge,)), done=done)
-    _stroke(cells, _thick(mask), Ink.MISSION, look, "*")
+    _stroke(cells, mask if look.plain else _thick(mask), Ink.MISSION, look, "*")
 
 
 def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
@@ -136,18 +139,18 @@ def _thick(mask: Mask) -> Mask:
 def _stroke(cells: Cells, mask: Mask, ink: Ink, look: Look, plain: str) -> None:
     """Draw the dots in one ink where nothing more important stands; as ASCII the character `plain`.
 
-    In braille the dots of a wall stay visible under a mission: it only takes their ink.
+    Under a mission a wall stays what it is and only takes its ink: the line goes on through it.
     """
     bits = pack(mask)
     drawn = (bits > 0) & _OPEN[cells.inks]
-    if look.plain and ink is Ink.MISSION:
-        drawn |= (bits > 0) & (cells.inks == Ink.MISSION_NEXT)
+    if ink in _WAYS:
+        crossed = (bits > 0) & _KEPT[cells.inks]
+        dotted = crossed & (cells.codes >= BRAILLE[1]) & (cells.codes <= BRAILLE[-1])
+        cells.codes[dotted] |= bits[dotted]
+        cells.codes[crossed & (cells.codes == ord(_NEXT))] = ord(plain)
+        cells.inks[crossed] = ink
     cells.codes[drawn] = ord(plain) if look.plain else BRAILLE[bits[drawn]]
     cells.inks[drawn] = ink
-    if ink in (Ink.MISSION, Ink.MISSION_NEXT):
-        shared = (bits > 0) & _KEPT[cells.inks] & (cells.codes >= BRAILLE[1]) & (cells.codes <= BRAILLE[-1])
-        cells.codes[shared] |= bits[shared]
-        cells.inks[shared] = ink
 
 
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")

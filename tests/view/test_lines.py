@@ -86,6 +86,37 @@ def test_no_mission_takes_a_wall_away(
         assert (after.codes[walls] == before.codes[walls]).all()
 
 
+@settings(deadline=None)
+@given(lines, lines, st.floats(0.3, 8.0), st.sampled_from(Drawing))
+def test_the_current_way_is_one_line_through_walls_and_over_the_next_ways(
+    current: Line, following: Line, zoom: float, drawing: Drawing
+) -> None:
+    camera = CAMERA.zoomed(zoom)
+    cells = drawn(replace(SCENE, mission=Mission((current,), (following, current))), Look(drawing), camera)
+    x, y, to_x, to_y = current
+    for share in np.linspace(0.0, 1.0, 400):
+        column, row = FRAME.to_pixel(x + (to_x - x) * share, y + (to_y - y) * share)
+        half = camera.scale / 2
+        around = {camera.to_cell(column + dx, row + dy) for dx in (-half, half) for dy in (-half, half)}
+        # A point half a dot inside its cell: one at the rim may have its dot in the cell beside it.
+        if len(around) == 1 and camera.shows(*(at := around.pop())):
+            assert cells.inks[at[1], at[0]] == Ink.MISSION
+    line = cells.inks == Ink.MISSION
+    marks = {chr(code) for code in cells.codes[line]}
+    if drawing is Drawing.ASCII:
+        assert marks <= {"*", "#"}
+    elif drawing is Drawing.HALF_BLOCK:
+        assert all(mark in "█▀▄▒▓" or 0x2800 < ord(mark) < 0x2900 for mark in marks)
+
+
+def test_a_way_through_a_wall_goes_on_in_it() -> None:
+    y = CAMERA.to_cell(*FRAME.to_pixel(5.0, 5.0))[1]
+    left, right = (CAMERA.to_cell(*FRAME.to_pixel(x, 5.0))[0] for x in (2.0, 18.0))
+    for drawing in Drawing:
+        inks = drawn(replace(SCENE, mission=Mission(ACROSS)), Look(drawing)).inks[y, left : right + 1]
+        assert set(inks.tolist()) == {Ink.MISSION}, drawing
+
+
 def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
     vertices = (SceneVertex(1, 2.0, 5.0, label="Base"), SceneVertex(2, 18.0, 5.0, label="Store"))
     robot = SceneRobot("r", 1, Pose(6.0, 5.0), selected=True)

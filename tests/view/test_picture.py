@@ -22,7 +22,7 @@ from fleet_tui.view.layers import Look
 from fleet_tui.view.picture import backdrop, picture
 from fleet_tui.view.raster import Drawing
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.scene import Mission, Scene, SceneRobot, SceneVertex
 
 GOLDEN = Path(__file__).parent / "golden"
 WIDTH, HEIGHT = 64, 20
@@ -65,15 +65,39 @@ def drawn(scene: Scene = SCENE, camera: Camera = FIT, look: Look | None = None) 
     return picture(backdrop(scene, camera, look), scene, camera, look)
 
 
+def is_golden(text: str, name: str) -> None:
+    text, path = text + "\n", GOLDEN / f"{name}.txt"
+    if os.environ.get("FLEET_TUI_REGENERATE"):
+        path.write_text(text, encoding="utf-8")
+    assert text == path.read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize("drawing", list(Drawing))
 @pytest.mark.parametrize("zoomed", [False, True])
 def test_golden(drawing: Drawing, zoomed: bool) -> None:
     camera = FIT.zoomed(2, SCENE.frame.to_pixel(6.0, 2.3)) if zoomed else FIT
-    text = drawn(camera=camera, look=Look(drawing, edges=zoomed)).text() + "\n"
-    path = GOLDEN / f"{drawing.value}{'_zoomed_edges' if zoomed else ''}.txt"
-    if os.environ.get("FLEET_TUI_REGENERATE"):
-        path.write_text(text, encoding="utf-8")
-    assert text == path.read_text(encoding="utf-8")
+    cells = drawn(camera=camera, look=Look(drawing, edges=zoomed))
+    is_golden(cells.text(), f"{drawing.value}{'_zoomed_edges' if zoomed else ''}")
+
+
+@pytest.mark.parametrize("drawing", list(Drawing))
+def test_golden_mission_and_trails(drawing: Drawing) -> None:
+    """The current way goes through the dividing wall, the next one through a rack; one trail is old."""
+    along = np.arange(0.0, 3.0, 0.12)
+    fresh = np.stack((2.6 + along * 0.8, 4.2 + along * 0.6, along), axis=1)
+    old = np.stack((8.0 + along * 0.2, 1.0 + along * 0.6, 40.0 + along), axis=1)
+    current = ((3.0, 2.2, 3.0, 1.2), (3.0, 1.2, 9.5, 5.2))
+    following = ((9.5, 5.2, 9.5, 2.2), (9.5, 2.2, 5.2, 2.2))
+    way = Mission(current, following, (1.5, 6.2, 3.0, 2.2))
+    scene = replace(SCENE, mission=way, trail=np.concatenate((fresh, old)))
+    cells = drawn(scene, look=Look(drawing, trails=True))
+    is_golden(f"{cells.text()}\n\n{_ways(cells)}", f"{drawing.value}_mission_trails")
+
+
+def _ways(cells: Cells) -> str:
+    """Which cells have the inks of ways and trails: a wall under a way has the way's."""
+    marks = {Ink.MISSION: "*", Ink.MISSION_NEXT: ":", Ink.TRAIL: ",", Ink.TRAIL_OLD: "'"}
+    return "\n".join("".join(marks.get(Ink(ink), "-") for ink in row) for row in cells.inks.tolist())
 
 
 def test_ascii_is_ascii_whatever_the_labels_say() -> None:
