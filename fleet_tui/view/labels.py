@@ -9,15 +9,17 @@ from fleet_tui.view.roles import Ink
 from fleet_tui.view.text import cell_width
 
 _REACH = 3  # rows or cells that a tag may be away from its robot
-_THING, _TAG = 1, 2
+_THING, _TAG, _TEXT = 1, 2, 3
+_HELD = np.zeros(len(Ink), np.uint8)
+_HELD[Ink.VERTEX : Ink.TARGET + 1] = _TEXT  # vertices and labels
 
 
 class Room:
-    """Which cells of a view are taken already."""
+    """Which cells of a view are taken already; `below` is what tags should not cover."""
 
-    def __init__(self, width: int, height: int) -> None:
+    def __init__(self, width: int, height: int, below: Inks | None = None) -> None:
         self._width, self._height = width, height
-        self._taken = bytearray(width * height)
+        self._taken = bytearray(width * height) if below is None else bytearray(_HELD[below])
 
     def take(self, x: int, y: int, cells: int, by: int = _THING) -> None:
         """Take `cells` cells of row y from x on, as far as they are in the view."""
@@ -58,28 +60,41 @@ class Room:
     def tag_spot(self, x: int, y: int, glyph: int, cells: int) -> tuple[int, int] | None:
         """The place for a robot's tag beside its glyph of `glyph` cells at (x, y); now taken.
 
-        Where robots crowd, it dodges, the less the better; in a heap without any room there is none.
+        Where robots crowd, it dodges, the less the better: two numbers side by side read as one.
+        Rather it covers a label; in a heap without any room there is none.
         """
         spot: tuple[int, int] | None = (x + glyph, y)
         if not self._clear(x + glyph, y, cells, x, y):
-            spot = self._near_spot(x, y, glyph, cells)
+            alone, some = self._near_spots(x, y, glyph, cells)
+            if alone is None and _TEXT in self._taken:
+                alone, covering = self._bare()._near_spots(x, y, glyph, cells)
+                some = some or covering
+            spot = alone or some
         if spot:
             self.take(*spot, cells, _TAG)
         return spot
 
-    def _near_spot(self, x: int, y: int, glyph: int, cells: int) -> tuple[int, int] | None:
-        """The first place that touches nothing, else that touches no tag, else that is free at all."""
+    def _bare(self) -> "Room":
+        """The same without vertices and labels."""
+        bare = Room(self._width, self._height)
+        bare._taken = self._taken.replace(bytes((_TEXT,)), b"\0")
+        return bare
+
+    def _near_spots(
+        self, x: int, y: int, glyph: int, cells: int
+    ) -> tuple[tuple[int, int] | None, tuple[int, int] | None]:
+        """The first place that touches nothing, else no tag; and the first that is free at all."""
         alone = some = None
         for dx, dy in _around(glyph, cells):
             spot = (x + dx, y + dy)
             if not self.free(*spot, cells):
                 continue
-            if self._clear(*spot, cells, x, y):
-                return spot
             some = some or spot
+            if self._clear(*spot, cells, x, y):
+                return spot, some
             if alone is None and self._alone(*spot, cells):
                 alone = spot
-        return alone or some
+        return alone, some
 
     def _clear(self, start: int, row: int, cells: int, x: int, y: int) -> bool:
         """Whether a tag there is free and touches nothing but its own glyph at (x, y)."""

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from fleet_tui.model.graph import Role
 from fleet_tui.view.camera import Camera
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.glyphs import robot_glyph, robot_inks, robot_tag, vertex_glyph
@@ -10,7 +11,7 @@ from fleet_tui.view.labels import Room
 from fleet_tui.view.places import Place, seen_robots, seen_vertices
 from fleet_tui.view.raster import Drawing, ground
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.scene import Scene, SceneRobot
+from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.text import visible
 
 
@@ -50,20 +51,20 @@ def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: Look) -> Non
 def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     """Labels where there is room for the whole of them, so more of them the nearer the view.
 
-    First the mission's ends, then the vertex under the cursor, then by vertex id.
+    First the mission's ends, then the vertex under the cursor, elevators and docking stations, the
+    others; equals by vertex id. The order is the same at every zoom: what stands, stands nearer too,
+    unless something before it now finds room there.
     """
     if not look.labels:
         return
     placed = seen_vertices(scene, camera)
     room = Room(camera.width, camera.height)
     for vertex, (x, y) in placed:
-        if vertex.role.value != "plain" or vertex.label:
+        if vertex.role is not Role.PLAIN or vertex.label:
             room.take(x, y, 1)
     targets = scene.target_vertices
     labelled = [at for at in placed if at[0].label]
-    for vertex, (x, y) in sorted(
-        labelled, key=lambda at: (at[0].id not in targets, at[0].id != look.pointed, at[0].id)
-    ):
+    for vertex, (x, y) in sorted(labelled, key=lambda at: _rank(at[0], targets, look)):
         text = visible(vertex.label)
         if look.plain:
             text = text.encode("ascii", "replace").decode()
@@ -72,12 +73,17 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
             cells.write(*spot, text, Ink.TARGET if vertex.id in targets else Ink.LABEL)
 
 
+def _rank(vertex: SceneVertex, targets: tuple[int, ...], look: Look) -> tuple[bool, bool, bool, int]:
+    """The smallest goes first."""
+    return vertex.id not in targets, vertex.id != look.pointed, vertex.role is Role.PLAIN, vertex.id
+
+
 def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     """Every robot as an arrow with its number beside it; the selected one on top and placed first."""
     placed = seen_robots(scene, camera)
     owners = {at: robot for robot, at in reversed(placed)}  # of robots in one cell the first one is seen
     glyphs = {at: _robot_glyph(robot, at, owners, scene, look) for at, robot in owners.items()}
-    room = Room(camera.width, camera.height)
+    room = Room(camera.width, camera.height, cells.inks)
     for (x, y), glyph in glyphs.items():
         room.take(x, y, len(glyph))
     for robot, (x, y) in placed:

@@ -1,9 +1,19 @@
 """Tags and labels find what room there is, and two of them never read as one."""
 
-from hypothesis import given
+from dataclasses import replace
+
+import numpy as np
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import Role
+from fleet_tui.view.camera import Camera
 from fleet_tui.view.labels import Room
+from fleet_tui.view.layers import Look
+from fleet_tui.view.picture import backdrop, picture
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 
 WIDTH, HEIGHT = 24, 9
 places = st.tuples(st.integers(0, WIDTH - 1), st.integers(0, HEIGHT - 1))
@@ -38,3 +48,87 @@ def test_tags_of_robots_in_one_cell_do_not_touch_each_other() -> None:
         x, y = spot
         assert not {(x + beside, y) for beside in (-1, 0, 1, 2)} & cells
         cells |= {(x, y), (x + 1, y)}
+
+
+@given(st.sets(places, max_size=WIDTH * HEIGHT), places)
+def test_a_tag_covers_a_label_only_where_nothing_else_is_free(
+    texts: set[tuple[int, int]], at: tuple[int, int]
+) -> None:
+    below = np.full((HEIGHT, WIDTH), Ink.FLOOR, np.uint8)
+    for x, y in texts:
+        below[y, x] = Ink.LABEL
+    room, before = Room(WIDTH, HEIGHT, below), Room(WIDTH, HEIGHT, below)
+    for one in (room, before):
+        one.take(*at, 1)
+    spot = room.tag_spot(*at, 1, 2)
+    assert spot is not None
+    if {spot, (spot[0] + 1, spot[1])} & texts:
+        near = [(x, y) for x in range(at[0] - 2, at[0] + 2) for y in range(at[1] - 3, at[1] + 4)]
+        assert not any(before.free(*place, 2) for place in near)
+
+
+def test_where_all_is_labels_a_number_covers_one() -> None:
+    assert Room(WIDTH, HEIGHT, np.full((HEIGHT, WIDTH), Ink.LABEL, np.uint8)).tag_spot(9, 4, 1, 2)
+
+
+FRAME = MapFrame(0.05, 400, 200)
+CAMERA = Camera.fit((400, 200), 120, 40)
+EMPTY = Scene("f", FRAME)
+ROLES = st.sampled_from(Role)
+near_middle = st.tuples(st.floats(9.7, 10.3), st.floats(4.8, 5.2), ROLES)
+
+
+def names(scene: Scene, camera: Camera) -> set[int]:
+    """The ids of the vertices whose labels stand; a label is its vertex' id."""
+    cells = backdrop(scene, camera, Look(pointed=1))
+    texts = np.where(np.isin(cells.inks, (Ink.LABEL, Ink.TARGET)), cells.codes, ord(" "))
+    return {int(word) - 10**9 for row in texts for word in "".join(map(chr, row)).split() if word.isdigit()}
+
+
+def crowd(at: list[tuple[float, float, Role]]) -> Scene:
+    vertices = tuple(SceneVertex(n, x, y, role, str(10**9 + n)) for n, (x, y, role) in enumerate(at))
+    return replace(EMPTY, vertices=vertices, target_vertices=(0,))
+
+
+def silent(scene: Scene, which: set[int]) -> Scene:
+    """Some vertices without their labels; they stay marks that labels keep clear of."""
+    vertices = (replace(v, label="", role=Role.DOCKING) if v.id in which else v for v in scene.vertices)
+    return replace(scene, vertices=tuple(vertices))
+
+
+def importance(scene: Scene, n: int) -> tuple[bool, bool, bool, int]:
+    return n != 0, n != 1, scene.vertices[n].role is Role.PLAIN, n
+
+
+@settings(deadline=None)
+@given(st.lists(near_middle, min_size=6, max_size=12), st.floats(0.5, 4.0), st.floats(1.1, 3.0))
+def test_a_label_that_stands_stands_nearer_too_unless_one_before_it_took_its_place(
+    at: list[tuple[float, float, Role]], zoom: float, nearer: float
+) -> None:
+    scene, camera = crowd(at), CAMERA.zoomed(zoom, (200, 100))
+    near_camera = camera.zoomed(nearer, (200, 100))
+    order = sorted(range(len(at)), key=lambda n: importance(scene, n))
+    for lost in names(scene, camera) - names(scene, near_camera):
+        if lost in names(silent(scene, {*order} - {lost}), near_camera):  # the vertices leave it room
+            assert lost in names(silent(scene, {*order[: order.index(lost)]}), near_camera)
+
+
+@settings(deadline=None)
+@given(st.lists(near_middle, min_size=6, max_size=12), st.floats(0.5, 8.0), st.integers(1, 11))
+def test_the_less_important_labels_take_no_place_from_the_others(
+    at: list[tuple[float, float, Role]], zoom: float, kept: int
+) -> None:
+    scene, camera = crowd(at), CAMERA.zoomed(zoom, (200, 100))
+    order = sorted(range(len(at)), key=lambda n: importance(scene, n))
+    assert names(silent(scene, {*order[kept:]}), camera) == names(scene, camera) & set(order[:kept])
+
+
+def test_a_robot_at_a_station_leaves_the_stations_name_readable() -> None:
+    station = SceneVertex(1, 10.0, 5.0, Role.DOCKING, "Dock")
+    robots = (SceneRobot("r", 1, Pose(10.0, 5.0), selected=True), SceneRobot("s", 2, Pose(10.4, 5.6)))
+    scene = replace(EMPTY, vertices=(station,), robots=robots)
+    for zoom in (0.5, 1.0, 2.0, 4.0):
+        camera = CAMERA.zoomed(zoom, (200, 100))
+        text = picture(backdrop(scene, camera, Look()), scene, camera, Look()).text()
+        assert " Dock" in text
+        assert "1" in text
