@@ -23,7 +23,7 @@ from fleet_tui.themes import FleetTheme
 from fleet_tui.view.layers import Look
 from fleet_tui.view.raster import Drawing
 from fleet_tui.widgets.bindings import bindings, textual_keymap
-from fleet_tui.widgets.cells_view import CellsView
+from fleet_tui.widgets.ink_view import InkView
 
 if TYPE_CHECKING:
     from fleet_tui.link.fleet_link import FleetLink
@@ -133,7 +133,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         theme = self._themes[name]
         self.theme = f"fleet-{name}"
         styles = theme.styles(self._colour)
-        for view in self.main.query(CellsView):
+        for view in self.main.query(InkView):
             view.set_inks(styles)
 
     def action_help(self) -> None:

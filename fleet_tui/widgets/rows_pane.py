@@ -5,18 +5,17 @@ from collections.abc import Hashable
 from textual import events
 from textual.geometry import Size
 
-from fleet_tui.view.cells import Cells
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Button, Row, Run, Table, cut, width_of
 from fleet_tui.widgets.bindings import bindings
-from fleet_tui.widgets.cells_view import CellsView
-from fleet_tui.widgets.line_view import write_runs
+from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.messages import ButtonPressed, RowChosen, RowPicked
 
 MARK = "▸"
+NO_MARK = (" ", Ink.TEXT)
 
 
-class RowsPane(CellsView, can_focus=True):
+class RowsPane(InkView, can_focus=True):
     """Shows a Table. `cursor` is the key of the row that keys and menus mean."""
 
     BINDINGS = bindings("table")
@@ -57,23 +56,22 @@ class RowsPane(CellsView, can_focus=True):
         if width < 1 or height < 1:
             return
         self._scroll(height - 1)
-        cells = Cells.blank(width, height, Ink.TEXT)
-        self._draw_title(cells)
-        for y, row in enumerate(self._table.rows[self._top : self._top + height - 1], 1):
-            if row.key == self.cursor:
-                cells.write(0, y, MARK, Ink.ACCENT if self.has_focus else Ink.DIM)
-            write_runs(cells, 1, y, _slide(row, self._slid, self.room))
-        if not self._table.rows and height > 1:
-            cells.write(1, 1, self._table.empty, Ink.DIM)
-        self.paint(cells)
+        mark = MARK, Ink.ACCENT if self.has_focus else Ink.DIM
+        shown = [
+            (mark if row.key == self.cursor else NO_MARK, *_slide(row, self._slid, self.room))
+            for row in self._table.rows[self._top : self._top + height - 1]
+        ]
+        if not shown:
+            shown = [cut([NO_MARK, (self._table.empty, Ink.DIM)], width)]
+        blank = [((" " * width, Ink.TEXT),)] * (height - 1 - len(shown))
+        self.paint_rows([self._title(width), *shown, *blank][:height])
 
     def _scroll(self, rows: int) -> None:
         """The cursor's row stays in view, and no row is wasted at the end."""
         self._top = max(0, min(self._top, self._place, len(self._table.rows) - rows))
         self._top = max(self._top, self._place - rows + 1, 0)
 
-    def _draw_title(self, cells: Cells) -> None:
-        cells.write(0, 0, "─" * cells.codes.shape[1], Ink.RULE)
+    def _title(self, width: int) -> tuple[Run, ...]:
         title: list[Run] = [
             (text, Ink.TITLE_FOCUSED if ink is Ink.TITLE and self.has_focus else ink)
             for text, ink in self._table.title
@@ -81,8 +79,8 @@ class RowsPane(CellsView, can_focus=True):
         hidden = len(self._table.rows) - (self.size.height - 1)
         if hidden > 0 and not self._table.title_buttons:
             title.append((f" {self._place + 1}/{len(self._table.rows)}", Ink.DIM))
-        end = write_runs(cells, 1, 0, [(" ", Ink.RULE), *title])
-        cells.write(end, 0, " ", Ink.RULE)
+        runs = [("─ ", Ink.RULE), *title, (" ", Ink.RULE)]
+        return cut([*runs, ("─" * (width - width_of(runs)), Ink.RULE)], width)
 
     def action_move(self, step: int) -> None:
         """The cursor up or down."""

@@ -14,7 +14,7 @@ import fleet_tui
 from fleet_tui.app import FleetApp
 from fleet_tui.themes import load_themes
 from fleet_tui.view.raster import Drawing
-from fleet_tui.widgets.cells_view import CellsView
+from fleet_tui.widgets.ink_view import InkView
 from tests.bench.bench_bytes import CountingDriver
 from tests.bench.driven_fleet import DrivenFleet
 from tests.bench.in_pty import HEIGHT, WIDTH
@@ -45,7 +45,7 @@ async def tick_ms(robots: int) -> float:
     async with app.run_test(headless=False, size=(WIDTH, HEIGHT)) as pilot:
         fleet.step()
         await pilot.pause()
-        views = list(app.main.query(CellsView))
+        views = list(app.main.query(InkView))
         for _ in range(WARM + TICKS):
             fleet.step()
             start = time.thread_time()
