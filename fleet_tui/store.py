@@ -1,17 +1,26 @@
 """The table in the middle of the house: the newest state, for everybody to read."""
 
+from collections.abc import Callable
+
 from fleet_tui.model.apply import apply
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 
+Watcher = Callable[[FleetState, FleetState], None]
+
 
 class Store:
     """Holds the newest state. Only the writer's thread calls `tell`; any thread reads `state`,
-    which is one reference, swapped whole."""
+    which is one reference, swapped whole. A watcher is called with the state before and after a
+    fact that changed a command or an alarm, before anything else happens."""
 
     def __init__(self, state: FleetState) -> None:
         self.state = state
+        self.watchers: list[Watcher] = []
 
     def tell(self, event: Event) -> None:
         """Take one fact into the picture."""
-        self.state = apply(self.state, event)
+        before, self.state = self.state, apply(self.state, event)
+        if before.commands is not self.state.commands or before.alarms is not self.state.alarms:
+            for watcher in self.watchers:
+                watcher(before, self.state)

@@ -10,8 +10,11 @@ from typing import Any
 
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.apply import apply
+from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import (
     BatteryReported,
+    CommandAdvanced,
+    CommandIssued,
     Event,
     GraphReceived,
     LabelsReceived,
@@ -81,6 +84,13 @@ def link_up(at: float) -> LinkChanged:
 
 def link_lost(at: float, reason: str = "nothing listens there", next_try: float | None = None) -> LinkChanged:
     return LinkChanged(LINK, at, Phase.WAITING, reason, next_try)
+
+
+def commanded(
+    id_: int, command: Command, *stages: Stage, at: float = T0, words: str = ""
+) -> tuple[CommandIssued | CommandAdvanced, ...]:
+    """A command, and how the link brought it on; `words` come with every stage."""
+    return CommandIssued(id_, command, at, WALL), *(CommandAdvanced(id_, one, at, words) for one in stages)
 
 
 def recording(name: str) -> list[dict[str, Any]]:

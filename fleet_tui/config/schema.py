@@ -68,6 +68,7 @@ class Alarms(msgspec.Struct, frozen=True):
     battery_critical: Percent = 10.0
     no_link_after: Positive = 2.0
     no_answer_after: Positive = 5.0
+    not_confirmed_after: Positive = 5.0
 
 
 class Config(msgspec.Struct, frozen=True):

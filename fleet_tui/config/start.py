@@ -24,6 +24,7 @@ def initial_state(config: Config, now: float) -> FleetState:
             alarms.battery_low,
             alarms.battery_critical,
             alarms.no_link_after,
+            alarms.not_confirmed_after,
         ),
         now=now,
     )

@@ -44,19 +44,28 @@ class Calls:
         return Call(call_id, service, answer)
 
     async def wait(self, call: "Call", within: float) -> operations.ServiceResponse:
-        """Wait `within` seconds at most for an answer. Raises LinkLostError or NoAnswerError."""
+        """Wait `within` seconds at most for an answer; it may be waited for again, until `forget`.
+
+        Raises LinkLostError or NoAnswerError.
+        """
         try:
-            return await asyncio.wait_for(call.answer, within)
+            return await asyncio.wait_for(asyncio.shield(call.answer), within)
         except TimeoutError:
             raise NoAnswerError(f"from {call.service} in {within:g} s: it may still be carried out") from None
-        finally:
-            del self._pending[call.id]
+
+    def forget(self, call: "Call") -> None:
+        """Nobody waits for this answer any more."""
+        del self._pending[call.id]
 
     async def call(
         self, service: str, args: Mapping[str, object], within: float
     ) -> operations.ServiceResponse:
         """Send a call and wait for its answer; raises what `start` and `wait` raise."""
-        return await self.wait(self.start(service, args), within)
+        call = self.start(service, args)
+        try:
+            return await self.wait(call, within)
+        finally:
+            self.forget(call)
 
     def on_response(self, response: operations.ServiceResponse) -> bool:
         """Take an answer; False if nobody waits for it (any more)."""

@@ -9,8 +9,8 @@ from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.link.calls import Call, Calls, LinkLostError, NoAnswerError
 from fleet_tui.link.transport import Connection
 from fleet_tui.link.writer import Writer
-from fleet_tui.model.commands import Command, Outcome, PauseRobot
-from fleet_tui.model.events import CommandFinished, CommandPathChanged
+from fleet_tui.model.commands import Command, PauseRobot, Stage
+from fleet_tui.model.events import CommandAdvanced, CommandPathChanged
 from fleet_tui.model.link import CommandPath
 from fleet_tui.robots.interface import Interface
 from fleet_tui.rosbridge import operations
@@ -22,10 +22,12 @@ HEARTBEAT_EVERY, HEARTBEAT_TIMEOUT = 5.0, 5.0
 LONGEST_SILENCE = 2.0
 # A command that waited longer for a stalled console was not meant for this moment any more.
 LATEST = 1.0
+# An answer that comes after its deadline, but within this many seconds, is still the robot's word.
+LATE_ANSWER = 60.0
 
 
 class CommandChannel:
-    """Sends commands now or not at all; each ends exactly once. Runs on the network loop."""
+    """Sends commands now or not at all, and tells how each goes on. Runs on the network loop."""
 
     def __init__(
         self,
@@ -99,17 +101,18 @@ class CommandChannel:
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic), before anything else happens."""
         LOG.info("command %d: %s", command_id, command)
+        at = time.monotonic()
         try:
-            call = self._send(command_id, command, given_at)
+            call = self._send(command, command_id, at - given_at)
         except (LinkError, CommandError) as problem:
-            self._finish(command_id, Outcome.NOT_SENT, str(problem))
+            self._advance(command_id, Stage.NOT_SENT, str(problem))
             return
+        self._advance(command_id, Stage.SENT, at=at)
         task = asyncio.ensure_future(self._wait(command_id, call))
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
 
-    def _send(self, command_id: int, command: Command, given_at: float) -> Call:
-        late = time.monotonic() - given_at
+    def _send(self, command: Command, command_id: int, late: float) -> Call:
         if late > LATEST:
             raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
         # A pause is tried even where others are held back: it can only make things safer.
@@ -125,22 +128,32 @@ class CommandChannel:
 
     async def _wait(self, command_id: int, call: Call) -> None:
         try:
-            response = await self._calls.wait(call, self._timeout)
-            outcome, words = self._interface.outcome(response.values, response.result)
-        except NoAnswerError as problem:
-            outcome, words = Outcome.NO_ANSWER, str(problem)
+            response = await self._answer(command_id, call)
+            stage, words = self._interface.outcome(response.values, response.result)
+        except NoAnswerError:
+            return
         except LinkLostError as problem:
-            outcome, words = Outcome.UNKNOWN, str(problem)
+            stage, words = Stage.UNKNOWN, str(problem)
         except Exception as problem:
-            # Whatever is wrong with us, the operator must learn that this command has ended.
+            # Whatever is wrong with us, the operator must learn that nothing is known of this command.
             LOG.exception("command %d", command_id)
-            outcome, words = Outcome.UNKNOWN, f"internal error: {problem}"
-        self._finish(command_id, outcome, words)
+            stage, words = Stage.UNKNOWN, f"internal error: {problem}"
+        finally:
+            self._calls.forget(call)
+        self._advance(command_id, stage, words)
 
-    def _finish(self, command_id: int, outcome: Outcome, words: str) -> None:
-        level = logging.INFO if outcome is Outcome.ACCEPTED else logging.WARNING
-        LOG.log(level, "command %d: %s %s", command_id, outcome.value, words)
-        self._writer.store.tell(CommandFinished(command_id, outcome, words))
+    async def _answer(self, command_id: int, call: Call) -> operations.ServiceResponse:
+        try:
+            return await self._calls.wait(call, self._timeout)
+        except NoAnswerError as problem:
+            self._advance(command_id, Stage.NO_ANSWER, str(problem))
+        return await self._calls.wait(call, LATE_ANSWER)
+
+    def _advance(self, command_id: int, stage: Stage, words: str = "", at: float | None = None) -> None:
+        level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
+        LOG.log(level, "command %d: %s %s", command_id, stage.value, words)
+        at = time.monotonic() if at is None else at
+        self._writer.store.tell(CommandAdvanced(command_id, stage, at, words))
 
     def close(self) -> None:
         """Close for good; what is under way ends as unknown."""

@@ -1,16 +1,17 @@
 """All bridges of a configuration, as one: commands go to the robot's own."""
 
 import itertools
+import secrets
 import time
 
 from fleet_tui.config.schema import Config
 from fleet_tui.link.link import Link
 from fleet_tui.link.writer import Writer
-from fleet_tui.model.commands import Command, Outcome
-from fleet_tui.model.events import CommandFinished, CommandIssued, Event
+from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
 from fleet_tui.store import Store
 
-# request_id is an int32 on the wire: consoles and runs start at different places of it.
+# request_id is an int32 on the wire: each console and each run starts anywhere in its lower half.
 ID_SPAN = 2**30
 
 
@@ -21,7 +22,7 @@ class FleetLink:
         self._store = store
         self._read_only = config.operator.read_only
         self._writer = Writer(store)
-        self._ids = itertools.count(time.time_ns() // 1_000_000 * 1000 % ID_SPAN + 1)
+        self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
         self._links = {name: Link(name, config, self._writer) for name in config.bridges}
 
     def open(self) -> None:
@@ -40,7 +41,8 @@ class FleetLink:
         command_id = next(self._ids)
         self.tell(CommandIssued(command_id, command, given_at, time.time()))
         if self._read_only:
-            self.tell(CommandFinished(command_id, Outcome.NOT_SENT, "this console is read-only"))
+            reason = "this console is read-only"
+            self.tell(CommandAdvanced(command_id, Stage.NOT_SENT, given_at, reason))
         else:
             self._links[self._store.state.robots[command.robot].link].submit(command_id, command, given_at)
         return command_id

@@ -31,7 +31,7 @@ class Link:
         self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command; its end arrives in the store as CommandFinished, exactly once.
+        """Send a command; how it goes on arrives in the store as CommandAdvanced.
 
         The network thread gets its turn now, not after what the caller draws next.
         """

@@ -5,7 +5,8 @@ from typing import assert_never
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import acknowledge, ripen
-from fleet_tui.model.commands import Command, CommandRecord, Outcome, PauseRobot, ResumeRobot
+from fleet_tui.model.commands import Before, Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Step
+from fleet_tui.model.confirmation import before, confirm
 from fleet_tui.model.fleet import FleetState, conditions
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot, hear, take_chart, with_fault
@@ -14,7 +15,7 @@ COMMANDS_KEPT = 200
 
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
-    state = replace(state, now=event.at, wall=event.wall)
+    state = _confirm_commands(replace(state, now=event.at, wall=event.wall))
     return replace(state, alarms=ripen(state.alarms, conditions(state), event.at, event.wall))
 
 
@@ -42,9 +43,23 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
     )
 
 
-def _after_command(robot: Robot, command: Command, outcome: Outcome) -> Robot:
+def _confirm_commands(state: FleetState) -> FleetState:
+    """One after the other: an order in a queue is the doing of one command only."""
+    for record in state.commands:
+        looked = record if record.ended else confirm(state, record)
+        if looked is not record:
+            state = _with_record(state, looked)
+    return state
+
+
+def _with_record(state: FleetState, record: CommandRecord) -> FleetState:
+    commands = tuple(record if one.id == record.id else one for one in state.commands)
+    return replace(state, commands=commands)
+
+
+def _after_command(robot: Robot, command: Command, stage: Stage) -> Robot:
     """Our own accepted pause is all that is known where no topic tells it."""
-    if outcome is not Outcome.ACCEPTED:
+    if stage is not Stage.ACCEPTED:
         return robot
     match command:
         case PauseRobot():
@@ -54,17 +69,18 @@ def _after_command(robot: Robot, command: Command, outcome: Outcome) -> Robot:
     return robot
 
 
-def _finish_command(state: FleetState, event: events.CommandFinished) -> FleetState:
+def _advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetState:
     """A command ends once: whatever else comes for it changes nothing."""
     found = next((record for record in state.commands if record.id == event.id), None)
-    if found is None or found.outcome is not None:
+    if found is None:
         return state
-    ended = replace(found, outcome=event.outcome, words=event.words, ended_at=state.now)
-    commands = tuple(ended if record is found else record for record in state.commands)
+    record = found.advanced(Step(event.stage, event.at, event.words))
+    if record is found:
+        return state
     robot = state.robots.get(found.command.robot)
     if robot is not None:
-        state = _with_robot(state, _after_command(robot, found.command, event.outcome))
-    return replace(state, commands=commands)
+        state = _with_robot(state, _after_command(robot, found.command, event.stage))
+    return _with_record(state, record)
 
 
 def _apply_to_robot(
@@ -110,12 +126,22 @@ def _apply_to_link(
 
 
 def _issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
-    record = CommandRecord(event.id, event.command, event.at, event.wall)
+    if any(record.id == event.id for record in state.commands):
+        return state
+    robot = state.robots.get(event.command.robot)
+    record = CommandRecord(
+        event.id,
+        event.command,
+        event.at,
+        event.wall,
+        (Step(Stage.CHECKED, event.at),),
+        Before() if robot is None else before(robot, event.at),
+    )
     commands = (*state.commands, record)
     # What is under way stays, however much there is: its end must find it.
     surplus = len(commands) - COMMANDS_KEPT
     if surplus > 0:
-        old = [one.id for one in commands if one.outcome is not None][:surplus]
+        old = [one.id for one in commands if one.ended][:surplus]
         commands = tuple(one for one in commands if one.id not in old)
     return replace(state, commands=commands)
 
@@ -134,8 +160,8 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             return _apply_to_link(state, event)
         case events.CommandIssued():
             return _issue_command(state, event)
-        case events.CommandFinished():
-            return _finish_command(state, event)
+        case events.CommandAdvanced():
+            return _advance_command(state, event)
         case events.AlarmAcknowledged():
             return replace(state, alarms=acknowledge(state.alarms, event.source, event.kind))
         case events.FloorMapLoaded():

@@ -1,6 +1,7 @@
-"""What an operator may ask of a robot, and how each wish ended."""
+"""What an operator may ask of a robot, and the life of each wish, from the key to its one end."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from enum import Enum
 
 INT32_MAX = 2**31 - 1
@@ -55,25 +56,100 @@ class ResumeRobot:
 Command = PlaceOrder | PlaceOrderWithCargo | CancelOrder | ClearOrders | PauseRobot | ResumeRobot
 
 
-class Outcome(Enum):
-    """How a command ended; the value is the word the operator reads."""
+class Stage(Enum):
+    """Where a command stands; the value is what the operator reads."""
 
+    CHECKED = "checked"
+    SENT = "sent"
     ACCEPTED = "accepted"
-    REFUSED = "refused"
     NO_ANSWER = "no answer"
     UNKNOWN = "outcome unknown"
+    REFUSED = "refused"
     NOT_SENT = "not sent"
+    CONFIRMED = "confirmed"
+    NOT_CONFIRMED = "not confirmed"
+    TAKEN = "accepted, but no topic shows it"
+
+
+_SEEN = frozenset({Stage.CONFIRMED, Stage.NOT_CONFIRMED, Stage.TAKEN})
+
+NEXT: Mapping[Stage, frozenset[Stage]] = {
+    Stage.CHECKED: frozenset({Stage.SENT, Stage.NOT_SENT}),
+    Stage.SENT: frozenset({Stage.ACCEPTED, Stage.REFUSED, Stage.NO_ANSWER, Stage.UNKNOWN}),
+    Stage.ACCEPTED: _SEEN,
+    # An answer may come late; the link may go while it is waited for.
+    Stage.NO_ANSWER: _SEEN | {Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN},
+    Stage.UNKNOWN: _SEEN,
+    Stage.REFUSED: frozenset(),
+    Stage.NOT_SENT: frozenset(),
+    Stage.CONFIRMED: frozenset(),
+    Stage.NOT_CONFIRMED: frozenset(),
+    Stage.TAKEN: frozenset(),
+}
+"""The allowed transitions. A stage without a next one is an end."""
+
+FAILURES = frozenset({Stage.REFUSED, Stage.NOT_SENT, Stage.NOT_CONFIRMED})
+"""The ends that need a person."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A command reached a stage at `at` (monotonic). `words` are the robot's own, or the reason."""
+
+    stage: Stage
+    at: float
+    words: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Before:
+    """What the robot had reported when the command was given: telemetry is read against it.
+
+    `last_order_id` is None where no queue had come. `moving`: its pose had just changed."""
+
+    last_order_id: int | None = None
+    moving: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class CommandRecord:
-    """One command from the key to its end. `issued_at` is monotonic, `wall` is Unix seconds;
-    `words` are the robot's own, or the reason why nothing was sent; `ended_at` is monotonic too."""
+    """One command from the key to its end. `issued_at` is monotonic, `wall` Unix seconds; `order_id`
+    is the order in the robot's queue that a placed one was recognised as."""
 
     id: int
     command: Command
     issued_at: float
     wall: float
-    outcome: Outcome | None = None
-    words: str = ""
-    ended_at: float | None = None
+    steps: tuple[Step, ...]
+    before: Before = Before()
+    order_id: int | None = None
+
+    @property
+    def stage(self) -> Stage:
+        """Where it stands."""
+        return self.steps[-1].stage
+
+    @property
+    def words(self) -> str:
+        """What was said when it got there."""
+        return self.steps[-1].words
+
+    @property
+    def at(self) -> float:
+        """Since when it stands there (monotonic)."""
+        return self.steps[-1].at
+
+    @property
+    def ended(self) -> bool:
+        """Whether nothing more can happen to it."""
+        return not NEXT[self.stage]
+
+    def time_of(self, stage: Stage) -> float | None:
+        """When it reached a stage last, None if never."""
+        return next((step.at for step in reversed(self.steps) if step.stage is stage), None)
+
+    def advanced(self, step: Step) -> "CommandRecord":
+        """The record one step on, or itself where the table does not allow that step."""
+        if step.stage not in NEXT[self.stage]:
+            return self
+        return replace(self, steps=(*self.steps, step))

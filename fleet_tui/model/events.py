@@ -6,7 +6,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from fleet_tui.model.commands import Command, Outcome
+from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import CommandPath, Phase
@@ -171,7 +171,7 @@ class CommandPathChanged:
 
 @dataclass(frozen=True, slots=True)
 class CommandIssued:
-    """An operator gave a command."""
+    """An operator gave a command, and it passed the checks."""
 
     id: int
     command: Command
@@ -180,11 +180,12 @@ class CommandIssued:
 
 
 @dataclass(frozen=True, slots=True)
-class CommandFinished:
-    """The one end of a command."""
+class CommandAdvanced:
+    """The link brought a command a stage further: sent, answered, or not."""
 
     id: int
-    outcome: Outcome
+    stage: Stage
+    at: float
     words: str = ""
 
 
@@ -214,7 +215,7 @@ Event = (
     | LinkHeard
     | CommandPathChanged
     | CommandIssued
-    | CommandFinished
+    | CommandAdvanced
     | AlarmAcknowledged
     | TimePassed
 )

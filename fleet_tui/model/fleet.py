@@ -20,6 +20,7 @@ class Limits:
     battery_low: float = 20.0
     battery_critical: float = 10.0
     link_after: float = 2.0
+    confirm_after: float = 5.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)

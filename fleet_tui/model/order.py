@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 # Both of the first come from the source; the others occur. An unknown letter is shown as it is.
 STATUS_WORDS = {"W": "in process", "Q": "queued", "D": "done", "C": "cancelled"}
+OPEN_STATUSES = frozenset("WQ")
+"""Orders that will still be driven."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,8 @@ CLOCK_DRIFT = 1e-3
 CLOCK_STEP = 0.5
 # A robot brakes after it accepted a pause; further than this, it drives.
 BRAKING_DISTANCE = 0.5
+# Localisation jitters: a robot whose pose stays within these stands still.
+STILL_WITHIN, STILL_YAW = 0.05, 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,13 +61,14 @@ class Chart:
 class Robot:
     """`number` counts from 1 in the order of the config; `heard` is the effective time of the
     last telemetry; `floor` is the one whose frame its pose names; `paused_at` is where it stood
-    when it accepted our own pause."""
+    when it accepted our own pause; `standing` is the pose it has not left, and since when."""
 
     name: str
     number: int
     link: str
     charts: Mapping[str, Chart]
     pose: Reading[Pose] | None = None
+    standing: Reading[Pose] | None = None
     frame_id: str = ""
     floor: str | None = None
     battery: Reading[float] | None = None
@@ -118,12 +121,24 @@ def _set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
     return StampClock(min(crept, offset), stamp, at)
 
 
+def _turn(pose: Pose) -> float:
+    return math.remainder(pose.yaw, math.tau)
+
+
+def _is_apart(one: Pose, other: Pose) -> bool:
+    turned = abs(math.remainder(_turn(one) - _turn(other), math.tau))
+    return math.dist((one.x, one.y), (other.x, other.y)) > STILL_WITHIN or turned > STILL_YAW
+
+
 def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     """What arrives late must not look new: the pose is as old as its stamp lags the freshest."""
     clock, true_at = robot.clock, event.at
     if event.stamp is not None:
         clock = _set_clock(clock, event.at, event.stamp)
         true_at = event.stamp + clock.offset
+    frame_id, standing = event.frame_id.lstrip("/"), robot.standing
+    if standing is None or frame_id != robot.frame_id or _is_apart(standing.value, event.pose):
+        standing = Reading(event.pose, true_at)
     driving = robot.paused_at is not None and (
         math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
     )
@@ -131,7 +146,8 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     return replace(
         robot,
         pose=Reading(event.pose, true_at),
-        frame_id=event.frame_id.lstrip("/"),
+        standing=standing,
+        frame_id=frame_id,
         clock=clock,
         heard=max(robot.heard if robot.heard is not None else true_at, true_at),
         paused_by_us=robot.paused_by_us and not driving,

@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from fleet_tui.model.commands import Command, Outcome
+from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import Event
 
 # (robot, floor, message still encoded, monotonic seconds of arrival) -> the fact; raises WireError.
@@ -37,20 +37,20 @@ class Interface:
 
     topics: Sequence[TopicKind]
     call: Callable[[Command, int], Call]
-    outcome: Callable[[object, bool], tuple[Outcome, str]]
+    outcome: Callable[[object, bool], tuple[Stage, str]]
 
 
-def judge(values: object, result: bool, refusals: Sequence[re.Pattern[str]]) -> tuple[Outcome, str]:
+def judge(values: object, result: bool, refusals: Sequence[re.Pattern[str]]) -> tuple[Stage, str]:
     """How a call ended. A refusal may come in an answer that says the call went well.
 
     An answer says `success`, or is a `status` text; one that does neither says nothing.
     """
     if not result:
-        return Outcome.REFUSED, str(values)
+        return Stage.REFUSED, str(values)
     fields = values if isinstance(values, dict) else {}
     success, words = fields.get("success"), fields.get("status", fields.get("message"))
     if not isinstance(success, bool) and not ("success" not in fields and isinstance(words, str)):
-        return Outcome.UNKNOWN, f"an answer that says nothing: {values}"
+        return Stage.UNKNOWN, f"an answer that says nothing: {values}"
     text = words if isinstance(words, str) else ""
     refused = success is False or any(pattern.search(text) for pattern in refusals)
-    return (Outcome.REFUSED if refused else Outcome.ACCEPTED), text
+    return (Stage.REFUSED if refused else Stage.ACCEPTED), text

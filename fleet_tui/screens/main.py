@@ -16,12 +16,13 @@ from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.store import Store
 from fleet_tui.view.alarm_rows import alarm_table
+from fleet_tui.view.command_line import message_line
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.floor_scene import chart_robot, floor_scene
 from fleet_tui.view.hints import hints
 from fleet_tui.view.queue_rows import queue_table
 from fleet_tui.view.selection import first_selection
-from fleet_tui.view.status_line import console_notes, message_line, status_line, status_right
+from fleet_tui.view.status_line import console_notes, status_line, status_right
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.map_view import MapView

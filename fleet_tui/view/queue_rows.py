@@ -1,10 +1,12 @@
 """The queue pane: a robot's orders, the current one first, each with its Cancel."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
+from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, PlaceOrderWithCargo
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.order import STATUS_WORDS, Order
 from fleet_tui.model.robot import Robot
+from fleet_tui.view.command_line import stage_text
 from fleet_tui.view.fleet_rows import mission
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Button, Row, Run, Table, column, cut, width_of
@@ -25,6 +27,25 @@ def listed(state: FleetState, selected: str, all_robots: bool) -> list[Listed]:
     ]
 
 
+def _under_way(state: FleetState, selected: str, all_robots: bool) -> list[CommandRecord]:
+    return [
+        record
+        for record in state.commands
+        if not record.ended and (all_robots or record.command.robot == selected)
+    ]
+
+
+def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tuple[str, int], str]:
+    """By robot and order: how far a cancel of it is; order 0 stands for all."""
+    return {
+        (command.robot, command.order_id if isinstance(command, CancelOrder) else 0): stage_text(
+            record, state.now
+        )
+        for record in records
+        if isinstance(command := record.command, CancelOrder | ClearOrders)
+    }
+
+
 def _status(order: Order, room: int) -> str:
     """The robot's own letter, with its word where there is room for all of it."""
     word = STATUS_WORDS.get(order.status)
@@ -32,7 +53,7 @@ def _status(order: Order, room: int) -> str:
     return words if cell_width(words) <= room or not word else order.status
 
 
-def _row(entry: Listed, columns: tuple[int, int, int, int], width: int) -> Row:
+def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving: str) -> Row:
     names, places, ids, missions = columns
     robot, position, order = entry
     current = order.id == robot.orders.current_order_id
@@ -45,15 +66,17 @@ def _row(entry: Listed, columns: tuple[int, int, int, int], width: int) -> Row:
     ]
     room = width - len(CANCEL) - 1
     runs.append((_status(order, room - width_of(runs)), ink))
+    runs.append((f"  cancel {leaving}" if leaving else "", Ink.WARN))
     runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
     button = Button(room, room + len(CANCEL), "cancel")
     return Row((robot.name, order.id, position), (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
 
 
-def _title(robot: Robot, state: FleetState, entries: Iterable[Listed], all_robots: bool) -> list[Run]:
-    count = len(list(entries))
+def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:
     runs: list[Run] = [("Queue ", Ink.TITLE), ("all robots" if all_robots else robot.name, Ink.TITLE)]
     runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
+    if placed:
+        runs.append((f" +{placed} not seen here yet", Ink.WARN))
     if not all_robots and robot.has_cargo:
         runs.append((" cargo on board", Ink.CARGO))
     if not all_robots and robot.queue is not None:
@@ -63,20 +86,38 @@ def _title(robot: Robot, state: FleetState, entries: Iterable[Listed], all_robot
     return runs
 
 
+def _rows(
+    state: FleetState,
+    entries: list[Listed],
+    under_way: list[CommandRecord],
+    width: int,
+    all_robots: bool,
+) -> list[Row]:
+    leaving = _leaving(state, under_way)
+    columns = (
+        column((entry[0].name for entry in entries), 6, 12) if all_robots else 0,
+        column((str(entry[1]) for entry in entries), 1, 4),
+        column((str(entry[2].id) for entry in entries), 1, 11),
+        column((mission(entry[0], entry[2]) for entry in entries), 10, 40),
+    )
+    stages = (
+        leaving.get((one.name, order.id)) or leaving.get((one.name, 0), "") for one, _, order in entries
+    )
+    return [_row(entry, columns, width, stage) for entry, stage in zip(entries, stages, strict=True)]
+
+
 def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) -> Table:
     """The orders in a pane of `width` cells."""
     entries = listed(state, selected, all_robots)
+    under_way = _under_way(state, selected, all_robots)
+    placed = sum(isinstance(record.command, PlaceOrder | PlaceOrderWithCargo) for record in under_way)
     robot = state.robots[selected]
-    names = column((entry[0].name for entry in entries), 6, 12) if all_robots else 0
-    missions = column((mission(entry[0], entry[2]) for entry in entries), 10, 40)
-    places = column((str(entry[1]) for entry in entries), 1, 4)
-    ids = column((str(entry[2].id) for entry in entries), 1, 11)
-    rows = tuple(_row(entry, (names, places, ids, missions), width) for entry in entries)
-    title = _title(robot, state, entries, all_robots)
+    rows = _rows(state, entries, under_way, width, all_robots)
+    title = _title(robot, state, len(entries), placed, all_robots)
     buttons: tuple[Button, ...] = ()
     if not all_robots and rows:
         start = width - len(CLEAR) - 1
         title = [*cut(title, max(0, start - 1)), (" " + CLEAR, Ink.KEY)] if start > width_of(title) else title
         buttons = (Button(start, start + len(CLEAR), "clear"),) if title[-1][0].endswith(CLEAR) else ()
     empty = "no orders: o places one" if robot.queue is not None else "the queue has not been heard yet"
-    return Table(tuple(title), rows, "no orders" if all_robots else empty, buttons)
+    return Table(tuple(title), tuple(rows), "no orders" if all_robots else empty, buttons)

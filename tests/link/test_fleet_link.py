@@ -16,12 +16,12 @@ from fleet_tui.model.commands import (
     ClearOrders,
     Command,
     CommandRecord,
-    Outcome,
     PauseRobot,
     PlaceOrder,
     ResumeRobot,
+    Stage,
 )
-from fleet_tui.model.events import CommandFinished
+from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
@@ -65,7 +65,7 @@ def ready(state: FleetState) -> bool:
 async def finished(link: FleetLink, store: WatchedStore, command: Command) -> CommandRecord:
     command_id = link.submit(command)
     state = await store.until(
-        lambda state: any(record.id == command_id and record.outcome for record in state.commands)
+        lambda state: any(record.id == command_id and record.ended for record in state.commands)
     )
     return next(record for record in state.commands if record.id == command_id)
 
@@ -84,6 +84,7 @@ async def test_poses_are_subscribed_first_and_always_with_a_queue(server: Rosbri
         await store.until(ready)
         link.show_map("robot_0", "floor_0")
         await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+        assert server.calls
         asked = [operation for operation in server.received if operation["op"] == "subscribe"]
     assert [operation["topic"] for operation in asked[:2]] == ["/robot_0/pose", "/robot_1/pose"]
     assert all(operation["queue_length"] >= 1 for operation in asked)
@@ -109,15 +110,15 @@ async def test_an_order_is_accepted_cancelled_and_cleared(server: RosbridgeServe
         state = await store.until(ready)
         ids = {label: id_ for id_, label in state.robots["robot_0"].charts["floor_0"].labels.items()}
         order = PlaceOrder("robot_0", ids["Base"], ids["Consumidores"])
-        assert (await finished(link, store, order)).outcome is Outcome.ACCEPTED
-        state = await store.until(lambda state: state.robots["robot_0"].orders.orders)
+        assert (await finished(link, store, order)).stage is Stage.CONFIRMED
+        state = store.state
         placed = state.robots["robot_0"].orders.orders[0]
         assert (placed.start, placed.end) == (order.start, order.end)
-        assert (await finished(link, store, CancelOrder("robot_0", placed.id))).outcome is Outcome.ACCEPTED
-        await store.until(lambda state: not state.robots["robot_0"].orders.orders)
+        assert (await finished(link, store, CancelOrder("robot_0", placed.id))).stage is Stage.CONFIRMED
+        assert not store.state.robots["robot_0"].orders.orders
         await finished(link, store, order)
-        assert (await finished(link, store, ClearOrders("robot_0"))).outcome is Outcome.ACCEPTED
-        await store.until(lambda state: not state.robots["robot_0"].orders.orders)
+        assert (await finished(link, store, ClearOrders("robot_0"))).stage is Stage.CONFIRMED
+        assert not store.state.robots["robot_0"].orders.orders
         _, args = server.calls[0]
         assert set(args) == {"request_id", "initial_point", "end_point"}
         assert all(type(value) is int for value in args.values())
@@ -126,17 +127,17 @@ async def test_an_order_is_accepted_cancelled_and_cleared(server: RosbridgeServe
 async def test_pause_and_resume_are_told_by_the_robot(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
-        await finished(link, store, PauseRobot("robot_0"))
-        await store.until(lambda state: state.is_paused(state.robots["robot_0"]))
-        await finished(link, store, ResumeRobot("robot_0"))
-        await store.until(lambda state: not state.is_paused(state.robots["robot_0"]))
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
+        assert store.state.is_paused(store.state.robots["robot_0"])
+        assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.CONFIRMED
+        assert not store.state.is_paused(store.state.robots["robot_0"])
 
 
 async def test_a_refusal_in_an_answer_that_went_well(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         record = await finished(link, store, PlaceOrder("robot_0", 0, 9999))
-    assert record.outcome is Outcome.REFUSED
+    assert record.stage is Stage.REFUSED
     assert "no vertex 9999" in record.words
 
 
@@ -145,7 +146,7 @@ async def test_a_cancel_that_would_mean_all_never_leaves(server: RosbridgeServer
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         record = await finished(link, store, CancelOrder("robot_0", order_id))
-    assert record.outcome is Outcome.NOT_SENT
+    assert record.stage is Stage.NOT_SENT
     assert not server.calls
 
 
@@ -158,11 +159,11 @@ async def test_a_command_without_a_link_is_refused_at_once_and_never_sent_later(
         state = await store.until(phase(Phase.WAITING))
         assert state.links["rosbridge"].reason == "nothing listens there"
         record = await finished(link, store, PauseRobot("robot_0"))
-        assert record.outcome is Outcome.NOT_SENT
+        assert record.stage is Stage.NOT_SENT
         late = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True), port=port)
         await late.start()
         await store.until(ready)
-        assert (await finished(link, store, ResumeRobot("robot_0"))).outcome is Outcome.ACCEPTED
+        assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.CONFIRMED
         await late.stop()
     assert [service.rpartition("/")[2] for service, _ in late.calls] == ["Resume"]
 
@@ -192,25 +193,26 @@ async def test_a_command_under_way_ends_when_the_link_goes(server: RosbridgeServ
         command_id = link.submit(PauseRobot("robot_0"))
         await store.until(lambda _: server.calls)
         await server.drop_clients()
-        state = await store.until(lambda state: state.commands[-1].outcome)
-        assert state.commands[-1].outcome is Outcome.UNKNOWN
-        await store.until(path(CommandPath.ALIVE))
-        ends = [
-            event for event in store.events if isinstance(event, CommandFinished) and event.id == command_id
-        ]
-    assert len(ends) == 1
+        await store.until(lambda state: state.commands[-1].stage is Stage.UNKNOWN)
+        # What became of it is seen after the return of the link, in the telemetry: it was not carried out.
+        state = await store.until(lambda state: state.commands[-1].ended)
+        record = state.commands[-1]
+        steps = [event for event in store.events if isinstance(event, CommandAdvanced)]
+    assert (record.id, record.stage) == (command_id, Stage.NOT_CONFIRMED)
+    assert "outcome unknown" in record.words and "does not say paused" in record.words
+    assert [step.stage for step in steps] == [Stage.SENT, Stage.UNKNOWN]
     assert len(server.calls) == 1
 
 
-async def test_a_call_never_answered_ends_as_no_answer(server: RosbridgeServer) -> None:
+async def test_a_call_never_answered_is_no_answer_and_then_not_confirmed(server: RosbridgeServer) -> None:
     server.silent_services.add("/robot_0/Application_layout/Pause")
     config = config_of(server.url, 1)
-    alarms = msgspec.structs.replace(config.alarms, no_answer_after=0.3)
+    alarms = msgspec.structs.replace(config.alarms, no_answer_after=0.3, not_confirmed_after=0.5)
     async with linked(msgspec.structs.replace(config, alarms=alarms)) as (link, store):
         await store.until(ready)
         record = await finished(link, store, PauseRobot("robot_0"))
-    assert record.outcome is Outcome.NO_ANSWER
-    assert "0.3 s" in record.words
+    assert [step.stage for step in record.steps[-2:]] == [Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
+    assert "no answer" in record.words and "0.3 s" in record.words
 
 
 async def test_telemetry_alive_and_commands_dead_is_a_state_of_its_own(server: RosbridgeServer) -> None:
@@ -221,7 +223,7 @@ async def test_telemetry_alive_and_commands_dead_is_a_state_of_its_own(server: R
         state = await store.until(lambda state: state.robots["robot_0"].pose)
         assert state.links["rosbridge"].phase is Phase.UP
         record = await finished(link, store, ResumeRobot("robot_0"))
-        assert record.outcome is Outcome.NOT_SENT
+        assert record.stage is Stage.NOT_SENT
         assert "master is gone" in record.words
 
 
@@ -229,7 +231,7 @@ async def test_a_bridge_without_rosapi_is_alive(server: RosbridgeServer) -> None
     server.rosapi_alive = False
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
-        assert (await finished(link, store, PauseRobot("robot_0"))).outcome is Outcome.ACCEPTED
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
 
 
 async def test_a_topic_of_another_type_is_not_subscribed_and_said(server: RosbridgeServer) -> None:
@@ -238,6 +240,7 @@ async def test_a_topic_of_another_type_is_not_subscribed_and_said(server: Rosbri
     async with linked(msgspec.structs.replace(config, profile=profile)) as (_, store):
         state = await store.until(lambda state: state.robots["robot_0"].faults)
         await store.until(lambda state: state.robots["robot_0"].cargo)
+        assert server.calls
         asked = [operation["topic"] for operation in server.received if operation["op"] == "subscribe"]
     assert (
         "/robot_0/battery has type std_msgs/Float32, not std_msgs/Int8" in state.robots["robot_0"].last_fault
@@ -266,7 +269,7 @@ async def test_read_only_lets_nothing_leave_but_subscriptions_and_rosapi(server:
         await store.until(ready)
         record = await finished(link, store, PauseRobot("robot_0"))
         operations = list(server.received)
-    assert record.outcome is Outcome.NOT_SENT
+    assert record.stage is Stage.NOT_SENT
     assert "read-only" in record.words
     assert {operation["op"] for operation in operations} == {"subscribe", "call_service"}
     services = [operation["service"] for operation in operations if operation["op"] == "call_service"]
@@ -280,9 +283,11 @@ async def test_commands_do_not_wait_behind_subscriptions() -> None:
     async with linked(config_of(server.url, 20, 2)) as (link, store):
         await store.until(path(CommandPath.ALIVE))
         record = await finished(link, store, PauseRobot("robot_0"))
+        assert server.calls
         asked = [operation for operation in server.received if operation["op"] == "subscribe"]
     await server.stop()
-    assert record.outcome is Outcome.ACCEPTED
+    # Nothing of the robot had been heard by then: no topic could confirm it.
+    assert record.stage is Stage.TAKEN
     assert len(asked) < 20 * 12
 
 
@@ -315,9 +320,11 @@ async def test_nothing_is_put_into_a_connection_that_fell_silent(server: Rosbrid
         heard = store.state.links["rosbridge"].heard or 0.0
         await store.until(lambda state: state.now - max(heard, state.links["rosbridge"].heard or 0.0) > 2.5)
         record = await finished(link, store, ResumeRobot("robot_0"))
-        assert record.outcome is Outcome.NOT_SENT
+        assert record.stage is Stage.NOT_SENT
         assert "nothing has come from the bridge" in record.words
-        assert (await finished(link, store, PauseRobot("robot_0"))).outcome is Outcome.ACCEPTED
+        # A pause is tried all the same; as nothing is heard, nothing can confirm it.
+        record = await finished(link, store, PauseRobot("robot_0"))
+        assert record.stage is Stage.NOT_CONFIRMED and record.words.startswith("accepted")
 
 
 def store_topics(server: RosbridgeServer) -> set[str]:

@@ -5,7 +5,7 @@ import pytest
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm
 from fleet_tui.model.apply import COMMANDS_KEPT
-from fleet_tui.model.commands import Command, Outcome, PauseRobot, PlaceOrder
+from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.link import CommandPath, Phase
@@ -17,6 +17,7 @@ from tests.fleets import (
     T0,
     WALL,
     battery,
+    commanded,
     fleet,
     graph,
     labels,
@@ -178,12 +179,12 @@ def test_alarms_carry_wall_time() -> None:
 
 
 def test_a_command_ends_exactly_once_whatever_comes() -> None:
-    issued = events.CommandIssued(7, PauseRobot(R0), T0, WALL)
-    state = told(fleet(), issued, events.CommandFinished(8, Outcome.ACCEPTED))
-    assert state.commands[0].outcome is None
-    state = told(state, events.CommandFinished(7, Outcome.NO_ANSWER, "within 5 s"))
-    assert told(state, events.CommandFinished(7, Outcome.ACCEPTED, "paused")) is state
-    assert (state.commands[0].outcome, state.commands[0].words) == (Outcome.NO_ANSWER, "within 5 s")
+    state = told(fleet(), *commanded(7, PauseRobot(R0)), events.CommandAdvanced(8, Stage.SENT, T0))
+    assert state.commands[0].stage is Stage.CHECKED
+    assert told(state, *commanded(7, ResumeRobot(R0))).commands == state.commands
+    state = told(state, events.CommandAdvanced(7, Stage.NOT_SENT, T0, "no link"))
+    assert told(state, events.CommandAdvanced(7, Stage.ACCEPTED, T0, "paused")) is state
+    assert (state.commands[0].stage, state.commands[0].words) == (Stage.NOT_SENT, "no link")
     assert not state.robots[R0].paused_by_us
 
 
@@ -191,8 +192,7 @@ def test_the_newest_commands_are_kept() -> None:
     commands: list[Command] = [PlaceOrder(R0, n, n) for n in range(COMMANDS_KEPT + 5)]
     state = fleet()
     for n, command in enumerate(commands):
-        issued = events.CommandIssued(n, command, T0, WALL)
-        state = told(state, issued, events.CommandFinished(n, Outcome.ACCEPTED))
+        state = told(state, *commanded(n, command, Stage.SENT, Stage.REFUSED))
     assert [record.command for record in state.commands] == commands[-COMMANDS_KEPT:]
 
 
@@ -200,9 +200,8 @@ def test_a_command_under_way_is_kept_until_its_end_has_come() -> None:
     many = range(2 * COMMANDS_KEPT)
     state = told(fleet(), *(events.CommandIssued(n, PauseRobot(R0), T0, WALL) for n in many))
     assert len(state.commands) == len(many)
-    state = told(state, events.CommandFinished(0, Outcome.NO_ANSWER))
-    assert state.commands[0].outcome is Outcome.NO_ANSWER
-    assert told(state, events.CommandFinished(0, Outcome.ACCEPTED)) is state
+    state = told(state, events.CommandAdvanced(0, Stage.NOT_SENT, T0))
+    assert state.commands[0].stage is Stage.NOT_SENT
 
 
 @pytest.mark.parametrize(

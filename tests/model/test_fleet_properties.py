@@ -1,6 +1,7 @@
 """Any sequence of facts: nothing raises, no robot is lost, no command ends twice."""
 
 from dataclasses import fields
+from itertools import pairwise
 from typing import get_args
 
 from hypothesis import given
@@ -8,13 +9,15 @@ from hypothesis import strategies as st
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import (
+    NEXT,
     CancelOrder,
     ClearOrders,
-    Outcome,
+    CommandRecord,
     PauseRobot,
     PlaceOrder,
     PlaceOrderWithCargo,
     ResumeRobot,
+    Stage,
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -75,8 +78,8 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         events.CommandPathChanged, st.just(LINK), st.sampled_from(CommandPath), st.text(max_size=9)
     ),
     events.CommandIssued: st.builds(events.CommandIssued, COMMAND_IDS, COMMANDS, AT, AT),
-    events.CommandFinished: st.builds(
-        events.CommandFinished, COMMAND_IDS, st.sampled_from(Outcome), st.text(max_size=9)
+    events.CommandAdvanced: st.builds(
+        events.CommandAdvanced, COMMAND_IDS, st.sampled_from(Stage), st.text(max_size=9)
     ),
     events.AlarmAcknowledged: st.builds(
         events.AlarmAcknowledged,
@@ -122,13 +125,16 @@ def test_facts_change_no_value_that_somebody_holds(facts: list[events.Event]) ->
     assert [(name.name, repr(getattr(state, name.name))) for name in fields(state)] == before
 
 
-@given(st.permutations([1, 2, 3]), st.lists(FACTS[events.CommandFinished] | FACTS[events.TimePassed]))
-def test_a_command_keeps_its_first_end(ids: list[int], later: list[events.Event]) -> None:
-    issued = [events.CommandIssued(id_, PauseRobot("robot_0"), T0, T0) for id_ in ids]
-    ends: dict[int, Outcome] = {}
-    for event in later:
-        if isinstance(event, events.CommandFinished):
-            ends.setdefault(event.id, event.outcome)
-    state = told(fleet(), *issued, *later)
-    assert [record.id for record in state.commands] == ids
-    assert [record.outcome for record in state.commands] == [ends.get(id_) for id_ in ids]
+@given(st.lists(FACTS[events.CommandAdvanced] | FACTS[events.TimePassed] | FACTS[events.CommandIssued]))
+def test_a_command_goes_only_along_the_table(facts: list[events.Event]) -> None:
+    ended: dict[int, CommandRecord] = {}
+    state = fleet()
+    for fact in facts:
+        state = told(state, fact)
+        for record in state.commands:
+            stages = [step.stage for step in record.steps]
+            assert stages[0] is Stage.CHECKED
+            assert all(later in NEXT[earlier] for earlier, later in pairwise(stages))
+            assert ended.get(record.id, record) == record
+            if record.ended:
+                ended[record.id] = record

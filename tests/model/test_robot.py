@@ -4,12 +4,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.model.commands import Command, Outcome, PauseRobot, ResumeRobot
-from fleet_tui.model.events import CommandFinished, CommandIssued, Event, GraphReceived, PausedReported
+from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.events import Event, GraphReceived, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Reading, Robot
-from tests.fleets import F0, R0, T0, battery, fleet, graph, labels, pose, queue, tick, told
+from tests.fleets import F0, R0, T0, battery, commanded, fleet, graph, labels, pose, queue, tick, told
 
 HOURS = 3600.0
 
@@ -101,8 +101,8 @@ def test_a_leading_slash_of_a_frame_is_nothing() -> None:
     assert robot(lost).floor is None
 
 
-def accepted(command: Command, outcome: Outcome = Outcome.ACCEPTED, id_: int = 1) -> tuple[Event, Event]:
-    return CommandIssued(id_, command, T0, T0), CommandFinished(id_, outcome)
+def accepted(command: Command, id_: int = 1) -> tuple[Event, ...]:
+    return commanded(id_, command, Stage.SENT, Stage.ACCEPTED)
 
 
 def test_paused_by_us_until_it_moves() -> None:
@@ -119,9 +119,9 @@ def test_paused_by_us_until_we_resume() -> None:
     assert not state.is_paused(robot(state))
 
 
-@pytest.mark.parametrize("outcome", [outcome for outcome in Outcome if outcome is not Outcome.ACCEPTED])
-def test_a_pause_that_was_not_accepted_pauses_nothing(outcome: Outcome) -> None:
-    state = told(fleet(), *accepted(PauseRobot(R0), outcome))
+@pytest.mark.parametrize("stage", [stage for stage in Stage if stage is not Stage.ACCEPTED])
+def test_a_pause_that_was_not_accepted_pauses_nothing(stage: Stage) -> None:
+    state = told(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT, stage))
     assert not state.is_paused(robot(state))
 
 

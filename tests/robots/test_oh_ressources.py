@@ -15,7 +15,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.apply import apply
-from fleet_tui.model.commands import Outcome
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
@@ -125,12 +125,12 @@ def test_the_recorded_answers_are_judged_by_their_words() -> None:
         operation = decode(line["text"].encode()) if line["dir"] == "in" else None
         if isinstance(operation, ServiceResponse):
             answers[operation.id] = speaking().outcome(operation.values, operation.result)
-    refused = {id_: words for id_, (outcome, words) in answers.items() if outcome is Outcome.REFUSED}
+    refused = {id_: words for id_, (outcome, words) in answers.items() if outcome is Stage.REFUSED}
     assert refused.keys() == {"c6", "c7", "c8", "c9"}
     assert refused["c6"] == "REJECTED: no vertex 9999"
     assert "requires a int32" in refused["c7"] and "does not exist" in refused["c9"]
-    assert answers["c5"] == (Outcome.ACCEPTED, "cancelled 2")
-    assert answers["c3"] == (Outcome.ACCEPTED, "paused")
+    assert answers["c5"] == (Stage.ACCEPTED, "cancelled 2")
+    assert answers["c3"] == (Stage.ACCEPTED, "paused")
 
 
 def test_good_messages_are_the_facts_they_tell() -> None:

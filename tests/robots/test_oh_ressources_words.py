@@ -13,11 +13,11 @@ from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
     Command,
-    Outcome,
     PauseRobot,
     PlaceOrder,
     PlaceOrderWithCargo,
     ResumeRobot,
+    Stage,
 )
 from fleet_tui.model.events import Event, FrameReceived, GraphReceived, LabelsReceived, QueueReported
 from fleet_tui.model.graph import Edge, Role, Vertex
@@ -187,35 +187,35 @@ def test_the_origin_is_taken_as_the_profile_says(origin: Any) -> None:
 @pytest.mark.parametrize(
     ("values", "result", "outcome", "words"),
     [
-        ({"request_id": 1, "status": "ACCEPTED"}, True, Outcome.ACCEPTED, "ACCEPTED"),
-        ({"request_id": 1, "status": "executed"}, True, Outcome.ACCEPTED, "executed"),
-        ({"status": "REJECTED: unknown vertex 77"}, True, Outcome.REFUSED, "REJECTED: unknown vertex 77"),
-        ({"status": "Error 5"}, True, Outcome.REFUSED, "Error 5"),
-        ({"status": "order failed"}, True, Outcome.REFUSED, "order failed"),
-        ({"status": "terror"}, True, Outcome.ACCEPTED, "terror"),
-        ({"success": False, "message": "no"}, True, Outcome.REFUSED, "no"),
-        ({"success": False, "status": ""}, True, Outcome.REFUSED, ""),
-        ({"success": True, "message": "paused"}, True, Outcome.ACCEPTED, "paused"),
-        ("Service /x does not exist", False, Outcome.REFUSED, "Service /x does not exist"),
-        ({"status": "ACCEPTED"}, False, Outcome.REFUSED, "{'status': 'ACCEPTED'}"),
-        (None, True, Outcome.UNKNOWN, "an answer that says nothing: None"),
-        ({}, True, Outcome.UNKNOWN, "an answer that says nothing: {}"),
-        ({"status": None}, True, Outcome.UNKNOWN, "an answer that says nothing: {'status': None}"),
-        ([1], True, Outcome.UNKNOWN, "an answer that says nothing: [1]"),
-        ({"success": 0}, True, Outcome.UNKNOWN, "an answer that says nothing: {'success': 0}"),
-        ({"success": True, "message": None}, True, Outcome.ACCEPTED, ""),
-        ({"status": "unknown vertex 77"}, True, Outcome.REFUSED, "unknown vertex 77"),
-        ({"status": "executed without error"}, True, Outcome.ACCEPTED, "executed without error"),
+        ({"request_id": 1, "status": "ACCEPTED"}, True, Stage.ACCEPTED, "ACCEPTED"),
+        ({"request_id": 1, "status": "executed"}, True, Stage.ACCEPTED, "executed"),
+        ({"status": "REJECTED: unknown vertex 77"}, True, Stage.REFUSED, "REJECTED: unknown vertex 77"),
+        ({"status": "Error 5"}, True, Stage.REFUSED, "Error 5"),
+        ({"status": "order failed"}, True, Stage.REFUSED, "order failed"),
+        ({"status": "terror"}, True, Stage.ACCEPTED, "terror"),
+        ({"success": False, "message": "no"}, True, Stage.REFUSED, "no"),
+        ({"success": False, "status": ""}, True, Stage.REFUSED, ""),
+        ({"success": True, "message": "paused"}, True, Stage.ACCEPTED, "paused"),
+        ("Service /x does not exist", False, Stage.REFUSED, "Service /x does not exist"),
+        ({"status": "ACCEPTED"}, False, Stage.REFUSED, "{'status': 'ACCEPTED'}"),
+        (None, True, Stage.UNKNOWN, "an answer that says nothing: None"),
+        ({}, True, Stage.UNKNOWN, "an answer that says nothing: {}"),
+        ({"status": None}, True, Stage.UNKNOWN, "an answer that says nothing: {'status': None}"),
+        ([1], True, Stage.UNKNOWN, "an answer that says nothing: [1]"),
+        ({"success": 0}, True, Stage.UNKNOWN, "an answer that says nothing: {'success': 0}"),
+        ({"success": True, "message": None}, True, Stage.ACCEPTED, ""),
+        ({"status": "unknown vertex 77"}, True, Stage.REFUSED, "unknown vertex 77"),
+        ({"status": "executed without error"}, True, Stage.ACCEPTED, "executed without error"),
     ],
 )
-def test_an_answer_is_judged_by_its_words(values: object, result: bool, outcome: Outcome, words: str) -> None:
+def test_an_answer_is_judged_by_its_words(values: object, result: bool, outcome: Stage, words: str) -> None:
     assert KINDS["oh_ressources"](Profile()).outcome(values, result) == (outcome, words)
 
 
 def test_which_words_refuse_is_the_profiles() -> None:
     judge = KINDS["oh_ressources"](Profile(refusals=("^no$",))).outcome
-    assert judge({"status": "no"}, True)[0] is Outcome.REFUSED
-    assert judge({"status": "REJECTED"}, True)[0] is Outcome.ACCEPTED
+    assert judge({"status": "no"}, True)[0] is Stage.REFUSED
+    assert judge({"status": "REJECTED"}, True)[0] is Stage.ACCEPTED
 
 
 def test_poses_are_asked_for_first_and_only_maps_are_heavy() -> None:

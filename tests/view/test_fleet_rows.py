@@ -3,12 +3,26 @@
 import pytest
 
 from fleet_tui.model import events
-from fleet_tui.model.commands import Outcome, PauseRobot
+from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.fleet_rows import CARGO, fleet_table, mission
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run
-from tests.fleets import R0, T0, battery, fleet, graph, labels, link_up, pose, queue, text_of, tick, told
+from tests.fleets import (
+    R0,
+    T0,
+    battery,
+    commanded,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    pose,
+    queue,
+    text_of,
+    tick,
+    told,
+)
 
 WIDTH = 80
 
@@ -78,7 +92,7 @@ def test_an_obstacle_of_an_offline_robot_was_then() -> None:
 def test_paused_by_its_own_word_or_by_ours() -> None:
     assert "paused " in row(heard(events.PausedReported(R0, T0 + 1, True)))
     assert "by us" not in row(heard(events.PausedReported(R0, T0 + 1, True)))
-    ours = (events.CommandIssued(1, PauseRobot(R0), T0, T0), events.CommandFinished(1, Outcome.ACCEPTED))
+    ours = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED)
     assert "paused (by us)" in row(heard(*ours))
     assert "paused" not in row(heard(*ours, pose(T0 + 1, 9.0)))
     assert "paused" not in row(heard(*ours, events.PausedReported(R0, T0 + 1, False)))

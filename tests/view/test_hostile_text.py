@@ -8,16 +8,17 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fleet_tui.model import events
-from fleet_tui.model.commands import CancelOrder, Outcome, PlaceOrder
+from fleet_tui.model.commands import CancelOrder, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.view.alarm_rows import alarm_table
+from fleet_tui.view.command_line import message_line
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.floor_scene import floor_scene
 from fleet_tui.view.queue_rows import CANCEL, queue_table
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.selection import Selection
-from fleet_tui.view.status_line import message_line, status_line
+from fleet_tui.view.status_line import status_line
 from fleet_tui.view.table import Row, Run, Table, column, cut, width_of
 from tests.fleets import (
     F0,
@@ -66,7 +67,8 @@ def facts(text: str) -> list[events.Event]:
         events.FrameRejected(LINK, text),
         events.CommandIssued(1, PlaceOrder(R0, 1, 2), T0, WALL),
         events.CommandIssued(2, CancelOrder(R0, 4), T0, WALL),
-        events.CommandFinished(1, Outcome.REFUSED, text),
+        events.CommandAdvanced(1, Stage.SENT, T0),
+        events.CommandAdvanced(1, Stage.REFUSED, T0, text),
     ]
 
 

@@ -3,12 +3,14 @@
 import pytest
 
 from fleet_tui.model import events
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Stage
+from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.queue_rows import CANCEL, CLEAR, queue_table
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Button, Run, width_of
 from fleet_tui.view.text import cells_of
-from tests.fleets import R0, T0, fleet, graph, labels, queue, text_of, tick, told
+from tests.fleets import R0, T0, commanded, fleet, graph, labels, queue, text_of, tick, told
 
 WIDTHS = range(20, 121)
 ORDERS = ((11, 1, 2, "Q"), (12, 2, 3, "W"), (15, 3, 99, "X"))
@@ -113,3 +115,16 @@ def test_nothing_to_do_is_not_nothing_heard() -> None:
 def test_an_order_to_nowhere_is_marked_by_ink_too() -> None:
     odd = queue_table(state(), R0, False, 100).rows[2]
     assert {ink for text, ink in odd.runs if "99?" in text} == {Ink.WARN}
+
+
+def test_what_is_under_way_stands_at_its_order_or_in_the_title() -> None:
+    cancel = commanded(1, CancelOrder(R0, 11), Stage.SENT)
+    place = commanded(2, PlaceOrder(R0, 1, 2), Stage.SENT, Stage.ACCEPTED)
+    now = told(state(), *cancel, *place, tick(T0 + 1))
+    current, waiting, odd = lines(now)
+    assert "cancel sent 1 s ago" in waiting and "cancel" not in (current + odd).replace(CANCEL, "")
+    assert "+1 not seen here yet" in text_of(queue_table(now, R0, False, 100).title)
+    clear = told(state(), *commanded(3, ClearOrders(R0), Stage.SENT), tick(T0 + 1))
+    assert all("cancel sent 1 s ago" in line for line in lines(clear))
+    ended = told(now, *(CommandAdvanced(id_, Stage.REFUSED, T0 + 1) for id_ in (1, 2)))
+    assert "cancel" not in "".join(lines(ended)).replace(CANCEL, "")

@@ -7,30 +7,17 @@ from fleet_tui.config.schema import Link, RobotEntry
 from fleet_tui.config.start import initial_state
 from fleet_tui.keys import keymap
 from fleet_tui.model import events
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    Outcome,
-    PauseRobot,
-    PlaceOrder,
-    PlaceOrderWithCargo,
-    ResumeRobot,
-)
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.view.hints import hints
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.status_line import command_text, message_line, status_line
+from fleet_tui.view.status_line import status_line
 from tests.fleets import (
     LINK,
     R0,
     T0,
-    WALL,
     battery,
     fleet,
-    graph,
-    labels,
     link_lost,
     link_up,
     text_of,
@@ -111,71 +98,6 @@ def test_alarms_are_counted_and_the_new_ones_apart(low: int, seen: int, text: st
 def test_what_must_not_be_cut_stands_first() -> None:
     text = line(told(fleet(), link_lost(T0), tick(T0)), "read-only")
     assert text.index(R0) < text.index("alarms") < text.index("read-only") < text.index("no link")
-
-
-COMMANDS: list[tuple[Command, str]] = [
-    (PlaceOrder(R0, 1, 2), "robot_0 order Base -> 2"),
-    (PlaceOrder(R0, 1, 77), "robot_0 order Base -> 77?"),
-    (PlaceOrderWithCargo(R0, 1), "robot_0 bring cargo -> Base"),
-    (CancelOrder(R0, 7), "robot_0 cancel order 7"),
-    (ClearOrders(R0), "robot_0 clear all orders"),
-    (PauseRobot(R0), "robot_0 pause"),
-    (ResumeRobot(R0), "robot_0 resume"),
-]
-
-
-@pytest.mark.parametrize(("command", "text"), COMMANDS, ids=[text for _, text in COMMANDS])
-def test_commands_in_the_operators_words(command: Command, text: str) -> None:
-    assert command_text(told(fleet(), graph(1, 2), labels({1: "Base"})), command) == text
-
-
-def issued(id_: int, at: float, robot: str = R0) -> events.CommandIssued:
-    return events.CommandIssued(id_, PauseRobot(robot), at, WALL)
-
-
-@pytest.mark.parametrize(
-    ("outcome", "words", "said", "ink"),
-    [
-        (Outcome.ACCEPTED, "paused", ": accepted", Ink.GOOD),
-        (Outcome.ACCEPTED, "ACCEPTED", ": accepted", Ink.GOOD),
-        (Outcome.REFUSED, "REJECTED: no", ": refused (REJECTED: no)", Ink.ALARM),
-        (Outcome.NO_ANSWER, "within 5 s", ": no answer (within 5 s)", Ink.ALARM),
-        (Outcome.NOT_SENT, "", ": not sent", Ink.ALARM),
-    ],
-)
-def test_how_a_command_ended(outcome: Outcome, words: str, said: str, ink: Ink) -> None:
-    state = told(fleet(), issued(1, T0), events.CommandFinished(1, outcome, words), tick(T0 + 3))
-    runs = message_line(state, "", 0.0)
-    assert text_of(runs) == f" robot_0 pause{said}"
-    assert {found for text, found in runs if outcome.value in text} == {ink}
-
-
-def test_a_command_under_way_shows_how_long() -> None:
-    state = told(fleet(), issued(1, T0), tick(T0 + 3))
-    assert text_of(message_line(state, "", 0.0)) == " robot_0 pause: sent 3 s ago"
-
-
-def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -> None:
-    assert message_line(fleet(), "", 0.0) == ()
-    assert text_of(message_line(fleet(), "no order here", T0)) == " no order here"
-    state = told(fleet(3), issued(1, T0), *(issued(2 + n, T0 + 10, f"robot_{n}") for n in range(3)))
-    bad = events.CommandFinished(4, Outcome.REFUSED, "no")
-    state = told(state, bad, events.CommandFinished(2, Outcome.ACCEPTED), tick(T0 + 10))
-    text = text_of(message_line(state, "older", T0 + 9))
-    assert text.count("pause") == 3 and "older" not in text
-    assert text.index("robot_2") < text.index("robot_0")  # what went wrong must not be cut off
-    # A command that ended badly stays in view, whatever is said or given after it.
-    newer = text_of(message_line(told(state, issued(9, T0 + 12)), "newer", T0 + 11))
-    assert "robot_2 pause: refused (no)" in newer and "newer" not in newer
-    later = told(state, issued(9, T0 + 12), tick(T0 + 41))
-    assert "refused" not in text_of(message_line(later, "", 0.0))
-
-
-def test_pause_all_of_a_large_fleet_is_one_word() -> None:
-    state = told(fleet(9), *(issued(n, T0, f"robot_{n}") for n in range(9)))
-    state = told(state, *(events.CommandFinished(n, Outcome.NOT_SENT, "no link") for n in range(9)))
-    text = text_of(message_line(state, "", 0.0))
-    assert text == " robot_0 pause and 8 more like it: not sent (no link)"
 
 
 @pytest.mark.parametrize("pane", ["map", "table"])

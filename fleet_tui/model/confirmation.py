@@ -1,0 +1,155 @@
+"""What telemetry says of a command: whether it was carried out, or what is seen instead.
+
+An answer is only the robot's word; the queue and the pose have the last one.
+"""
+
+from dataclasses import replace
+from typing import assert_never
+
+from fleet_tui.model.commands import (
+    Before,
+    CancelOrder,
+    ClearOrders,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+    Stage,
+    Step,
+)
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
+from fleet_tui.model.order import OPEN_STATUSES, STATUS_WORDS, OrderQueue
+from fleet_tui.model.robot import Robot
+
+STANDS_AFTER = 1.0
+"""Seconds without movement after which a robot stands, and with which it counted as moving."""
+
+WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
+"""Where telemetry decides."""
+
+
+def before(robot: Robot, now: float) -> Before:
+    """What the robot has reported up to `now`, when a command is given."""
+    queue = robot.orders
+    last = max([queue.last_order_id, *(order.id for order in queue.orders)]) if robot.queue else None
+    standing = robot.standing
+    return Before(last, standing is not None and now - standing.at < STANDS_AFTER)
+
+
+def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
+    """The queue, if it was reported after the command had been sent."""
+    sent = record.time_of(Stage.SENT)
+    if robot.queue is None or sent is None or robot.queue.at <= sent:
+        return None
+    return robot.queue.value
+
+
+def _find_order(state: FleetState, robot: Robot, record: CommandRecord) -> int | None:
+    """The order in the queue that this command placed: same ends, a new id, nobody else's."""
+    queue, command, last = _queue_since(robot, record), record.command, record.before.last_order_id
+    if queue is None or last is None:
+        return None
+    taken = {other.order_id for other in state.commands if other.command.robot == robot.name}
+    start = command.start if isinstance(command, PlaceOrder) else None
+    end = command.end if isinstance(command, PlaceOrder | PlaceOrderWithCargo) else None
+    ids = [
+        order.id
+        for order in queue.orders
+        if order.id > last and order.id not in taken and order.end == end and start in (None, order.start)
+    ]
+    return min(ids, default=None)
+
+
+def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
+    """Which of the orders that were to go are still in the queue; None while no queue has come."""
+    queue, last = _queue_since(robot, record), record.before.last_order_id
+    if queue is None:
+        return None
+    match record.command:
+        case CancelOrder(_, order_id):
+            left = [order for order in queue.orders if order.id == order_id and order.status != "C"]
+        case _:
+            left = [
+                order
+                for order in queue.orders
+                if order.status in OPEN_STATUSES and (last is None or order.id <= last)
+            ]
+    return [f"order {order.id} is {STATUS_WORDS.get(order.status, order.status)}" for order in left]
+
+
+def _paused(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
+    sent = record.time_of(Stage.SENT) or record.issued_at
+    if robot.paused is not None:
+        if robot.paused.at > sent and robot.paused.value is wanted:
+            return Step(Stage.CONFIRMED, state.now, "it says paused" if wanted else "it says not paused")
+        return None
+    standing = robot.standing
+    if wanted and record.before.moving and standing is not None:
+        fresh = robot.pose is not None and not state.is_old(robot.pose)
+        if fresh and standing.at > record.issued_at and state.now - standing.at >= STANDS_AFTER:
+            return Step(Stage.CONFIRMED, state.now, "it stands still")
+        return None
+    return Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
+
+
+def _seen(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
+    """The record, ended if telemetry shows that the command was carried out."""
+    match record.command:
+        case PlaceOrder() | PlaceOrderWithCargo():
+            order_id = _find_order(state, robot, record)
+            if order_id is None:
+                return record
+            step = Step(Stage.CONFIRMED, state.now, f"order {order_id} is in the queue")
+            return replace(record.advanced(step), order_id=order_id)
+        case CancelOrder() | ClearOrders():
+            if _still_there(robot, record) != []:
+                return record
+            return record.advanced(Step(Stage.CONFIRMED, state.now, "gone from the queue"))
+        case PauseRobot():
+            found = _paused(state, robot, record, wanted=True)
+        case ResumeRobot():
+            found = _paused(state, robot, record, wanted=False)
+        case _:
+            assert_never(record.command)
+    return record if found is None else record.advanced(found)
+
+
+def _instead(robot: Robot, record: CommandRecord) -> str:
+    """What telemetry shows where a command can't be seen to have been carried out."""
+    match record.command:
+        case PauseRobot():
+            return "it does not say paused" if robot.paused is not None else "it still moves"
+        case ResumeRobot():
+            return "it still says paused" if robot.paused is not None else "nothing shows it"
+    if _queue_since(robot, record) is None:
+        return "its queue has not been heard since"
+    if isinstance(record.command, PlaceOrder | PlaceOrderWithCargo):
+        unknown = record.before.last_order_id is None
+        return "its queue was not known before" if unknown else "no such order in its queue"
+    return ", ".join((_still_there(robot, record) or [])[:3])
+
+
+def _deadline(state: FleetState, robot: Robot, record: CommandRecord) -> float | None:
+    """Until when telemetry may show it; None while there is no link to show anything."""
+    link = state.links[robot.link]
+    if link.phase is not Phase.UP:
+        return None
+    return max(record.at, link.since) + state.limits.confirm_after
+
+
+def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
+    """The record after a look at what its robot reports."""
+    robot = state.robots.get(record.command.robot)
+    if robot is None or record.stage not in WAITS:
+        return record
+    looked = _seen(state, robot, record)
+    if looked.ended:
+        return looked
+    deadline = _deadline(state, robot, record)
+    if deadline is None or state.now < deadline:
+        return record
+    said = f"{record.stage.value}: {record.words}" if record.stage is not Stage.ACCEPTED else "accepted"
+    words = f"{said}; {_instead(robot, record)}"
+    return record.advanced(Step(Stage.NOT_CONFIRMED, state.now, words))

@@ -1,0 +1,81 @@
+"""The line that says where commands stand: what went wrong first, and each word only while it is true."""
+
+import pytest
+
+from fleet_tui.model import events
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.view.command_line import command_text, message_line
+from fleet_tui.view.roles import Ink
+from tests.fleets import R0, T0, commanded, fleet, graph, labels, text_of, tick, told
+
+COMMANDS: list[tuple[Command, str]] = [
+    (PlaceOrder(R0, 1, 2), "robot_0 order Base -> 2"),
+    (PlaceOrder(R0, 1, 77), "robot_0 order Base -> 77?"),
+    (PlaceOrderWithCargo(R0, 1), "robot_0 bring cargo -> Base"),
+    (CancelOrder(R0, 7), "robot_0 cancel order 7"),
+    (ClearOrders(R0), "robot_0 clear all orders"),
+    (PauseRobot(R0), "robot_0 pause"),
+    (ResumeRobot(R0), "robot_0 resume"),
+]
+
+
+@pytest.mark.parametrize(("command", "text"), COMMANDS, ids=[text for _, text in COMMANDS])
+def test_commands_in_the_operators_words(command: Command, text: str) -> None:
+    assert command_text(told(fleet(), graph(1, 2), labels({1: "Base"})), command) == text
+
+
+@pytest.mark.parametrize(
+    ("stages", "words", "said", "ink"),
+    [
+        ([], "", ": sending", Ink.DIM),
+        ([Stage.SENT], "", ": sent 3 s ago", Ink.DIM),
+        ([Stage.SENT, Stage.ACCEPTED], "paused", ": accepted 3 s ago", Ink.GOOD),
+        ([Stage.SENT, Stage.REFUSED], "REJECTED: no", ": refused (REJECTED: no)", Ink.ALARM),
+        ([Stage.SENT, Stage.NO_ANSWER], "within 5 s", ": no answer (within 5 s)", Ink.ALARM),
+        ([Stage.SENT, Stage.UNKNOWN], "link lost", ": outcome unknown (link lost)", Ink.ALARM),
+        ([Stage.NOT_SENT], "", ": not sent", Ink.ALARM),
+    ],
+)
+def test_where_a_command_stands(stages: list[Stage], words: str, said: str, ink: Ink) -> None:
+    order = PlaceOrder(R0, 1, 2)
+    state = told(fleet(), *commanded(1, order, *stages, words=words), tick(T0 + 3))
+    runs = message_line(state, "", 0.0)
+    assert text_of(runs) == f" robot_0 order 1? -> 2?{said}"
+    assert {found for text, found in runs if text.startswith(said.partition(" (")[0])} == {ink}
+
+
+def pause(id_: int, at: float, *stages: Stage, robot: str = R0, words: str = "") -> list[events.Event]:
+    return [*commanded(id_, PauseRobot(robot), *stages, at=at, words=words)]
+
+
+def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -> None:
+    assert message_line(fleet(), "", 0.0) == ()
+    assert text_of(message_line(fleet(), "no order here", T0)) == " no order here"
+    together = [pause(2 + n, T0 + 10, robot=f"robot_{n}") for n in range(2)]
+    bad = pause(4, T0 + 10, Stage.SENT, Stage.REFUSED, robot="robot_2", words="no")
+    state = told(fleet(3), *together[0], *together[1], *bad, tick(T0 + 10))
+    text = text_of(message_line(state, "older", T0 + 9))
+    assert text.count("pause") == 3 and "older" not in text
+    assert text.index("robot_2") < text.index("robot_0")  # what went wrong must not be cut off
+    # A command that ended badly stays in view, whatever is said or given after it.
+    newer = text_of(message_line(told(state, *pause(9, T0 + 12)), "newer", T0 + 11))
+    assert "robot_2 pause: refused (no)" in newer and "newer" not in newer
+    later = told(state, *pause(9, T0 + 12), tick(T0 + 41))
+    assert "refused" not in text_of(message_line(later, "", 0.0))
+
+
+def test_pause_all_of_a_large_fleet_is_one_word() -> None:
+    facts = [
+        fact for n in range(9) for fact in pause(n, T0, Stage.NOT_SENT, robot=f"robot_{n}", words="no link")
+    ]
+    text = text_of(message_line(told(fleet(9), *facts), "", 0.0))
+    assert text == " robot_0 pause and 8 more like it: not sent (no link)"
