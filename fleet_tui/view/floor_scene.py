@@ -95,7 +95,7 @@ def _same_size(one: MapFrame, other: MapFrame) -> bool:
 
 def _placed(pose: Pose, own: MapFrame | None, picture: MapFrame) -> tuple[Pose, bool]:
     """A pose in the picture's world, and whether the robot's own map is another one."""
-    if own is None or own == picture:
+    if own is None or own is picture or own == picture:
         return pose, False
     column, row = own.to_pixel(pose.x, pose.y)
     scale = own.resolution / picture.resolution
@@ -109,8 +109,8 @@ def _robot(
 ) -> SceneRobot | None:
     if robot.pose is None or robot.floor != selection.floor:
         return None
-    own = None if tied else robot.charts.get(selection.floor, Chart()).frame
-    pose, other_map = _placed(robot.pose.value, own, picture)
+    chart = None if tied else robot.charts.get(selection.floor)
+    pose, other_map = _placed(robot.pose.value, chart.frame if chart else None, picture)
     return SceneRobot(
         name=robot.name,
         number=robot.number,

@@ -1,38 +1,53 @@
 """Where text goes so that it covers no other text: whole, or not at all."""
 
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from fleet_tui.view.cells import Inks
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.text import cell_width
 
 _REACH = 3  # rows or cells that a tag may be away from its robot
-_THING, _TAG, _TEXT = 1, 2, 3
-_HELD = np.zeros(len(Ink), np.uint8)
-_HELD[Ink.VERTEX : Ink.TARGET + 1] = _TEXT  # vertices and labels
+_MARGIN = 40  # cells between two rows of a room, always taken, so that nothing reaches from one into the next
+LONGEST = _MARGIN - 2 * _REACH
+"""Cells of the longest tag that finds a place."""
+
+_HELD = np.zeros(len(Ink), np.bool_)
+_HELD[Ink.VERTEX : Ink.TARGET + 1] = True  # vertices and labels
 
 
 class Room:
-    """Which cells of a view are taken already; `below` is what tags should not cover."""
+    """Which cells of a view are taken already; `below` is what tags should not cover.
+
+    A bit for each cell in one number, row by row with margins between and around them: so everything
+    near a robot is looked at together, which counts where a hundred robots look ten times a second.
+    """
 
     def __init__(self, width: int, height: int, below: Inks | None = None) -> None:
         self._width, self._height = width, height
-        self._taken = bytearray(width * height) if below is None else bytearray(_HELD[below])
+        self._stride = width + _MARGIN
+        self._taken = _margins(width, height)
+        self._tags = 0
+        self._texts = 0 if below is None else _bits(_HELD[below], around=False)
 
-    def take(self, x: int, y: int, cells: int, by: int = _THING) -> None:
+    def _bit(self, x: int, y: int) -> int:
+        """The number of a cell's bit."""
+        return (y + _REACH) * self._stride + _MARGIN + x
+
+    def take(self, x: int, y: int, cells: int) -> None:
         """Take `cells` cells of row y from x on, as far as they are in the view."""
         start, end = max(x, 0), min(x + cells, self._width)
         if 0 <= y < self._height and start < end:
-            self._taken[y * self._width + start : y * self._width + end] = bytes((by,)) * (end - start)
+            self._taken |= (1 << end - start) - 1 << self._bit(start, y)
 
     def free(self, x: int, y: int, cells: int) -> bool:
         """Whether they are all in the view and not taken."""
         if not (0 <= y < self._height and x >= 0 and x + cells <= self._width):
             return False
-        start = y * self._width + x
-        return self._taken.count(0, start, start + cells) == cells
+        return not (self._taken | self._texts) >> self._bit(x, y) & (1 << cells) - 1
 
     def label_spot(self, x: int, y: int, text: str, inks: Inks) -> tuple[int, int] | None:
         """The place for a label near its vertex at (x, y): taken, or None where there is no room.
@@ -63,54 +78,81 @@ class Room:
         Where robots crowd, it dodges, the less the better: two numbers side by side read as one.
         Rather it covers a label; in a heap without any room there is none.
         """
-        spot: tuple[int, int] | None = (x + glyph, y)
-        if not self._clear(x + glyph, y, cells, x, y):
-            alone, some = self._near_spots(x, y, glyph, cells)
-            if alone is None and _TEXT in self._taken:
-                alone, covering = self._bare()._near_spots(x, y, glyph, cells)
-                some = some or covering
-            spot = alone or some
-        if spot:
-            self.take(*spot, cells, _TAG)
-        return spot
+        if cells > LONGEST:
+            return None
+        near = _near(glyph, cells, self._stride)
+        corner = self._bit(x, y) - near.before
+        taken, texts, tags = (
+            bits >> corner & near.everything for bits in (self._taken, self._texts, self._tags)
+        )
+        alone, some = near.places(taken | texts, tags)
+        if not alone and texts:
+            alone, covering = near.places(taken, tags)
+            some = some or covering
+        places = alone or some
+        for start, dx, dy in near.order if places else ():
+            if places & start:
+                tag = start * ((1 << cells) - 1) << corner
+                self._taken |= tag
+                self._tags |= tag
+                return x + dx, y + dy
+        return None
 
-    def _bare(self) -> "Room":
-        """The same without vertices and labels."""
-        bare = Room(self._width, self._height)
-        bare._taken = self._taken.replace(bytes((_TEXT,)), b"\0")
-        return bare
 
-    def _near_spots(
-        self, x: int, y: int, glyph: int, cells: int
-    ) -> tuple[tuple[int, int] | None, tuple[int, int] | None]:
-        """The first place that touches nothing, else no tag; and the first that is free at all."""
-        alone = some = None
-        for dx, dy in _around(glyph, cells):
-            spot = (x + dx, y + dy)
-            if not self.free(*spot, cells):
-                continue
-            some = some or spot
-            if self._clear(*spot, cells, x, y):
-                return spot, some
-            if alone is None and self._alone(*spot, cells):
-                alone = spot
-        return alone, some
+def _bits(cells: NDArray[np.bool_], around: bool) -> int:
+    """The cells of a view, and their margins, as a Room keeps them."""
+    height, width = cells.shape
+    padded = np.full((height + 2 * _REACH + 1, width + _MARGIN), around)
+    padded[_REACH : _REACH + height, _MARGIN:] = cells
+    return int.from_bytes(np.packbits(padded, bitorder="little").tobytes(), "little")
 
-    def _clear(self, start: int, row: int, cells: int, x: int, y: int) -> bool:
-        """Whether a tag there is free and touches nothing but its own glyph at (x, y)."""
-        before = 0 if row == y and x < start <= x + 2 else 1  # an arrow is one or two cells wide
-        after = 0 if row == y and start + cells == x else 1
-        return self.free(start - before, row, cells + before + after)
 
-    def _alone(self, x: int, y: int, cells: int) -> bool:
-        """Whether the places beside it are no tag's: two numbers side by side read as one."""
-        row = y * self._width
-        before = self._taken[row + x - 1] if x else 0
-        after = self._taken[row + x + cells] if x + cells < self._width else 0
-        return _TAG not in (before, after)
+@lru_cache(maxsize=8)
+def _margins(width: int, height: int) -> int:
+    return _bits(np.zeros((height, width), np.bool_), around=True)
+
+
+@dataclass(frozen=True, slots=True)
+class _Near:
+    """What is near a glyph, as bits counted from a corner that lies `before` bits before it.
+
+    order: where a tag may begin, from beside the glyph outwards: the bit, and dx, dy from the glyph;
+    starts: all these bits. after_glyph, before_glyph: those whose neighbour is the glyph itself.
+    """
+
+    cells: int
+    before: int
+    everything: int
+    order: tuple[tuple[int, int, int], ...]
+    starts: int
+    after_glyph: int
+    before_glyph: int
+
+    def places(self, taken: int, tags: int) -> tuple[int, int]:
+        """Where a tag may begin so that it touches nothing, else no tag; and so that it is free at all."""
+        blocked = taken
+        for cell in range(1, self.cells):
+            blocked |= taken >> cell
+        free = self.starts & ~blocked
+        touching = taken << 1 & ~self.after_glyph | taken >> self.cells & ~self.before_glyph
+        return free & ~touching or free & ~(tags << 1 | tags >> self.cells), free
 
 
 @lru_cache
+def _near(glyph: int, cells: int, stride: int) -> _Near:
+    before = _REACH * stride + cells + _REACH + 1
+    order = tuple((1 << before + dy * stride + dx, dx, dy) for dx, dy in _around(glyph, cells))
+    return _Near(
+        cells=cells,
+        before=before,
+        everything=(1 << 2 * (before + _MARGIN)) - 1,
+        order=order,
+        starts=sum(start for start, _, _ in order),
+        after_glyph=1 << before + 1 | 1 << before + 2,  # an arrow is one or two cells wide
+        before_glyph=1 << before - cells,
+    )
+
+
 def _around(glyph: int, cells: int) -> tuple[tuple[int, int], ...]:
     """Places for a tag relative to its glyph, from the one beside it outwards."""
     right, left = glyph, -cells

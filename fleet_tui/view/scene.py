@@ -1,6 +1,7 @@
 """What the map shows at one moment, free of how the fleet keeps it."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,9 +25,11 @@ class SceneVertex:
     label: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class SceneRobot:
-    """A robot at its last known pose. number: 1 = first of the config; age: seconds since heard of."""
+class SceneRobot(NamedTuple):
+    """A robot at its last known pose. number: 1 = first of the config; age: seconds since heard of.
+
+    A tuple, because a hundred of them are made ten times a second: it takes a third of the time.
+    """
 
     name: str
     number: int

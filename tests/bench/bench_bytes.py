@@ -78,8 +78,8 @@ def driven(robot: SceneRobot) -> SceneRobot:
     pose = robot.pose
     x, y = pose.x + SPEED * TICK * math.cos(pose.yaw), pose.y + SPEED * TICK * math.sin(pose.yaw)
     if 0.5 < x < HALL[0] - 0.5 and 0.5 < y < HALL[1] - 0.5:
-        return replace(robot, pose=Pose(x, y, pose.yaw))
-    return replace(robot, pose=Pose(pose.x, pose.y, pose.yaw + 2.0))
+        return robot._replace(pose=Pose(x, y, pose.yaw))
+    return robot._replace(pose=Pose(pose.x, pose.y, pose.yaw + 2.0))
 
 
 async def per_tick(robots: int, lean: bool) -> tuple[float, float]:

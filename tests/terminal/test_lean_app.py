@@ -65,7 +65,7 @@ class Pane(LeanApp):
         """The robots go a little further."""
         scene = self.map.scene or a_scene()
         robots = [
-            replace(robot, pose=Pose(rng.uniform(0, 15), rng.uniform(0, 15), rng.uniform(0, 6)))
+            robot._replace(pose=Pose(rng.uniform(0, 15), rng.uniform(0, 15), rng.uniform(0, 6)))
             if rng.random() < 0.3
             else robot
             for robot in scene.robots
@@ -186,7 +186,7 @@ async def test_a_robot_that_moves_a_cell_costs_a_few_bytes_and_standing_still_no
         written.clear()
         paint(app, app.map)
         assert written == []
-        app.map.show(replace(scene, robots=(replace(scene.robots[0], pose=Pose(12.0, 3.0)),)))
+        app.map.show(replace(scene, robots=(scene.robots[0]._replace(pose=Pose(12.0, 3.0)),)))
         paint(app, app.map)
         assert 20 < len("".join(written)) < 200
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.view.camera import Camera
-from fleet_tui.view.labels import Room
+from fleet_tui.view.labels import LONGEST, Room
 from fleet_tui.view.layers import Look
 from fleet_tui.view.picture import backdrop, picture
 from fleet_tui.view.roles import Ink
@@ -48,6 +48,43 @@ def test_tags_of_robots_in_one_cell_do_not_touch_each_other() -> None:
         x, y = spot
         assert not {(x + beside, y) for beside in (-1, 0, 1, 2)} & cells
         cells |= {(x, y), (x + 1, y)}
+
+
+@given(st.sets(places, max_size=WIDTH * HEIGHT), places, st.integers(1, 2), st.integers(1, 4))
+def test_a_tag_touches_something_only_where_no_place_around_touches_nothing(
+    taken: set[tuple[int, int]], at: tuple[int, int], glyph: int, cells: int
+) -> None:
+    room = Room(WIDTH, HEIGHT)
+    for x, y in taken:
+        room.take(x, y, 1)
+    (x, y), around = at, (at[0] + glyph, at[0], at[0] + 1 - cells, at[0] - cells)
+    room.take(x, y, glyph)
+    alone = {
+        (left, row)
+        for row in range(y - 3, y + 4)
+        for left in around
+        if row != y and room.free(left - 1, row, cells + 2)
+    }
+    beside = room.free(x + glyph, y, cells + 1)
+    spot = room.tag_spot(x, y, glyph, cells)
+    if beside:
+        assert spot == (x + glyph, y)
+    elif spot is not None and spot[1] != y and (spot[0] in around) and alone:
+        assert spot in alone
+
+
+def test_a_tag_longer_than_any_place_finds_none() -> None:
+    room = Room(4 * LONGEST, HEIGHT)
+    assert room.tag_spot(2, 4, 1, LONGEST) == (3, 4)
+    assert room.tag_spot(2, 6, 1, LONGEST + 1) is None
+
+
+def test_the_start_of_a_row_is_not_beside_the_end_of_another() -> None:
+    room = Room(WIDTH, HEIGHT)
+    for y in range(HEIGHT):
+        room.take(4, y, WIDTH - 4)
+    assert room.tag_spot(WIDTH - 1, 4, 1, 2) is None
+    assert room.free(0, 4, 4)
 
 
 @given(st.sets(places, max_size=WIDTH * HEIGHT), places)

@@ -53,7 +53,7 @@ def inks(view: MapView) -> set[int]:
 
 
 def driven(metres: float) -> Scene:
-    return replace(SCENE, robots=(replace(SCENE.robots[0], pose=Pose(3.0 + metres, 5.0)),), at=metres)
+    return replace(SCENE, robots=(SCENE.robots[0]._replace(pose=Pose(3.0 + metres, 5.0)),), at=metres)
 
 
 async def test_trails_are_off_until_asked_for_and_then_tell_of_the_last_minute() -> None:

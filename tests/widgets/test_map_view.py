@@ -60,7 +60,7 @@ async def started(pilot: Pilot[None]) -> tuple[Pane, MapView]:
 
 def moved(scene: Scene, x: float, y: float) -> Scene:
     first, *others = scene.robots
-    return replace(scene, robots=(replace(first, pose=Pose(x, y)), *others))
+    return replace(scene, robots=(first._replace(pose=Pose(x, y)), *others))
 
 
 async def test_shows_floor_scale_map_graph_and_robots() -> None:
