@@ -20,8 +20,8 @@ from fleet_tui.screens.main import MainScreen
 from fleet_tui.store import Store
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme
+from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.layers import Look
-from fleet_tui.view.raster import Drawing
 from fleet_tui.widgets.bindings import bindings, textual_keymap
 from fleet_tui.widgets.ink_view import InkView
 

@@ -16,7 +16,7 @@ from fleet_tui.errors import ConfigError, FleetError, did_you_mean
 from fleet_tui.log_file import log_to_file
 from fleet_tui.store import Store
 from fleet_tui.themes import load_themes
-from fleet_tui.view.raster import Drawing
+from fleet_tui.view.drawing import Drawing
 
 LOG = logging.getLogger(__name__)
 

@@ -12,7 +12,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.themes import load_themes
-from fleet_tui.view.raster import Drawing
+from fleet_tui.view.drawing import Drawing
 from tests.watched import WatchedStore
 
 

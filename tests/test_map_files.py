@@ -12,7 +12,8 @@ from PIL import Image
 
 from fleet_tui.map_files import load_floor_map
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, OccupancyGrid
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN
 
 DEPOT = Path(__file__).parent.parent.parent / "shared" / "maps" / "depot"
 BASE = "image: m.png\nresolution: 0.05\norigin: [-1.0, -2.0, 0.5]\n"

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.model.occupancy import OccupancyGrid
 from fleet_tui.model.order import OrderQueue
 
 

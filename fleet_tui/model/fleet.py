@@ -6,8 +6,8 @@ from typing import Any
 
 from fleet_tui.model.alarm import Alarm, Condition, Priority
 from fleet_tui.model.commands import CommandRecord
+from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import CommandPath, LinkState, Phase
-from fleet_tui.model.occupancy import OccupancyGrid
 from fleet_tui.model.robot import Reading, Robot
 
 

@@ -1,30 +1,17 @@
-"""The occupancy grid as classes, with its pyramid.
+"""Builds the occupancy grid: classes, with their pyramid.
 
 UNKNOWN < FREE < OCCUPIED, so that one max-pool means "occupied wins, then known": a wall one
 cell thick stays in every level.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
-from numpy.typing import NDArray
 
 from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
+from fleet_tui.model.grid import Classes, OccupancyGrid
 
 UNKNOWN, FREE, OCCUPIED = 0, 1, 2
 MAX_PIXELS = 100_000_000
-
-Classes = NDArray[np.uint8]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class OccupancyGrid:
-    """A map ready to draw. `levels[k]` is uint8 of shape (ceil(height / 2**k), ceil(width / 2**k)),
-    row 0 at the top; an entry of level k is the maximum of the 2**k x 2**k cells it covers."""
-
-    frame: MapFrame
-    levels: tuple[Classes, ...]
 
 
 def _halved(level: Classes) -> Classes:

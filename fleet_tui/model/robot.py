@@ -8,7 +8,7 @@ from typing import Generic, TypeVar, assert_never
 from fleet_tui.model import events
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
-from fleet_tui.model.occupancy import OccupancyGrid
+from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.order import OrderQueue
 
 T = TypeVar("T")

@@ -7,7 +7,7 @@ from functools import lru_cache
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.view.camera import Camera, scale_bar
 from fleet_tui.view.cells import Cells
-from fleet_tui.view.raster import Drawing
+from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.text import cell_width, visible
 

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from fleet_tui.model.graph import Role
 from fleet_tui.view.camera import Camera
 from fleet_tui.view.cells import Cells
+from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.glyphs import robot_glyph, robot_inks, robot_tag, vertex_glyph
 from fleet_tui.view.labels import Room
 from fleet_tui.view.places import Place, seen_robots, seen_vertices
-from fleet_tui.view.raster import Drawing, ground
+from fleet_tui.view.raster import ground
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.text import visible

@@ -5,28 +5,21 @@ covers, so that a wall one pixel thick is in the picture at any zoom.
 """
 
 import math
-from enum import Enum
 from typing import TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, OccupancyGrid
+from fleet_tui.model.grid import Classes, OccupancyGrid
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN
 from fleet_tui.view.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.cells import Cells
+from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.roles import Ink
 
 COARSE = 12.0
 """Pixels per dot from which nearly every dot holds some wall: then only edges stay solid, and the
 inside of walls is as dense as the map is there."""
-
-
-class Drawing(Enum):
-    """How the map is drawn: dots per cell 2 x 4, 2 x 2 blocks folded to 1 x 2, or 1."""
-
-    BRAILLE = "braille"
-    HALF_BLOCK = "half-block"
-    ASCII = "ascii"
 
 
 def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cells:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
-from fleet_tui.model.occupancy import OccupancyGrid
+from fleet_tui.model.grid import OccupancyGrid
 
 Line = tuple[float, float, float, float]
 """x1, y1, x2, y2 in metres."""

@@ -5,7 +5,7 @@ from time import monotonic
 from typing import ClassVar
 
 from fleet_tui.view.camera import ZOOM_STEP
-from fleet_tui.view.raster import Drawing
+from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.stride import COLUMNS, ROWS, Stride
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.map_picture import MapPicture

@@ -16,7 +16,7 @@ from fleet_tui.demo import demo_config, simulated
 from fleet_tui.link.transport import Connection
 from fleet_tui.store import Store
 from fleet_tui.themes import load_themes
-from fleet_tui.view.raster import Drawing
+from fleet_tui.view.drawing import Drawing
 
 BEAT = 0.005
 ROBOTS = 10

@@ -8,7 +8,8 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
-from fleet_tui.model.occupancy import OccupancyGrid, build_grid, grid_from_ros
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.occupancy import build_grid, grid_from_ros
 from fleet_tui.view.floor_scene import chart_robot, floor_scene
 from fleet_tui.view.scene import Scene, SceneRobot
 from fleet_tui.view.selection import Selection

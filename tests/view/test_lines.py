@@ -11,9 +11,9 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.view.camera import Camera
 from fleet_tui.view.cells import Cells
+from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.layers import Look
 from fleet_tui.view.picture import backdrop, picture
-from fleet_tui.view.raster import Drawing
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Line, Mission, Scene, SceneRobot, SceneVertex
 

@@ -15,12 +15,13 @@ from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
-from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, OccupancyGrid, build_grid
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.view.camera import Camera
 from fleet_tui.view.cells import Cells
+from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.layers import Look
 from fleet_tui.view.picture import backdrop, picture
-from fleet_tui.view.raster import Drawing
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Mission, Scene, SceneRobot, SceneVertex
 

@@ -8,9 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame
-from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, OccupancyGrid, build_grid
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.view.camera import Camera
-from fleet_tui.view.raster import COARSE, Drawing, ground, sample
+from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.raster import COARSE, ground, sample
 from fleet_tui.view.roles import Ink
 
 

@@ -13,7 +13,7 @@ from textual.pilot import Pilot
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.themes import load_themes
-from fleet_tui.view.raster import Drawing
+from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
