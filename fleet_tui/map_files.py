@@ -14,13 +14,14 @@ from PIL import Image, UnidentifiedImageError
 from fleet_tui.errors import MapError
 from fleet_tui.model.events import FloorMapLoaded
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.model.grid import Classes, OccupancyGrid
+from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import (
     CLASS_OF_CELL,
     FREE,
     MAX_PIXELS,
     OCCUPIED,
     UNKNOWN,
+    Classes,
     build_grid,
     check_frame,
 )

@@ -1,15 +1,13 @@
 """The occupancy grid as a value. Without numpy: the console paints before it is imported."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 from fleet_tui.model.geometry import MapFrame
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-Classes: TypeAlias = "NDArray[np.uint8]"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -18,4 +16,4 @@ class OccupancyGrid:
     row 0 at the top; an entry of level k is the maximum of the 2**k x 2**k cells it covers."""
 
     frame: MapFrame
-    levels: tuple[Classes, ...]
+    levels: tuple["NDArray[np.uint8]", ...]

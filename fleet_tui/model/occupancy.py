@@ -5,13 +5,16 @@ cell thick stays in every level.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
-from fleet_tui.model.grid import Classes, OccupancyGrid
+from fleet_tui.model.grid import OccupancyGrid
 
 UNKNOWN, FREE, OCCUPIED = 0, 1, 2
 MAX_PIXELS = 100_000_000
+
+Classes = NDArray[np.uint8]
 
 
 def _halved(level: Classes) -> Classes:

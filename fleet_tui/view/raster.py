@@ -10,8 +10,8 @@ from typing import TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from fleet_tui.model.grid import Classes, OccupancyGrid
-from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes
 from fleet_tui.view.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.drawing import Drawing

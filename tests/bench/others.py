@@ -18,8 +18,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from rich.console import Console
 
-from fleet_tui.model.grid import Classes
-from fleet_tui.model.occupancy import OCCUPIED
+from fleet_tui.model.occupancy import OCCUPIED, Classes
 
 Draw = Callable[[], object]
 GREYS = np.array([128, 255, 0], np.uint8)
