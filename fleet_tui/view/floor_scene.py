@@ -18,6 +18,8 @@ from fleet_tui.view.text import visible
 
 MARGIN, BLOCK = 2.0, 10.0
 EMPTY_RESOLUTION = 0.05
+FAR = 1e6
+"""Metres beyond which a place is an error, not one to make room for."""
 
 Drawn = tuple[tuple[SceneVertex, ...], tuple[Line, ...], tuple[Line, ...]]
 
@@ -55,6 +57,7 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
             if robot.pose is not None and robot.floor == floor:
                 x, y = robot.pose.value.x // BLOCK * BLOCK, robot.pose.value.y // BLOCK * BLOCK
                 points += [(x, y), (x + BLOCK, y + BLOCK)]
+    points = [(x, y) for x, y in points if abs(x) < FAR and abs(y) < FAR]
     points = points or [(0.0, 0.0), (BLOCK, BLOCK)]
     left, low = min(x for x, _ in points) - MARGIN, min(y for _, y in points) - MARGIN
     width = max(x for x, _ in points) + MARGIN - left

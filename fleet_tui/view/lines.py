@@ -107,7 +107,8 @@ def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> Non
     x, y, to_x, to_y = edge = scene.mission.edge
     pose, along = robot.pose, (to_x - x, to_y - y)
     ahead = (pose.x - x) * along[0] + (pose.y - y) * along[1]
-    done = min(max(ahead / max(along[0] ** 2 + along[1] ** 2, 1e-12), 0.0), 1.0)
+    square = along[0] * along[0] + along[1] * along[1]  # ** would raise on a vertex at 1e300
+    done = min(max(ahead / max(square, 1e-12), 0.0), 1.0)
     if math.dist((pose.x, pose.y), (x + done * along[0], y + done * along[1])) > OFF_EDGE:
         edge, done = (pose.x, pose.y, to_x, to_y), 0.0
     mask = _mask(camera)

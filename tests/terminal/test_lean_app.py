@@ -5,6 +5,7 @@ import random
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.terminal import lean_app
 from fleet_tui.terminal.lean_app import LeanApp, textual_fits
 from fleet_tui.themes import load_themes
-from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.scene import Line, Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
 from tests.played_terminal import PlayedDriver, intended, paint, shown, terminal_of
 
@@ -35,10 +36,11 @@ def a_scene(robots: int = 4) -> Scene:
         frame,
         build_grid(frame, classes),
         (SceneVertex(1, 2, 2, label="Base"), SceneVertex(2, 9, 8, label="倉庫A"), SceneVertex(3, 5, 12)),
-        ((2.0, 2.0, 9.0, 8.0),),
+        ((2.0, 2.0, 9.0, 8.0), (9.0, 8.0, 5.0, 12.0)),
         tuple(
             SceneRobot(f"robot_{n}", n + 1, Pose(3.0 + n, 3.0 + n), selected=n == 0) for n in range(robots)
         ),
+        one_way=((9.0, 8.0, 5.0, 12.0),),
     )
 
 
@@ -64,13 +66,25 @@ class Pane(LeanApp):
     def drive(self, rng: random.Random) -> None:
         """The robots go a little further."""
         scene = self.map.scene or a_scene()
-        robots = [
-            robot._replace(pose=Pose(rng.uniform(0, 15), rng.uniform(0, 15), rng.uniform(0, 6)))
-            if rng.random() < 0.3
-            else robot
-            for robot in scene.robots
-        ]
-        self.map.show(replace(scene, robots=tuple(robots)))
+        robots = tuple(_moved(robot, rng) if rng.random() < 0.3 else robot for robot in scene.robots)
+        if rng.random() < 0.1:
+            ways = [tuple(_line(rng) for _ in range(rng.randrange(3))) for _ in range(2)]
+            mission = rng.choice([None, Mission(ways[0], ways[1], rng.choice([None, _line(rng)]))])
+            targets = tuple(rng.sample((1, 2, 3), rng.randrange(3)))
+            scene = replace(scene, mission=mission, target_vertices=targets)
+        self.map.show(replace(scene, robots=robots, at=scene.at + rng.uniform(0, 3)))
+
+
+def _moved(robot: SceneRobot, rng: random.Random) -> SceneRobot:
+    """Somewhere else, and in any state."""
+    states = ("cargo", "online", "paused", "obstacle", "other_map")
+    pose = Pose(rng.uniform(0, 15), rng.uniform(0, 15), rng.uniform(0, 6))
+    state: dict[str, Any] = {name: rng.random() < 0.5 for name in states}
+    return robot._replace(pose=pose, age=rng.uniform(0, 9999), **state)
+
+
+def _line(rng: random.Random) -> Line:
+    return rng.uniform(0, 15), rng.uniform(0, 15), rng.uniform(0, 15), rng.uniform(0, 15)
 
 
 def _overlay(app: Pane, _rng: random.Random) -> None:
@@ -97,6 +111,10 @@ STEPS: list[Callable[[Pane, random.Random], object]] = [
     *[lambda app, _rng: app.map.action_zoom_out()] * 2,
     lambda app, rng: app.map.action_pan_map(rng.choice([-1, 1]), rng.choice([-1, 1])),
     lambda app, _rng: app.map.action_labels(),
+    lambda app, _rng: app.map.action_edges(),
+    lambda app, _rng: app.map.action_trails(),
+    lambda app, _rng: app.map.action_follow(),
+    lambda app, rng: app.map.action_next_vertex(rng.choice([-1, 1])),
     lambda app, _rng: app.map.action_drawing(),
     lambda app, _rng: app.map.action_cursor(),
     lambda app, _rng: app.notify("a toast over 地図"),
@@ -132,7 +150,7 @@ async def test_the_terminal_shows_what_textual_means_after_anything(seed: int) -
     app = Pane()
     async with app.run_test(headless=False, size=(80, 24), notifications=True) as pilot:
         app.map.show(a_scene())
-        for step in range(40):
+        for step in range(50):
             rng.choice(STEPS)(app, rng)
             for _ in range(rng.randrange(24)):
                 app.drive(rng)

@@ -7,7 +7,7 @@ import pytest
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.model.graph import Role
+from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import build_grid, grid_from_ros
 from fleet_tui.view.floor_scene import chart_robot, floor_scene
@@ -78,6 +78,15 @@ def test_without_a_map_there_is_ground_for_every_vertex() -> None:
     for vertex in found.vertices:
         column, row = found.frame.to_pixel(vertex.x, vertex.y)
         assert 0 <= column <= found.frame.width and 0 <= row <= found.frame.height
+
+
+@pytest.mark.parametrize("far", [1e300, -1e308, math.inf, math.nan])
+def test_a_vertex_beyond_all_sense_gets_no_room(far: float) -> None:
+    sensible = scene(told(fleet(), graph(1, 2, 3))).frame
+    vertices = {**graph(1, 2, 3).graph.vertices, 4: Vertex(4, far, far)}
+    wild = events.GraphReceived(R0, F0, RouteGraph(vertices))
+    assert scene(told(fleet(), wild, pose(T0, far))).frame == sensible
+    assert scene(told(fleet(), pose(T0, far))).frame.width > 0
 
 
 def test_without_a_graph_there_is_ground_that_stands_still_under_a_moving_robot() -> None:

@@ -202,3 +202,10 @@ def test_a_robot_beside_its_edge_is_led_back_to_it() -> None:
     cells = drawn(replace(scene, robots=(SceneRobot("r", 1, Pose(8.0, 8.0), selected=True),)))
     x, y = CAMERA.to_cell(*FRAME.to_pixel(8.0, 5.0))
     assert cells.inks[y, x] == Ink.MISSION
+
+
+@pytest.mark.parametrize("far", [1e300, -1e300, float("inf"), float("nan")])
+def test_a_way_to_nowhere_breaks_nothing(far: float) -> None:
+    scene = replace(SCENE, mission=Mission(((2.0, 2.0, far, 5.0),), (), (2.0, 2.0, 5.0, far)))
+    robot = SceneRobot("r", 1, Pose(2.0, 2.0), selected=True)
+    assert "→1" in drawn(replace(scene, robots=(robot,))).text()
