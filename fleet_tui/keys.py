@@ -47,6 +47,7 @@ KEYS: tuple[Key, ...] = (
     Key("next_floor", ("}",), "step_floor(1)", "Next floor", hint="floor"),
     Key("previous_floor", ("{",), "step_floor(-1)", "Previous floor"),
     Key("order", ("o",), "order", "Order form for the selected robot", hint="order"),
+    Key("simple", ("s",), "simple", "Simple interface on or off: robot, from, to, send", hint="simple"),
     Key("cancel", ("x",), "cancel", "Cancel the order under the queue's cursor (asks once)", hint="cancel"),
     Key("clear", ("X",), "clear", "Clear all orders of the selected robot (asks once)", hint="clear"),
     Key("pause", ("p",), "pause", "Pause the selected robot, at once", hint="pause"),

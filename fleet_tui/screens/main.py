@@ -89,6 +89,8 @@ class MainScreen(Navigation):
         )
         self.message.show(message_line(state, self.said, self._said_at))
         self.hints.show(*hints(self._keys, self._focused_pane()))
+        if self.simple is not None:
+            self.simple.show()
 
     def _focused_pane(self) -> str:
         return "map" if self.focused is self.map else "table"
@@ -132,7 +134,8 @@ class MainScreen(Navigation):
         """One level back: the map's cursor goes, then the focus to the map."""
         if self.map.look.cursor is not None:
             self.map.action_cursor()
-        self.set_focus(self.map)
+        if self.map.display:
+            self.set_focus(self.map)
 
     def action_acknowledge(self) -> None:
         """Acknowledge the alarm under the cursor."""

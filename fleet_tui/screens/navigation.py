@@ -10,6 +10,7 @@ from fleet_tui.keys import KEYS
 from fleet_tui.screens.command_actions import CommandActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.palette import Entry
+from fleet_tui.screens.simple import Simple
 from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.map_view import MapView
@@ -21,6 +22,7 @@ class Navigation(CommandActions):
     """The selection, by key, by mouse and by name."""
 
     map: MapView
+    simple: Simple | None = None
     themes: Mapping[str, Callable[[], None]]
 
     def tick(self) -> None:
@@ -61,6 +63,17 @@ class Navigation(CommandActions):
     def action_step_floor(self, step: int) -> None:
         """The next or previous floor."""
         self.find_floor(self.selection.step_floor(self.state, step).floor)
+
+    async def action_simple(self) -> None:
+        """The simple interface in the map's place, or the map again. It is made when it is first wanted."""
+        panes = self.query_one("#panes")
+        if self.simple is None:
+            self.simple = Simple(lambda: self.state, lambda: self.selection.robot, self.select, self.submit)
+            await panes.mount(self.simple, before=self.map)
+        if panes.toggle_class("-simple").has_class("-simple"):
+            self.simple.start()
+        else:
+            self.set_focus(self.map)
 
     def wishes(self) -> Iterator[Entry]:
         """Everything the palette offers."""

@@ -1,0 +1,179 @@
+"""The simple interface, in the map's place: robot, from, to, send. Arrows and Enter, or the mouse."""
+
+from collections.abc import Callable
+from typing import ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.containers import Vertical
+from textual.widgets import Button, OptionList, Static
+
+from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.lookup import Place, destination_only, places
+from fleet_tui.model.robot import Robot
+from fleet_tui.view.text import visible
+
+
+class Simple(Vertical):
+    """One large button for each choice; pressed, the buttons give way to the list of what can be
+    chosen. The robot is the console's `selected` one; `select` selects another."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        ("down,j", "step(1)", "Down"),
+        ("up,k", "step(-1)", "Up"),
+        ("escape", "leave_list", "Back"),
+    ]
+
+    def __init__(
+        self,
+        state: Callable[[], FleetState],
+        selected: Callable[[], str],
+        select: Callable[[str], None],
+        send: Callable[[Command], None],
+    ) -> None:
+        super().__init__(id="simple")
+        self._state, self._selected, self._select, self._send = state, selected, select, send
+        self._chosen: dict[str, Place] = {}
+        self._whose = ""
+        self._choosing = ""
+        self._choices: list[Place] = []
+        self._shown: tuple[object, ...] = ()
+
+    def compose(self) -> ComposeResult:
+        """The four buttons, what is missing, and the list that takes their place."""
+        for field in ("robot", "from", "to"):
+            yield Button(id=f"simple-{field}")
+        yield Button("Send", id="simple-send", variant="primary")
+        yield Static(id="simple-missing", markup=False)
+        yield Static(id="simple-question", markup=False)
+        yield OptionList(id="simple-list", markup=False)
+
+    def show(self) -> None:
+        """Follow the robot: another one, or cargo that came or went, changes what is asked."""
+        robot = self._robot()
+        if robot.name != self._whose:
+            self._whose = robot.name
+            self._chosen.clear()
+            self._leave()
+        only_to = destination_only(robot)
+        shown = (robot.name, only_to, self._choosing, *self._chosen.items())
+        if shown == self._shown:
+            return
+        self._shown = shown
+        names = {field: visible(place.name) for field, place in self._chosen.items()}
+        self._button("robot").label = f"Robot: {visible(robot.name)}"
+        self._button("from").label = f"From: {names.get('from', 'choose ...')}"
+        self._button("to").label = ("Come here with the cargo: " if only_to else "To: ") + names.get(
+            "to", "choose ..."
+        )
+        for field in ("robot", "from", "to", "send"):
+            self._button(field).display = not self._choosing and (field != "from" or not only_to)
+        self.query_one("#simple-missing").display = not self._choosing
+        self.query_one("#simple-question").display = self.query_one(OptionList).display = bool(self._choosing)
+
+    def start(self) -> None:
+        """Come into view, the first thing to choose in focus."""
+        self._leave()
+        self._say("")
+        self.show()
+        self._go_on()
+
+    def _button(self, field: str) -> Button:
+        return self.query_one(f"#simple-{field}", Button)
+
+    def _robot(self) -> Robot:
+        return self._state().robots[self._selected()]
+
+    def _say(self, text: str) -> None:
+        self.query_one("#simple-missing", Static).update(text)
+
+    def _leave(self) -> None:
+        self._choosing = ""
+
+    def _missing(self) -> str:
+        """The first field that has not been chosen, empty when all have."""
+        fields = ("to",) if destination_only(self._robot()) else ("from", "to")
+        return next((field for field in fields if field not in self._chosen), "")
+
+    def _go_on(self) -> None:
+        self.screen.set_focus(self._button(self._missing() or "send"))
+
+    def action_step(self, step: int) -> None:
+        """The next button that is in view."""
+        buttons = [button for button in self.query(Button) if button.display]
+        if self.screen.focused in buttons:
+            at = buttons.index(self.screen.focused)
+            self.screen.set_focus(buttons[max(0, min(at + step, len(buttons) - 1))])
+
+    def action_leave_list(self) -> None:
+        """Back to the buttons, nothing chosen."""
+        field = self._choosing or "robot"
+        self._leave()
+        self.show()
+        self.screen.set_focus(self._button(field))
+
+    @on(Button.Pressed)
+    def press(self, event: Button.Pressed) -> None:
+        """Choose, or send."""
+        event.stop()
+        field = (event.button.id or "").removeprefix("simple-")
+        if field == "send":
+            self._finish()
+        else:
+            self._ask(field)
+
+    def _ask(self, field: str) -> None:
+        """List what can be chosen."""
+        robot = self._robot()
+        self._choices = [] if field == "robot" else places(robot)
+        names = [f"{visible(place.name)}  ({place.floor})" for place in self._choices]
+        if field != "robot" and not names:
+            self._say(f"{robot.name} has not told its places yet")
+            return
+        self._choosing = field
+        options = self.query_one(OptionList)
+        options.clear_options()
+        options.add_options(list(self._state().robots) if field == "robot" else names)
+        options.highlighted = 0
+        question = {"robot": "Which robot?", "from": "From where?", "to": "Where to?"}[field]
+        self.query_one("#simple-question", Static).update(f"{question}  (Esc: back)")
+        self.show()
+        self.screen.set_focus(options)
+
+    @on(OptionList.OptionSelected)
+    def choose(self, event: OptionList.OptionSelected) -> None:
+        """Take it, and go on to what is missing."""
+        event.stop()
+        field, index = self._choosing, event.option_index
+        if not field:
+            return
+        self._leave()
+        self._say("")
+        if field == "robot":
+            self._select(list(self._state().robots)[index])
+        else:
+            self._chosen[field] = self._choices[index]
+        self.show()
+        self._go_on()
+
+    def _finish(self) -> None:
+        robot, missing = self._robot(), self._missing()
+        if missing:
+            self._say(f"{missing.capitalize()} is missing: choose where {_PURPOSE[missing]}")
+            self.screen.set_focus(self._button(missing))
+            return
+        start, end = self._chosen.get("from"), self._chosen["to"]
+        if destination_only(robot) or start is None:
+            self._send(PlaceOrderWithCargo(robot.name, end.vertex))
+        elif start.vertex == end.vertex:
+            self._say("From and To are the same place")
+            return
+        else:
+            self._send(PlaceOrder(robot.name, start.vertex, end.vertex))
+        self._chosen.clear()
+        self.start()
+
+
+_PURPOSE = {"from": "the cargo is fetched", "to": "it is brought"}

@@ -1,0 +1,112 @@
+"""The simple interface: an order with arrows and Enter alone, or with the mouse alone."""
+
+import pytest
+
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.view.text import visible
+from tests.console_pilot import Console, console
+from tests.screens.test_commands import sent, vertex
+from tests.watched import config_of
+
+
+async def pick_by_arrows(it: Console, label: str) -> None:
+    """Down to a label of the list that is open, and Enter."""
+    options = it.app.main.query_one("#simple-list")
+    await it.until(lambda _: it.app.main.focused is options)
+    lines = [line.strip() for line in it.pane("simple-list").splitlines()]
+    at = next(n for n, line in enumerate(lines) if line.startswith(label))
+    await it.press(*["down"] * at, "enter")
+
+
+@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+async def test_an_order_with_arrows_and_enter_alone(server: RosbridgeServer, size: tuple[int, int]) -> None:
+    async with console(config_of(server.url, 2), size) as it:
+        await it.press("s")
+        await it.shows("Robot: robot_0")
+        for word in ("0 alarms", "Queue robot_0", "Alarms", "robot_1", "Send"):
+            assert word in it.text
+        await it.press("up", "enter")
+        await it.shows("Which robot?")
+        await pick_by_arrows(it, "robot_1")
+        await it.shows("Robot: robot_1")
+        await it.press("enter")
+        await it.shows("From where?")
+        await pick_by_arrows(it, "Base")
+        await it.shows("From: Base")
+        await it.press("enter")
+        await it.shows("Where to?")
+        await pick_by_arrows(it, "Consumidores")
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        wanted = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Consumidores")}
+        ((service, args),) = sent(server)
+        assert service == "Execute_order" and wanted.items() <= args.items()
+        assert server.calls[0][0].startswith("/robot_1/")
+        await it.shows("Base -> Consumidores", "queue")
+        await it.shows("From: choose")
+
+
+async def test_an_order_with_the_mouse_alone(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("s")
+        await it.shows("From: choose")
+        for button, row in (("#simple-from", 0), ("#simple-to", 2)):
+            await it.pilot.click(button)
+            await it.until(lambda _: it.app.main.query_one("#simple-list").region.height)
+            await it.pilot.click("#simple-list", offset=(3, row))
+            await it.until(lambda _: it.app.main.query_one("#simple-send").region.height)
+        await it.pilot.click("#simple-send")
+        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        assert [service for service, _ in sent(server)] == ["Execute_order"]
+
+
+async def test_what_is_missing_is_named_and_nothing_leaves(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("s", "down", "down", "enter")
+        await it.shows("From is missing")
+        await it.press("enter")
+        await pick_by_arrows(it, "Base")
+        await it.press("down", "enter")
+        await it.shows("To is missing")
+        await it.press("enter")
+        await pick_by_arrows(it, "Base")
+        await it.press("enter")
+        await it.shows("same place")
+        assert not server.calls
+
+
+async def test_with_cargo_on_board_there_is_only_a_destination(
+    server: RosbridgeServer,
+) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("s")
+        await it.shows("From: choose")
+        server.world.robots["robot_0"].cargo = True
+        await it.shows("Come here with the cargo")
+        await it.hides("From:")
+        await it.press("down", "up", "enter")
+        await it.shows("Which robot?")
+        await it.press("escape", "down", "enter")
+        await it.shows("Where to?")
+        await pick_by_arrows(it, "Base")
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        assert sent(server) == [
+            ("Execute_order_with_cargo", {"agent": "robot_0", "end_point": vertex(it, "Base")})
+        ]
+
+
+async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        await it.press("s")
+        await it.shows("From: choose")
+        assert not it.app.main.map.display
+        await it.press("enter")
+        await it.shows("From where?")
+        await it.press("f12")
+        await it.until(lambda state: all(state.is_paused(robot) for robot in state.robots.values()))
+        await it.press("escape")
+        await it.shows("From: choose")
+        await it.press("s")
+        await it.shows(visible("Base"), "map")
+        assert it.app.main.focused is it.app.main.map
