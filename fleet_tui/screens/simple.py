@@ -7,6 +7,7 @@ from textual import on
 from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.containers import Vertical
+from textual.content import Content
 from textual.widgets import Button, OptionList, Static
 
 from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
@@ -63,11 +64,11 @@ class Simple(Vertical):
             return
         self._shown = shown
         names = {field: visible(place.name) for field, place in self._chosen.items()}
-        self._button("robot").label = f"Robot: {visible(robot.name)}"
-        self._button("from").label = f"From: {names.get('from', 'choose ...')}"
-        self._button("to").label = ("Come here with the cargo: " if only_to else "To: ") + names.get(
-            "to", "choose ..."
-        )
+        to = "Come here with the cargo: " if only_to else "To: "
+        # As Content: a label from the wire is text, whatever markup it looks like.
+        self._button("robot").label = Content(f"Robot: {visible(robot.name)}")
+        self._button("from").label = Content(f"From: {names.get('from', 'choose ...')}")
+        self._button("to").label = Content(to + names.get("to", "choose ..."))
         for field in ("robot", "from", "to", "send"):
             self._button(field).display = not self._choosing and (field != "from" or not only_to)
         self.query_one("#simple-missing").display = not self._choosing

@@ -2,6 +2,7 @@
 
 import pytest
 
+from fleet_tui.model.events import LabelsReceived
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.text import visible
 from tests.console_pilot import Console, console
@@ -110,3 +111,14 @@ async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServe
         await it.press("s")
         await it.shows(visible("Base"), "map")
         assert it.app.main.focused is it.app.main.map
+
+
+async def test_a_label_that_looks_like_markup_is_text(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        it.store.tell(LabelsReceived("robot_0", "floor_0", {0: "[bold]Base[/]"}))
+        await it.press("s")
+        await it.shows("From: choose")
+        await it.press("enter")
+        await it.shows("[bold]Base[/]  (floor_0)")
+        await it.press("enter")
+        await it.shows("From: [bold]Base[/]")
