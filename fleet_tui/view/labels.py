@@ -85,9 +85,9 @@ class Room:
         taken, texts, tags = (
             bits >> corner & near.everything for bits in (self._taken, self._texts, self._tags)
         )
-        alone, some = near.places(taken | texts, tags)
+        alone, some = near.places(taken, texts, tags)
         if not alone and texts:
-            alone, covering = near.places(taken, tags)
+            alone, covering = near.places(taken, 0, tags)
             some = some or covering
         places = alone or some
         for start, dx, dy in near.order if places else ():
@@ -128,14 +128,23 @@ class _Near:
     after_glyph: int
     before_glyph: int
 
-    def places(self, taken: int, tags: int) -> tuple[int, int]:
-        """Where a tag may begin so that it touches nothing, else no tag; and so that it is free at all."""
-        blocked = taken
+    def places(self, taken: int, texts: int, tags: int) -> tuple[int, int]:
+        """Where a tag may begin so that it touches nothing, else no tag; and so that it is free at all.
+
+        A label may be touched rather than that the tag goes far from its robot.
+        """
+        texts &= ~taken
+        held = blocked = taken | texts
         for cell in range(1, self.cells):
-            blocked |= taken >> cell
+            blocked |= held >> cell
         free = self.starts & ~blocked
         touching = taken << 1 & ~self.after_glyph | taken >> self.cells & ~self.before_glyph
-        return free & ~touching or free & ~(tags << 1 | tags >> self.cells), free
+        clear = free & ~touching
+        beside = clear & (self.order[0][0] | self.order[1][0])
+        return (
+            beside & ~(texts << 1 | texts >> self.cells) or clear or free & ~(tags << 1 | tags >> self.cells),
+            free,
+        )
 
 
 @lru_cache

@@ -167,5 +167,13 @@ def test_a_robot_at_a_station_leaves_the_stations_name_readable() -> None:
     for zoom in (0.5, 1.0, 2.0, 4.0):
         camera = CAMERA.zoomed(zoom, (200, 100))
         text = picture(backdrop(scene, camera, Look()), scene, camera, Look()).text()
-        assert " Dock" in text
+        assert "Dock" in text
         assert "1" in text
+        alone = replace(scene, robots=robots[:1])
+        assert "1→ Dock" in picture(backdrop(alone, camera, Look()), alone, camera, Look()).text()
+
+
+def test_a_number_rather_touches_a_label_than_that_it_goes_far_from_its_robot() -> None:
+    below = np.full((HEIGHT, WIDTH), Ink.FLOOR, np.uint8)
+    below[4, :9] = below[4, 11:] = Ink.LABEL
+    assert Room(WIDTH, HEIGHT, below).tag_spot(9, 4, 1, 1) == (10, 4)
