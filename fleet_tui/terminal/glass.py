@@ -1,14 +1,16 @@
 """The cells that the terminal should show, those it shows, and the bytes between them."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 from rich.cells import split_graphemes
 from rich.color import ColorSystem
 from rich.segment import Segment
+from rich.style import Style
 
+from fleet_tui.terminal.cell_strip import CellStrip
 from fleet_tui.terminal.looks import PLAIN, RESET, Look, look_of, turn
 
 # A cell is one number: its character below, its look's number above.
@@ -39,6 +41,8 @@ class Glass:
         self._sent = self._wanted
         self._looks: dict[Look, int] = {}
         self._clusters: dict[str, int] = {}
+        self._styles: Sequence[Style] = ()
+        self._inks: NDArray[np.uint64] = np.empty(0, np.uint64)
 
     def fit(self, width: int, height: int) -> None:
         """Take this many cells; nothing is known about a new size."""
@@ -52,6 +56,20 @@ class Glass:
 
     def put(self, x: int, y: int, end: int, segments: Iterable[Segment]) -> None:
         """Want `segments` in row y from cell x on, as far as cell `end`."""
+        cells = self._inked(segments) if isinstance(segments, CellStrip) else self._spelled(segments)
+        self._part(x, y)
+        self._part(end, y)
+        row = self._wanted[y, x:end]
+        row[: len(cells)] = cells[: len(row)]
+
+    def _inked(self, strip: CellStrip) -> NDArray[np.uint64]:
+        if strip.styles is not self._styles:
+            self._styles = strip.styles
+            looks = [self._look(look_of(style, self._colours)) for style in strip.styles]
+            self._inks = np.array(looks, np.uint64) << _SHIFT
+        return strip.codes | self._inks[strip.inks]
+
+    def _spelled(self, segments: Iterable[Segment]) -> NDArray[np.uint64]:
         texts = [(text, style) for text, style, control in segments if text and not control]
         line = "".join([text for text, _ in texts])
         looks = [self._look(look_of(style, self._colours)) for _, style in texts]
@@ -62,11 +80,7 @@ class Glass:
             parts = [self._cells(text) for text, _ in texts]
             codes = np.array([code for part in parts for code in part], np.uint32)
             sizes = [len(part) for part in parts]
-        cells = codes | np.repeat(np.array(looks, np.uint64) << _SHIFT, sizes)
-        self._part(x, y)
-        self._part(end, y)
-        row = self._wanted[y, x:end]
-        row[: len(cells)] = cells[: len(row)]
+        return codes | np.repeat(np.array(looks, np.uint64) << _SHIFT, sizes)
 
     def _part(self, x: int, y: int) -> None:
         """A wide character on both sides of the left edge of cell x gives way to blanks."""

@@ -13,12 +13,12 @@ from importlib.metadata import version
 from rich.color import ColorSystem
 from rich.console import RenderableType
 from rich.control import Control
-from rich.segment import Segment
 from textual import _ansi_sequences, _compositor, events
 from textual.app import App
 from textual.drivers._writer_thread import WriterThread
 from textual.geometry import Offset
 from textual.screen import Screen
+from textual.strip import Strip
 
 from fleet_tui.terminal.glass import Glass
 
@@ -26,7 +26,7 @@ MADE_FOR = "8.2.8"
 RETRY = 0.003
 """Seconds until the next look whether the terminal reads again."""
 
-Part = tuple[int, int, int, Iterator[Segment]]
+Part = tuple[int, int, int, Strip]
 """First cell, row, end cell, what is to be seen there."""
 
 _COLOURS = {
@@ -88,8 +88,8 @@ class LeanApp(App[None]):
             assert isinstance(update, _compositor.ChopsUpdate)
             self._glass.fit(update.chop_ends[0][-1], len(update.chops))
             parts = _changed_parts(update)
-        for x, y, end, segments in parts:
-            self._glass.put(x, y, end, segments)
+        for x, y, end, strip in parts:
+            self._glass.put(x, y, end, strip)
 
     def _send(self) -> None:
         """Send what the terminal lacks, or try again soon."""
@@ -134,7 +134,7 @@ def _all_parts(update: _compositor.LayoutUpdate) -> Iterator[Part]:
     for y, strips in enumerate(update.strips, update.region.y):
         x = update.region.x
         for strip in strips:
-            yield x, y, x + strip.cell_length, iter(strip)
+            yield x, y, x + strip.cell_length, strip
             x += strip.cell_length
 
 
@@ -143,4 +143,4 @@ def _changed_parts(update: _compositor.ChopsUpdate) -> Iterator[Part]:
     for y, first, last in update.spans:
         for end, (x, strip) in zip(update.chop_ends[y], update.chops[y].items(), strict=True):
             if strip is not None and x < last and end > first:
-                yield x, y, end, iter(strip)
+                yield x, y, end, strip

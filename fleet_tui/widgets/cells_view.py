@@ -4,7 +4,9 @@ from collections.abc import Mapping
 
 from rich.style import Style
 from textual.geometry import Region
+from textual.strip import Strip
 
+from fleet_tui.terminal.cell_strip import CellStrip
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.roles import Ink
 from fleet_tui.widgets.ink_view import InkView
@@ -21,7 +23,10 @@ class CellsView(InkView):
         """Show `cells`, which are not changed any more. Only what differs from before is sent."""
         changes = cells.changes(self._painted)
         self._painted = cells
-        height, self._width = cells.codes.shape
-        self._put({y: cells.runs(y) for y, _, _ in changes}, height)
+        self._renew([y for y, _, _ in changes], len(cells.codes))
         if changes:
             self.refresh(*(Region(x, y, end - x, 1) for y, x, end in changes))
+
+    def _strip(self, y: int) -> Strip:
+        assert self._painted is not None
+        return CellStrip(self._painted, y, self._styles)

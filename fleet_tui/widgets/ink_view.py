@@ -1,6 +1,6 @@
 """A widget that shows rows of runs and sends only the rows that changed to the terminal."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import ClassVar
 
 from rich.segment import Segment
@@ -24,36 +24,35 @@ class InkView(Widget):
     def __init__(self, inks: Mapping[Ink, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(id=id)
         self._styles = _by_number(inks or {})
-        self._rows: list[Sequence[Run]] = []
+        self._rows: Sequence[Sequence[Run]] = []
         self._strips: list[Strip] = []
-        self._width: int | None = None  # cells of every row, where it need not be measured
 
     def set_inks(self, styles: Mapping[Ink, Style]) -> None:
         """Change the theme: every ink's style, at once."""
         self._styles = _by_number(styles)
-        self._strips = [self._strip(row) for row in self._rows]
+        self._strips = [self._strip(y) for y in range(len(self._strips))]
         self.refresh()
 
     def paint_rows(self, rows: Sequence[Sequence[Run]]) -> None:
         """Show `rows`, each as wide as the widget."""
         before = self._rows if len(self._rows) == len(rows) else [()] * len(rows)
         changed = [y for y, row in enumerate(rows) if row != before[y]]
-        self._put({y: rows[y] for y in changed}, len(rows))
+        self._rows = rows
+        self._renew(changed, len(rows))
         if changed:
             width = self.size.width
             self.refresh(*(Region(0, y, width, 1) for y in changed))
 
-    def _put(self, rows: Mapping[int, Sequence[Run]], height: int) -> None:
-        """Keep these rows; those that are not among them stay, if the height does."""
-        if height != len(self._rows):
-            self._rows = [()] * height
+    def _renew(self, changed: Iterable[int], height: int) -> None:
+        """Make the strips of these rows anew; the others stay."""
+        if height != len(self._strips):
             self._strips = [Strip([])] * height
-        for y, row in rows.items():
-            self._rows[y], self._strips[y] = row, self._strip(row)
+        for y in changed:
+            self._strips[y] = self._strip(y)
 
-    def _strip(self, row: Sequence[Run]) -> Strip:
+    def _strip(self, y: int) -> Strip:
         styles = self._styles
-        return Strip([Segment(text, styles[ink]) for text, ink in row], self._width)
+        return Strip([Segment(text, styles[ink]) for text, ink in self._rows[y]])
 
     def render_line(self, y: int) -> Strip:
         """One row, whole."""

@@ -5,15 +5,19 @@ from collections.abc import Iterable
 
 import pyte
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from rich.cells import get_character_cell_size
 from rich.color import ColorSystem
 from rich.color_triplet import ColorTriplet
 from rich.segment import Segment
 from rich.style import Style
 
+from fleet_tui.terminal.cell_strip import CellStrip
 from fleet_tui.terminal.glass import ONE_CELL_EACH, Glass
 from fleet_tui.terminal.looks import PLAIN, Look, look_of, nearest, turn
 from fleet_tui.themes import load_themes
+from fleet_tui.view.cells import Cells
 from fleet_tui.view.roles import Ink
 
 
@@ -138,3 +142,41 @@ def test_no_ink_vanishes_in_its_ground_however_few_colours_there_are(name: str, 
 def _as_ground(color: str) -> str:
     first, *rest = color.split(";")
     return ";".join([str(int(first) + 10), *rest])
+
+
+STYLES = [Style.parse(f"color({ink.value})") for ink in Ink]
+texts_at = st.tuples(st.integers(-2, 12), st.text("ab→漢●", max_size=5), st.sampled_from(Ink))
+
+
+@given(st.lists(texts_at, max_size=6), st.integers(0, 3), st.integers(5, 14))
+def test_a_row_of_cells_is_put_as_its_segments_would_be(
+    texts: list[tuple[int, str, Ink]], x: int, end: int
+) -> None:
+    cells = Cells.blank(12, 1, Ink.FLOOR)
+    for at, text, ink in texts:
+        cells.write(at, 0, text, ink)
+    strip = CellStrip(cells, 0, STYLES)
+    for one, other in ((strip, list(strip)), (list(strip), strip)):
+        pane = glass(16, colours=ColorSystem.TRUECOLOR)
+        put(pane, 0, "漢" * 8)
+        pane.put(x, 0, end, one)
+        assert pane.take()
+        pane.put(x, 0, end, other)
+        assert pane.take() == ""
+
+
+def test_a_row_of_cells_is_a_strip_to_whoever_cuts_it() -> None:
+    cells = Cells.blank(6, 1, Ink.FLOOR)
+    cells.write(1, 0, "漢ab", Ink.TEXT)
+    strip = CellStrip(cells, 0, STYLES)
+    assert strip.divide([6]) == [strip]
+    assert [part.text for part in strip.divide([2, 6])] == ["  ", " ab "]
+    assert (strip.crop(0, 6), strip.crop(3, 5).text, strip.cell_length) == (strip, "ab", 6)
+    assert not hasattr(strip, "something else")
+
+
+def test_a_row_of_cells_changes_its_looks_with_the_theme() -> None:
+    cells, pane = Cells.blank(2, 1, Ink.FLOOR), glass(2)
+    for styles, sent in (([Style()], "\x1b[1;1H  "), ([Style(bold=True)], "\x1b[1;1H\x1b[1m  \x1b[m")):
+        pane.put(0, 0, 2, CellStrip(cells, 0, styles))
+        assert pane.take() == sent
