@@ -56,9 +56,31 @@ def _apart(color: str, on: str) -> str:
 def _code(color: Color | None, colours: ColorSystem, foreground: bool) -> str:
     if color is None or color.is_default:
         return ""
-    if colours is ColorSystem.EIGHT_BIT and color.type is ColorType.TRUECOLOR and color.triplet:
-        color = Color.from_ansi(nearest(color.triplet))
+    if color.type is ColorType.TRUECOLOR and color.triplet:
+        if colours is ColorSystem.EIGHT_BIT:
+            color = Color.from_ansi(nearest(color.triplet))
+        elif colours is ColorSystem.STANDARD:
+            color = Color.from_ansi(sixteen(color.triplet))
     return ";".join(color.downgrade(colours).get_ansi_codes(foreground))
+
+
+_TINTED = 42  # between the most and the least of red, green and blue: below it a colour reads as grey
+_COLOURED = 56  # the same where there are but six hues
+_GREYS = ((50, 0), (145, 8), (215, 7), (256, 15))
+_BRIGHT = 200
+
+
+@lru_cache(1024)
+def sixteen(triplet: ColorTriplet) -> int:
+    """The one of the 16 colours that has its hue, or its lightness if it has hardly any.
+
+    Rich takes the nearest by distance, which makes a dark red brown: yellow on most terminals.
+    """
+    low, high = min(triplet), max(triplet)
+    if high - low < _COLOURED:
+        return next(number for limit, number in _GREYS if sum(triplet) / 3 < limit)
+    hue = sum(1 << bit for bit, part in enumerate(triplet) if part > low + 0.55 * (high - low))
+    return hue + 8 if high > _BRIGHT else hue
 
 
 _CUBE = (0, 95, 135, 175, 215, 255)
@@ -69,8 +91,11 @@ def nearest(triplet: ColorTriplet) -> int:
     """The nearest of the 240 fixed colours of a 256-colour terminal.
 
     Rich looks for tinted colours only in the cube, whose darkest steps are 0 and 95: every dark
-    ground becomes the same black. The greys between them keep grounds apart.
+    ground becomes the same black. The greys between them keep grounds apart. A grey with a little
+    blue in it is grey here: the nearest in the cube would be teal or purple.
     """
+    if max(triplet) - min(triplet) < _TINTED:
+        triplet = ColorTriplet(*[round(sum(triplet) / 3)] * 3)
     cube = [min(range(6), key=lambda step: abs(_CUBE[step] - part)) for part in triplet]
     grey = max(0, min(23, round((sum(triplet) / 3 - 8) / 10)))
     in_cube = sum((_CUBE[step] - part) ** 2 for step, part in zip(cube, triplet, strict=True))

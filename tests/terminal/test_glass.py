@@ -15,7 +15,7 @@ from rich.style import Style
 
 from fleet_tui.terminal.cell_strip import CellStrip
 from fleet_tui.terminal.glass import ONE_CELL_EACH, Glass
-from fleet_tui.terminal.looks import PLAIN, Look, look_of, nearest, turn
+from fleet_tui.terminal.looks import PLAIN, Look, look_of, nearest, sixteen, turn
 from fleet_tui.themes import load_themes
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.roles import Ink
@@ -126,6 +126,29 @@ def test_dark_grounds_stay_apart_in_256_colours() -> None:
     assert 232 <= unknown < floor < robot <= 255
     assert nearest(ColorTriplet(255, 255, 255)) == 231
     assert nearest(ColorTriplet(0, 95, 175)) == 25
+
+
+def test_a_bluish_grey_is_grey_in_256_colours_too() -> None:
+    label, vertex = (nearest(ColorTriplet(*triple)) for triple in [(141, 157, 173), (168, 188, 205)])
+    assert 232 <= label < vertex <= 255
+
+
+@pytest.mark.parametrize(
+    ("triple", "number"),
+    [
+        ((197, 51, 43), 1),
+        ((255, 106, 95), 9),
+        ((232, 184, 74), 11),
+        ((90, 200, 250), 14),
+        ((61, 127, 158), 6),
+        ((0, 0, 0), 0),
+        ((93, 114, 134), 8),
+        ((152, 164, 179), 7),
+        ((255, 255, 255), 15),
+    ],
+)
+def test_with_16_colours_a_hue_stays_that_hue(triple: tuple[int, int, int], number: int) -> None:
+    assert sixteen(ColorTriplet(*triple)) == number
 
 
 @pytest.mark.parametrize("colours", [ColorSystem.STANDARD, ColorSystem.EIGHT_BIT, ColorSystem.TRUECOLOR])
