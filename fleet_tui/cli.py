@@ -143,6 +143,26 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     click.echo(f"{path}: fine: {robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}")
 
 
+@commands.command()
+@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/status.md tells the schema.")
+@click.option("--watch", is_flag=True, help="Go on, and say what changes (as JSON Lines with --json).")
+@click.option("--oneline", is_flag=True, help="One line, for a status bar.")
+@click.option("--timeout", type=click.FloatRange(0.1, 3600), default=5.0, show_default=True)
+@_common
+@_merged
+def status(
+    config_file: str | None, debug: bool, as_json: bool, watch: bool, oneline: bool, timeout: float
+) -> None:
+    """The fleet as a table or JSON, without a screen. Exit code 0: all well, 1: something needs attention,
+    3: no link."""
+    from fleet_tui.headless.status import status as run
+    from fleet_tui.log_file import log_to_file
+
+    config = load(find(config_file))
+    log_to_file(debug)
+    sys.exit(run(config, timeout, as_json, oneline, watch, click.echo))
+
+
 def _theme_problems(config: Config) -> list[str]:
     from fleet_tui.themes import load_themes
 

@@ -1,0 +1,1 @@
+"""The second front end: the same link, store and model without a screen."""

@@ -1,0 +1,154 @@
+"""The fleet at one moment as plain values, for `status --json`. The schema is in docs/status.md."""
+
+import math
+from typing import Any
+
+from fleet_tui.headless.session import missing
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.model.order import STATUS_WORDS
+from fleet_tui.model.robot import Reading, Robot
+
+VERSION = 1
+
+Values = dict[str, Any]
+
+
+def _age(state: FleetState, at: float | None) -> float | None:
+    return None if at is None else round(max(0.0, state.now - at), 1)
+
+
+def _link(state: FleetState, link: LinkState) -> Values:
+    return {
+        "name": link.name,
+        "url": link.url,
+        "state": link.phase.value,
+        "reason": link.reason or None,
+        "since_s": _age(state, link.since),
+        "last_message_s": _age(state, link.heard),
+        "commands": link.command_path.value,
+        "commands_reason": link.command_reason or None,
+        "bad_frames": link.faults,
+    }
+
+
+def _value(reading: Reading[Any] | None, digits: int = 1) -> Any:
+    if reading is None:
+        return None
+    return round(reading.value, digits) if isinstance(reading.value, float) else reading.value
+
+
+def _pose(robot: Robot, state: FleetState) -> Values | None:
+    if robot.pose is None:
+        return None
+    pose = robot.pose.value
+    yaw = round(math.degrees(pose.yaw), 1)
+    return {
+        "x_m": round(pose.x, 2),
+        "y_m": round(pose.y, 2),
+        "yaw_deg": yaw,
+        "age_s": _age(state, robot.pose.at),
+    }
+
+
+def _orders(robot: Robot) -> list[Values]:
+    return [
+        {
+            "position": position,
+            "id": order.id,
+            "start": order.start,
+            "start_label": robot.name_of(order.start),
+            "end": order.end,
+            "end_label": robot.name_of(order.end),
+            "status": order.status,
+            "status_text": STATUS_WORDS.get(order.status),
+            "current": order.id == robot.orders.current_order_id,
+        }
+        for position, order in enumerate(robot.orders.in_sequence())
+    ]
+
+
+def _robot(state: FleetState, robot: Robot) -> Values:
+    return {
+        "name": robot.name,
+        "link": robot.link,
+        "online": state.is_online(robot),
+        "heard_s": _age(state, robot.heard),
+        "floor": robot.floor,
+        "frame_id": robot.frame_id or None,
+        "pose": _pose(robot, state),
+        "battery_percent": _value(robot.battery),
+        "cargo": _value(robot.cargo),
+        "obstacle_s": _value(robot.obstacle),
+        "paused": state.is_paused(robot),
+        "orders": _orders(robot) if robot.queue else None,
+        "bad_messages": robot.faults,
+        "never_came": missing(robot),
+    }
+
+
+def attention(state: FleetState) -> list[str]:
+    """One line for each thing that is not as it should be; empty when all is well."""
+    lines = []
+    for link in state.links.values():
+        if link.phase is not Phase.UP:
+            lines.append(f"{link.name}: no link to {link.url}: {link.reason or 'nothing answers'}")
+        elif link.command_path is CommandPath.DEAD:
+            lines.append(f"{link.name}: commands don't get through: {link.command_reason}")
+    for alarm in state.alarms:
+        if alarm.active and alarm.condition.kind not in ("link", "commands"):
+            lines.append(f"{alarm.condition.source}: {alarm.text}")
+    for robot in state.robots.values():
+        absent = missing(robot)
+        if state.links[robot.link].phase is not Phase.UP or not absent:
+            continue
+        lines.append(
+            f"{robot.name}: never seen"
+            if robot.heard is None
+            else f"{robot.name}: never came: {', '.join(absent)}"
+        )
+    return lines
+
+
+def report(state: FleetState) -> Values:
+    """Everything that `status --json` prints."""
+    return {
+        "version": VERSION,
+        "time": state.wall,
+        "links": [_link(state, link) for link in state.links.values()],
+        "robots": [_robot(state, robot) for robot in state.robots.values()],
+        "alarms": [
+            {
+                "source": alarm.condition.source,
+                "kind": alarm.condition.kind,
+                "priority": alarm.condition.priority.name.lower(),
+                "text": alarm.text,
+                "active": alarm.active,
+            }
+            for alarm in state.alarms
+        ],
+        "attention": attention(state),
+    }
+
+
+def changes(before: Values, after: Values) -> Values:
+    """What of a report is not as it was: whole links and robots, all alarms; ages alone are no change."""
+    changed: Values = {}
+    for part in ("links", "robots"):
+        old = {entry["name"]: _ageless(entry) for entry in before[part]}
+        new = [entry for entry in after[part] if _ageless(entry) != old.get(entry["name"])]
+        if new:
+            changed[part] = new
+    for part in ("alarms", "attention"):
+        if after[part] != before[part]:
+            changed[part] = after[part]
+    return {"version": VERSION, "time": after["time"], "changed": changed} if changed else {}
+
+
+def _ageless(entry: Values) -> Values:
+    kept = {
+        name: value for name, value in entry.items() if name not in ("since_s", "last_message_s", "heard_s")
+    }
+    if kept.get("pose"):
+        kept["pose"] = {name: value for name, value in kept["pose"].items() if name != "age_s"}
+    return kept

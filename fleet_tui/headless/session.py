@@ -1,0 +1,72 @@
+"""A link for one command line: opened, waited on, closed."""
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.link.fleet_link import FleetLink
+from fleet_tui.model.events import Event
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.robot import Robot
+from fleet_tui.store import Store
+
+SETTLES = 0.5
+"""Seconds without any link after which a first refusal counts as the answer."""
+
+
+class WaitingStore(Store):
+    """A store on which another thread can wait."""
+
+    def __init__(self, state: FleetState) -> None:
+        super().__init__(state)
+        self._told = threading.Condition()
+
+    def tell(self, event: Event) -> None:
+        """Take one fact, and wake who waits."""
+        super().tell(event)
+        with self._told:
+            self._told.notify_all()
+
+    def wait(self, holds: Callable[[FleetState], object], seconds: float) -> bool:
+        """Wait until the state is as wanted, `seconds` at most; whether it is."""
+        with self._told:
+            return bool(self._told.wait_for(lambda: holds(self.state), seconds))
+
+
+@contextmanager
+def session(config: Config) -> Iterator[tuple[FleetLink, WaitingStore]]:
+    """Connect to every bridge of a config, and close again."""
+    store = WaitingStore(initial_state(config, time.monotonic()))
+    link = FleetLink(config, store)
+    link.open()
+    try:
+        yield link, store
+    finally:
+        link.close()
+
+
+def missing(robot: Robot) -> list[str]:
+    """What has not come from a robot yet, of what it always reports."""
+    values = {name: getattr(robot, name) for name in ("pose", "battery", "cargo", "obstacle", "queue")}
+    for floor, chart in robot.charts.items():
+        values[f"graph of {floor}"] = chart.graph
+        values[f"labels of {floor}"] = chart.labels or None
+    return [name for name, value in values.items() if value is None]
+
+
+def is_known(state: FleetState) -> bool:
+    """Whether everything that is asked for has come."""
+    links = all(
+        link.phase is Phase.UP and link.command_path is not CommandPath.UNTRIED
+        for link in state.links.values()
+    )
+    return links and not any(missing(robot) for robot in state.robots.values())
+
+
+def has_link(state: FleetState) -> bool:
+    """Whether any bridge can be heard."""
+    return any(link.phase is Phase.UP for link in state.links.values())
