@@ -17,6 +17,7 @@ from fleet_tui.view.text import visible
 
 FINE, ATTENTION, NO_LINK = 0, 1, 3
 WATCH_EVERY = 1.0
+RIPENS = 0.5
 ONE_LINE = 79
 
 Say = Callable[[str], None]
@@ -75,6 +76,9 @@ def status(config: Config, timeout: float, as_json: bool, oneline: bool, watch: 
     """Print how the fleet is; the exit code."""
     with session(config) as (_, store):
         store.wait(is_known, timeout)
+        # Alarms ripen at the next tick of the clock.
+        known_at = time.monotonic()
+        store.wait(lambda state: state.now > known_at, RIPENS)
         state = store.state
         if oneline:
             say(one_line(state))
