@@ -93,7 +93,7 @@ def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None
     if scene.mission.current:
         mask = _mask(camera)
         _trace(mask, *_ends(scene, camera, scene.mission.current))
-        _stroke(cells, mask if look.plain else _thick(mask), Ink.MISSION, look, "*")
+        _stroke(cells, mask, Ink.MISSION, look, "*")
 
 
 def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
@@ -113,7 +113,7 @@ def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> Non
         edge, done = (pose.x, pose.y, to_x, to_y), 0.0
     mask = _mask(camera)
     _trace(mask, *_ends(scene, camera, (edge,)), done=done)
-    _stroke(cells, mask if look.plain else _thick(mask), Ink.MISSION, look, "*")
+    _stroke(cells, mask, Ink.MISSION, look, "*")
 
 
 def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
@@ -140,12 +140,14 @@ def _thick(mask: Mask) -> Mask:
 def _stroke(cells: Cells, mask: Mask, ink: Ink, look: Look, plain: str) -> None:
     """Draw the dots in one ink where nothing more important stands; as ASCII the character `plain`.
 
-    Under a mission a wall stays what it is and only takes its ink: the line goes on through it.
+    The current mission is thick. A wall under a mission stays what it is and only takes its ink: the
+    line goes on through it.
     """
-    bits = pack(mask)
+    passed = pack(mask)
+    bits = pack(_thick(mask)) if ink is Ink.MISSION and not look.plain else passed
     drawn = (bits > 0) & _OPEN[cells.inks]
     if ink in _WAYS:
-        crossed = (bits > 0) & _KEPT[cells.inks]
+        crossed = (passed > 0) & _KEPT[cells.inks]
         dotted = crossed & (cells.codes >= BRAILLE[1]) & (cells.codes <= BRAILLE[-1])
         cells.codes[dotted] |= bits[dotted]
         cells.codes[crossed & (cells.codes == ord(_NEXT))] = ord(plain)
