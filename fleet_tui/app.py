@@ -18,6 +18,7 @@ from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.store import Store
+from fleet_tui.terminal.annunciator import Annunciator
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.drawing import Drawing
@@ -54,15 +55,14 @@ class FleetApp(LeanApp, inherit_bindings=False):
     ) -> None:
         # Without colour Textual must leave the terminal's own, or it sends greys.
         super().__init__(ansi_color=not colour)
-        self._config = config
-        self._themes = themes
-        self._drawing = drawing
-        self._colour = colour
+        self._config, self._themes = config, themes
+        self._drawing, self._colour = drawing, colour
         self.store = store
         self._link: FleetLink | None = None
         keys, _ = keymap(config.keys)
         self.main = MainScreen(self.store, self.submit, self.tell, self._show_map, keys, clock)
         self.main.read_only, self.main.armed = config.operator.read_only, config.operator.armed
+        self.main.announce = Annunciator(config.alarms, self.call).look
         self.main.themes = {name: partial(self.use_theme, name) for name in themes}
         # Only what differs: Textual goes through the whole keymap at every key.
         self.set_keymap(textual_keymap({id_: keys[id_] for id_ in config.keys if id_ in keys}))

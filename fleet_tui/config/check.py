@@ -7,9 +7,10 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from fleet_tui.config.profile import FIELDS, FLOOR_TOPICS, SERVICES, TOPICS, Profile
-from fleet_tui.config.schema import DEFAULT_LINK, Config
+from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keys import keymap
+from fleet_tui.model.alarm import Priority
 
 # ROS graph names, and what is harmless beside them.
 _NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
@@ -27,7 +28,7 @@ def checked(config: Config) -> list[str]:
         *_profile(config.profile),
         *_topics(config),
         *keymap(config.keys)[1],
-        *_limits(config),
+        *_alarms(config.alarms),
     ]
 
 
@@ -138,6 +139,14 @@ def _topics(config: Config) -> Iterator[str]:
                     yield f"profile.topics.{key}: {topic} is {both}: put {{robot}} or {{floor}} in it"
 
 
-def _limits(config: Config) -> Iterator[str]:
-    if config.alarms.battery_critical > config.alarms.battery_low:
+def _alarms(alarms: Alarms) -> Iterator[str]:
+    if alarms.battery_critical > alarms.battery_low:
         yield "alarms.battery_critical: must not be above battery_low"
+    if alarms.battery_low + alarms.battery_band > 100:
+        yield "alarms.battery_band: battery_low and battery_band together must not be above 100"
+    known = [priority.name.lower() for priority in Priority]
+    for key, given in (("bell", alarms.bell), ("notify", alarms.notify)):
+        for name in given:
+            if name not in known:
+                near = did_you_mean(name, known) or f", there are {', '.join(known)}"
+                yield f"alarms.{key}: no priority {name!r}{near}"

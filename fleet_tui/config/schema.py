@@ -10,6 +10,7 @@ from fleet_tui.config.profile import Profile
 DEFAULT_LINK = "rosbridge"
 
 Positive = Annotated[float, msgspec.Meta(gt=0, lt=1e6)]
+NotNegative = Annotated[float, msgspec.Meta(ge=0, lt=1e6)]
 Percent = Annotated[float, msgspec.Meta(ge=0, le=100)]
 
 
@@ -60,7 +61,8 @@ class Ui(msgspec.Struct, frozen=True):
 
 
 class Alarms(msgspec.Struct, frozen=True):
-    """`[alarms]`: limits in seconds and per cent."""
+    """`[alarms]`: limits, delays (seconds) and dead bands (per cent); `bell` and `notify` list the
+    priorities (high, medium, low) that ring the terminal's bell or send it a notification."""
 
     offline_after: Positive = 5.0
     obstacle_after: Positive = 3.0
@@ -69,6 +71,13 @@ class Alarms(msgspec.Struct, frozen=True):
     no_link_after: Positive = 2.0
     no_answer_after: Positive = 5.0
     not_confirmed_after: Positive = 5.0
+    stuck_after: Positive = 60.0
+    pause_after: Positive = 300.0
+    battery_band: NotNegative = 2.0
+    clear_after: NotNegative = 3.0
+    shelve_for: Positive = 1800.0
+    bell: list[str] = []
+    notify: list[str] = []
 
 
 class Config(msgspec.Struct, frozen=True):

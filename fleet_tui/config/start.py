@@ -25,6 +25,11 @@ def initial_state(config: Config, now: float) -> FleetState:
             alarms.battery_critical,
             alarms.no_link_after,
             alarms.not_confirmed_after,
+            alarms.stuck_after,
+            alarms.pause_after,
+            alarms.battery_band,
+            alarms.clear_after,
+            alarms.shelve_for,
         ),
         now=now,
     )

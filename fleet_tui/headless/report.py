@@ -96,7 +96,7 @@ def attention(state: FleetState) -> list[str]:
         elif link.command_path is CommandPath.DEAD:
             lines.append(f"{link.name}: commands don't get through: {link.command_reason}")
     for alarm in state.alarms:
-        if alarm.active and alarm.condition.kind not in ("link", "commands"):
+        if alarm.holds and alarm.condition.kind not in ("link", "commands"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")
     for robot in state.robots.values():
         absent = missing(robot)
@@ -123,7 +123,7 @@ def report(state: FleetState) -> Values:
                 "kind": alarm.condition.kind,
                 "priority": alarm.condition.priority.name.lower(),
                 "text": alarm.text,
-                "active": alarm.active,
+                "active": alarm.holds,
             }
             for alarm in state.alarms
         ],

@@ -4,10 +4,11 @@ from dataclasses import replace
 from typing import assert_never
 
 from fleet_tui.model import events
-from fleet_tui.model.alarm import acknowledge, ripen
+from fleet_tui.model.alarm import Alarm, acknowledge, ripen, shelve, unshelve
 from fleet_tui.model.commands import Before, Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Step
+from fleet_tui.model.conditions import conditions
 from fleet_tui.model.confirmation import before, confirm
-from fleet_tui.model.fleet import FleetState, conditions
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot, hear, take_chart, with_fault
 
@@ -16,10 +17,16 @@ COMMANDS_KEPT = 200
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     state = _confirm_commands(replace(state, now=event.at, wall=event.wall))
-    return replace(state, alarms=ripen(state.alarms, conditions(state), event.at, event.wall))
+    found = list(conditions(state))
+    began = {one.key: state.began.get(one.key, event.at) for one in found if one.after}
+    due = [one for one in found if not one.after or event.at - began[one.key] >= one.after]
+    alarms = ripen(state.alarms, due, event.at, event.wall, state.limits.clear_after)
+    return replace(state, began=began, alarms=alarms)
 
 
 def _with_robot(state: FleetState, robot: Robot) -> FleetState:
+    if robot.faults > state.robots[robot.name].faults:
+        robot = replace(robot, fault_at=state.now)
     return replace(state, robots={**state.robots, robot.name: robot})
 
 
@@ -120,7 +127,9 @@ def _apply_to_link(
         case events.CommandPathChanged():
             return _with_link(state, replace(link, command_path=event.path, command_reason=event.reason))
         case events.FrameRejected():
-            return _with_link(state, replace(link, faults=link.faults + 1, last_fault=event.text))
+            return _with_link(
+                state, replace(link, faults=link.faults + 1, last_fault=event.text, fault_at=state.now)
+            )
         case _:
             assert_never(event)
 
@@ -146,6 +155,20 @@ def _issue_command(state: FleetState, event: events.CommandIssued) -> FleetState
     return replace(state, commands=commands)
 
 
+def _after_operator(
+    alarms: tuple[Alarm, ...], event: events.AlarmAcknowledged | events.AlarmShelved | events.AlarmUnshelved
+) -> tuple[Alarm, ...]:
+    match event:
+        case events.AlarmAcknowledged():
+            return acknowledge(alarms, event.source, event.kind)
+        case events.AlarmShelved():
+            return shelve(alarms, (event.source, event.kind), event.until)
+        case events.AlarmUnshelved():
+            return unshelve(alarms, (event.source, event.kind))
+        case _:
+            assert_never(event)
+
+
 def _load_floor_map(state: FleetState, event: events.FloorMapLoaded) -> FleetState:
     floor = replace(state.floors[event.floor], grid=event.grid, problem=event.problem, tied=event.tied)
     return replace(state, floors={**state.floors, floor.name: floor})
@@ -162,8 +185,8 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             return _issue_command(state, event)
         case events.CommandAdvanced():
             return _advance_command(state, event)
-        case events.AlarmAcknowledged():
-            return replace(state, alarms=acknowledge(state.alarms, event.source, event.kind))
+        case events.AlarmAcknowledged() | events.AlarmShelved() | events.AlarmUnshelved():
+            return replace(state, alarms=_after_operator(state.alarms, event))
         case events.FloorMapLoaded():
             return _load_floor_map(state, event)
         case _:

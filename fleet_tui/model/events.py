@@ -198,6 +198,23 @@ class AlarmAcknowledged:
 
 
 @dataclass(frozen=True, slots=True)
+class AlarmShelved:
+    """An operator does not want to hear of an alarm until a monotonic second."""
+
+    source: str
+    kind: str
+    until: float
+
+
+@dataclass(frozen=True, slots=True)
+class AlarmUnshelved:
+    """An operator wants to hear of it again."""
+
+    source: str
+    kind: str
+
+
+@dataclass(frozen=True, slots=True)
 class TimePassed:
     """The writer's clock: deadlines, offline and alarms ripen on it."""
 
@@ -217,5 +234,7 @@ Event = (
     | CommandIssued
     | CommandAdvanced
     | AlarmAcknowledged
+    | AlarmShelved
+    | AlarmUnshelved
     | TimePassed
 )

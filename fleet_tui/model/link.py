@@ -23,7 +23,8 @@ class CommandPath(Enum):
 @dataclass(frozen=True, slots=True)
 class LinkState:
     """A bridge: `since` is when the phase began, `next_try` when it is tried again, both
-    monotonic seconds; `reason` says in plain words why there is no link."""
+    monotonic seconds; `reason` says in plain words why there is no link; `fault_at` is when a bad
+    frame came last."""
 
     name: str
     url: str
@@ -36,3 +37,4 @@ class LinkState:
     command_reason: str = ""
     faults: int = 0
     last_fault: str = ""
+    fault_at: float | None = None

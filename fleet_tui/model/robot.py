@@ -21,6 +21,8 @@ CLOCK_STEP = 0.5
 BRAKING_DISTANCE = 0.5
 # Localisation jitters: a robot whose pose stays within these stands still.
 STILL_WITHIN, STILL_YAW = 0.05, 0.1
+# Metres that a robot must get on to be somewhere else: turning on the spot is not getting on.
+PLACE_WITHIN = 0.2
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +63,9 @@ class Chart:
 class Robot:
     """`number` counts from 1 in the order of the config; `heard` is the effective time of the
     last telemetry; `floor` is the one whose frame its pose names; `paused_at` is where it stood
-    when it accepted our own pause; `standing` is the pose it has not left, and since when."""
+    when it accepted our own pause; `standing` is the pose it has not left, and since when; `place`
+    is coarser: where it got to, and since when it gets no further; `fault_at` is when bad data
+    came last."""
 
     name: str
     number: int
@@ -69,6 +73,7 @@ class Robot:
     charts: Mapping[str, Chart]
     pose: Reading[Pose] | None = None
     standing: Reading[Pose] | None = None
+    place: Reading[Pose] | None = None
     frame_id: str = ""
     floor: str | None = None
     battery: Reading[float] | None = None
@@ -82,6 +87,7 @@ class Robot:
     clock: StampClock | None = None
     faults: int = 0
     last_fault: str = ""
+    fault_at: float | None = None
 
     @property
     def has_cargo(self) -> bool:
@@ -130,23 +136,33 @@ def _is_apart(one: Pose, other: Pose) -> bool:
     return math.dist((one.x, one.y), (other.x, other.y)) > STILL_WITHIN or turned > STILL_YAW
 
 
+def _place(robot: Robot, pose: Reading[Pose], frame_id: str) -> Reading[Pose]:
+    before = robot.place
+    if before is None or frame_id != robot.frame_id:
+        return pose
+    left = math.dist((pose.value.x, pose.value.y), (before.value.x, before.value.y)) > PLACE_WITHIN
+    return pose if left else before
+
+
 def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     """What arrives late must not look new: the pose is as old as its stamp lags the freshest."""
     clock, true_at = robot.clock, event.at
     if event.stamp is not None:
         clock = _set_clock(clock, event.at, event.stamp)
         true_at = event.stamp + clock.offset
-    frame_id, standing = event.frame_id.lstrip("/"), robot.standing
+    pose, frame_id = Reading(event.pose, true_at), event.frame_id.lstrip("/")
+    standing = robot.standing
     if standing is None or frame_id != robot.frame_id or _is_apart(standing.value, event.pose):
-        standing = Reading(event.pose, true_at)
+        standing = pose
     driving = robot.paused_at is not None and (
         math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
     )
     stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
     return replace(
         robot,
-        pose=Reading(event.pose, true_at),
+        pose=pose,
         standing=standing,
+        place=_place(robot, pose, frame_id),
         frame_id=frame_id,
         clock=clock,
         heard=max(robot.heard if robot.heard is not None else true_at, true_at),

@@ -11,11 +11,11 @@ from fleet_tui.model.commands import (
     PauseRobot,
     ResumeRobot,
 )
-from fleet_tui.model.events import AlarmAcknowledged, Event
+from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.lookup import Place
 from fleet_tui.screens.confirm import Confirm
-from fleet_tui.screens.menu import Entry, Menu
+from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.store import Store
@@ -127,13 +127,6 @@ class CommandActions(Screen[None], inherit_bindings=False):
                 ("Show on the map", lambda: self.find_robot(robot)),
             ],
         )
-
-    def alarm_menu(self, source: str, kind: str) -> None:
-        """What can be done with an alarm."""
-        entries: list[Entry] = [("Acknowledge", lambda: self.tell(AlarmAcknowledged(source, kind)))]
-        if source in self.state.robots:
-            entries.append(("Show the robot on the map", lambda: self.find_robot(source)))
-        self.query_one(Menu).show(f"Alarm of {source}", entries)
 
     def _for(self, robot: str, action: Callable[[], None]) -> None:
         self.select(robot)

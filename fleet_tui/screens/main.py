@@ -8,6 +8,7 @@ from textual.containers import Container
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import Command
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.help import Help
 from fleet_tui.screens.menu import Menu
@@ -15,7 +16,6 @@ from fleet_tui.screens.navigation import Navigation
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.store import Store
-from fleet_tui.view.alarm_rows import alarm_table
 from fleet_tui.view.command_line import message_line
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.floor_scene import chart_robot, floor_scene
@@ -56,7 +56,8 @@ class MainScreen(Navigation):
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
         self.read_only, self.armed = False, True
         self.themes: Mapping[str, Callable[[], None]] = {}
-        self._show_map, self._keys, self._clock = show_map, keys, clock
+        self.announce: Callable[[FleetState], None] = lambda _state: None
+        self._show_map, self.keys, self.clock = show_map, keys, clock
         self._all_orders = False
         self.said, self._said_at = "", 0.0
         self.terminal = ""
@@ -71,7 +72,7 @@ class MainScreen(Navigation):
         yield OrderForm(lambda: self.state, self.submit)
         yield Confirm(id="confirm")
         yield Menu(id="menu")
-        yield Help(self._keys)
+        yield Help(self.keys)
         yield Palette(self.wishes)
 
     def tick(self) -> None:
@@ -81,14 +82,15 @@ class MainScreen(Navigation):
         self._ask_for_map()
         self.map.show(floor_scene(state, self.selection))
         self.fleet.show(fleet_table(state, self.selection.robot, self.fleet.room))
-        self.alarms.show(alarm_table(state, self._clock))
+        self.show_alarms(state)
         self.queue.show(queue_table(state, self.selection.robot, self._all_orders, self.queue.room))
         notes = console_notes(self.read_only, self.armed, time.monotonic() - state.now)
         self.status.show(
-            status_line(state, self.selection.robot, notes), status_right(self._clock(state.wall))
+            status_line(state, self.selection.robot, notes), status_right(self.clock(state.wall))
         )
         self.message.show(message_line(state, self.said, self._said_at))
-        self.hints.show(*hints(self._keys, self._focused_pane()))
+        self.hints.show(*hints(self.keys, self._focused_pane()))
+        self.announce(state)
         if self.simple is not None:
             self.simple.show()
 
@@ -136,13 +138,3 @@ class MainScreen(Navigation):
             self.map.action_cursor()
         if self.map.display:
             self.set_focus(self.map)
-
-    def action_acknowledge(self) -> None:
-        """Acknowledge the alarm under the cursor."""
-        key = self.alarms.cursor
-        if isinstance(key, tuple):
-            self.tell(events.AlarmAcknowledged(*key))
-
-    def action_acknowledge_all(self) -> None:
-        """Acknowledge every alarm."""
-        self.tell(events.AlarmAcknowledged())

@@ -13,12 +13,13 @@ Entry = tuple[str, Callable[[], None]]
 
 
 class Menu(Overlay):
-    """A short list; Enter does the marked entry."""
+    """A short list; Enter does the marked entry, its number any entry."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("escape,q", "close", "Close"),
         ("j", "step('down')", "Down"),
         ("k", "step('up')", "Up"),
+        *((str(n), f"choose({n})", f"Entry {n}") for n in range(1, 10)),
     ]
 
     def compose(self) -> ComposeResult:
@@ -32,7 +33,7 @@ class Menu(Overlay):
         self.query_one("#menu-title", Static).update(title)
         options = self.query_one(OptionList)
         options.clear_options()
-        options.add_options([text for text, _ in entries])
+        options.add_options([f"{n}  {text}" for n, (text, _) in enumerate(entries, 1)])
         options.highlighted = 0
         self.open(options)
 
@@ -41,11 +42,14 @@ class Menu(Overlay):
         options = self.query_one(OptionList)
         (options.action_cursor_down if way == "down" else options.action_cursor_up)()
 
+    def action_choose(self, number: int) -> None:
+        """Do an entry by its number."""
+        # A second key may have been on its way already.
+        if self.is_open and number <= len(self._entries):
+            self.action_close()
+            self._entries[number - 1][1]()
+
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         """Do it."""
         event.stop()
-        # A second Enter may have been on its way already.
-        if not self.is_open:
-            return
-        self.action_close()
-        self._entries[event.option_index][1]()
+        self.action_choose(event.option_index + 1)

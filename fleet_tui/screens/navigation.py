@@ -7,7 +7,7 @@ from functools import partial
 from textual import on
 
 from fleet_tui.keys import KEYS
-from fleet_tui.screens.command_actions import CommandActions
+from fleet_tui.screens.alarm_actions import AlarmActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.palette import Entry
 from fleet_tui.screens.simple import Simple
@@ -18,7 +18,7 @@ from fleet_tui.widgets.map_view import MapView
 NOT_WISHED = {"palette", "back", "next_pane", "previous_pane"}
 
 
-class Navigation(CommandActions):
+class Navigation(AlarmActions):
     """The selection, by key, by mouse and by name."""
 
     map: MapView

@@ -119,6 +119,16 @@ class LeanApp(App[None]):
         self._retrying = False
         self._send()
 
+    def call(self, sequence: str) -> bool:
+        """Send what changes nothing on the screen, like a bell. False while the terminal doesn't read."""
+        driver = self._driver
+        writer = getattr(driver, "_writer_thread", None)
+        if driver is None or (writer is not None and writer._queue.qsize()):
+            return False
+        driver.write(sequence)
+        driver.flush()
+        return True
+
     def on_resize(self, _event: events.Resize) -> None:
         """Terminals rearrange what they show when their size changes, also there and back again."""
         self.action_repaint()

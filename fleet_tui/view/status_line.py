@@ -64,7 +64,7 @@ def _worst(state: FleetState) -> LinkState:
 
 def status_line(state: FleetState, selected: str, notes: Sequence[str] = ()) -> tuple[Run, ...]:
     """What stands first is what must not be cut: alarms, the selected robot, the link."""
-    fresh, alarms = state.unacknowledged, len(state.alarms)
+    fresh, alarms = state.unacknowledged, len(state.alarms) - state.shelved
     runs: list[Run] = [(f" {visible(selected)}  ", Ink.ACCENT)]
     sign, ink = ("▲", Ink.ALARM) if fresh else ("△", Ink.TEXT if alarms else Ink.DIM)
     runs.append((f"{sign} {alarms} alarm{'s' * (alarms != 1)}" + (f" ({fresh} new)" if fresh else ""), ink))

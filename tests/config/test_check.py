@@ -118,6 +118,22 @@ def test_keys_and_limits_are_checked_too() -> None:
     assert "battery_critical" in only(replace(GOOD, alarms=Alarms(battery_low=5.0)))
 
 
+@pytest.mark.parametrize(
+    ("alarms", "says"),
+    [
+        (Alarms(battery_low=99.0), "alarms.battery_band: battery_low and battery_band together must not be"),
+        (Alarms(bell=["hihg"]), "alarms.bell: no priority 'hihg', did you mean high?"),
+        (Alarms(notify=["all"]), "alarms.notify: no priority 'all', there are high, medium, low"),
+    ],
+)
+def test_alarms_that_cannot_work(alarms: Alarms, says: str) -> None:
+    assert only(replace(GOOD, alarms=alarms)).startswith(says)
+
+
+def test_every_priority_can_ring() -> None:
+    assert checked(replace(GOOD, alarms=Alarms(bell=["high", "medium", "low"], notify=["high"]))) == []
+
+
 def test_a_map_file_that_is_not_there_is_named(tmp_path: Path) -> None:
     (tmp_path / "there.yaml").touch()
     floors = [

@@ -156,6 +156,8 @@ def test_every_table_is_taken(write: Write) -> None:
         ("[operator]\nread_only = 1\n", "operator.read_only: expected true or false, got a whole number"),
         ("[alarms]\noffline_after = 0\n", "alarms.offline_after: expected a number > 0"),
         ("[alarms]\noffline_after = nan\n", "alarms.offline_after: expected a number > 0"),
+        ("[alarms]\nclear_after = -1\n", "alarms.clear_after: expected a number >= 0"),
+        ('[alarms]\nbell = "high"\n', "alarms.bell: expected a list, got text"),
         ("[alarms]\nbattery_low = 120\n", "alarms.battery_low: expected a number <= 100"),
         ("rosbridge = 'ws://a'\n", "rosbridge: must be a table"),
         ("[links]\nb = 1\n", "links.b: must be a table"),

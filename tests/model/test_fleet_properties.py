@@ -86,6 +86,8 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         st.sampled_from(["", "robot_0", LINK]),
         st.sampled_from(["", "offline", "link"]),
     ),
+    events.AlarmShelved: st.builds(events.AlarmShelved, ROBOTS, st.sampled_from(["offline", "battery"]), AT),
+    events.AlarmUnshelved: st.builds(events.AlarmUnshelved, ROBOTS, st.sampled_from(["offline", "battery"])),
     events.TimePassed: st.builds(events.TimePassed, AT, AT),
 }
 ANY = st.lists(st.one_of(*FACTS.values()), max_size=40)

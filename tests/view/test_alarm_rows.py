@@ -2,7 +2,7 @@
 
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.alarm_rows import alarm_table
+from fleet_tui.view.alarm_rows import alarm_table, unacknowledged
 from fleet_tui.view.roles import Ink
 from tests.fleets import LINK, R0, T0, battery, fleet, link_lost, link_up, text_of, tick, told
 
@@ -28,7 +28,7 @@ def test_a_new_alarm_says_who_what_and_since_when() -> None:
     state = low()
     (row,) = alarm_table(state, clock).rows
     assert row.key == (R0, "battery")
-    assert text_of(row.runs) == f"▲ new  robot_0 battery 15 % {state.wall:.0f}"
+    assert text_of(row.runs) == f"▲ new  low  robot_0 battery 15 % {state.wall:.0f}"
     assert text_of(alarm_table(state, clock).title) == "Alarms 1 new"
     assert row.runs[0][1] is Ink.WARN
     assert alarm_table(low(percent=5.0), clock).rows[0].runs[0][1] is Ink.ALARM
@@ -37,12 +37,14 @@ def test_a_new_alarm_says_who_what_and_since_when() -> None:
 def test_seen_over_and_come_again() -> None:
     state = low()
     seen = told(state, events.AlarmAcknowledged(R0, "battery"))
-    assert texts(seen)[0].startswith("△ seen robot_0 battery 15 %")
+    assert texts(seen)[0].startswith("△ seen low  robot_0 battery 15 %")
     assert text_of(alarm_table(seen, clock).title) == "Alarms"
     over = told(state, battery(T0 + 1, 60.0), tick(T0 + 1))
-    assert texts(over)[0].startswith("▽ over robot_0 battery is charged again")
-    again = told(over, battery(T0 + 2, 9.0), tick(T0 + 2))
-    assert texts(again)[0] == f"▲ new  robot_0 battery 9 % {state.wall:.0f} x2"
+    assert texts(over)[0].startswith("▲ new  low  robot_0 battery is charged again")
+    over = told(over, battery(T0 + 4, 60.0), tick(T0 + 4))
+    assert texts(over)[0].startswith("▽ over low  robot_0 battery is charged again")
+    again = told(over, battery(T0 + 5, 9.0), tick(T0 + 5))
+    assert texts(again)[0] == f"▲ new  med  robot_0 battery 9 % {state.wall:.0f} x2"
 
 
 def test_the_first_moment_stays_however_long_it_lasts() -> None:
@@ -56,3 +58,29 @@ def test_no_link_stands_there_with_its_reason_only_while_it_is_so() -> None:
     assert alarm_table(state, clock).rows[0].key == (LINK, "link")
     back = told(state, link_up(T0 + 61), tick(T0 + 61))
     assert "no link" not in texts(back)[0] and "link is back" in texts(back)[0]
+
+
+def test_what_nobody_has_seen_stands_first_by_priority_then_age() -> None:
+    state = told(fleet(4), link_up(T0))
+    for n in range(4):
+        state = told(state, battery(T0 + n, 15.0, f"robot_{n}"), tick(T0 + n))
+    state = told(state, events.AlarmAcknowledged("robot_0", "battery"))
+    state = told(state, battery(T0 + 4, 5.0, "robot_3"), tick(T0 + 4))
+    order = ["robot_3", "robot_1", "robot_2", "robot_0"]
+    assert [row.key for row in alarm_table(state, clock).rows] == [(name, "battery") for name in order]
+    assert unacknowledged(state) == [(name, "battery") for name in order[:3]]
+
+
+def test_what_is_shelved_stands_last_and_is_counted_apart() -> None:
+    state = told(fleet(2), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
+    state = told(state, events.AlarmShelved(R0, "battery", T0 + 1800))
+    assert text_of(alarm_table(state, clock).title) == "Alarms 1 new 1 shelved"
+    assert texts(state)[1] == (
+        f"◇ shelved until {state.wall + 1800:.0f} med  robot_0 battery 5 % {state.wall:.0f}"
+    )
+
+
+def test_no_alarm_needs_more_than_its_word_in_48_cells() -> None:
+    state = told(fleet(), link_up(T0), events.ObstacleReported(R0, T0, 14.2), tick(T0))
+    (row,) = alarm_table(state, lambda _wall: "12:34:56").rows
+    assert text_of(row.runs) == "▲ new  high robot_0 obstacle 14.2 s 12:34:56"

@@ -95,6 +95,11 @@ def test_alarms_are_counted_and_the_new_ones_apart(low: int, seen: int, text: st
     assert text in line(state)
 
 
+def test_a_shelved_alarm_is_not_counted() -> None:
+    state = told(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
+    assert "△ 0 alarms  " in line(told(state, events.AlarmShelved(R0, "battery", T0 + 9)))
+
+
 def test_what_must_not_be_cut_stands_first() -> None:
     text = line(told(fleet(), link_lost(T0), tick(T0)), "read-only")
     assert text.index(R0) < text.index("alarms") < text.index("read-only") < text.index("no link")

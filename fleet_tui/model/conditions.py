@@ -1,0 +1,171 @@
+"""What needs a person now: one small rule for each source of alarms, over the newest state.
+
+A rule gives None while all is well. `Held` is what held at the last look: a battery has to leave
+its dead band, and what was known before the link went goes on.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from fleet_tui.model.alarm import Condition, Key, Priority
+from fleet_tui.model.failures import failed_commands
+from fleet_tui.model.fleet import FleetState, age, obstacle_text
+from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.model.robot import Robot
+
+Held = Mapping[Key, Condition]
+
+FLOOD, FLOOD_SPAN = 5, 3.0
+"""So many robots of a link that fall silent within so many seconds are one alarm."""
+BAD_FOR = 10.0
+"""Seconds without bad data after which the data counts as good."""
+STILL = 2.0
+"""Seconds without a step after which a robot counts as standing."""
+
+
+def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
+    """In contact for longer than the limit, by its last word."""
+    if robot.obstacle is None or not state.was_obstructed(robot):
+        return None
+    text = obstacle_text(state, robot.obstacle)
+    return Condition(robot.name, "obstacle", Priority.HIGH, text, "way is free again")
+
+
+def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
+    """Below a limit, or not above its dead band yet."""
+    limits, reading = state.limits, robot.battery
+    if reading is None or reading.value >= limits.battery_low + limits.battery_band:
+        return None
+    before = held.get((robot.name, "battery"))
+    if reading.value >= limits.battery_low and before is None:
+        return None
+    was_critical = before is not None and before.priority is Priority.MEDIUM
+    critical = limits.battery_critical + (limits.battery_band if was_critical else 0.0)
+    # Rounded down: 19.6 is below 20, and must not read 20.
+    text = f"battery {int(reading.value)} %"
+    if state.is_old(reading):
+        text += f", {age(state.now - reading.at)} ago"
+    priority = Priority.MEDIUM if reading.value < critical else Priority.LOW
+    return Condition(robot.name, "battery", priority, text, "battery is charged again")
+
+
+def pause(state: FleetState, robot: Robot, held: Held) -> Condition | None:
+    """Paused, which is an alarm once it lasts."""
+    last_word = robot.paused.value if robot.paused is not None else robot.paused_by_us
+    if not last_word or not (state.is_paused(robot) or (robot.name, "pause") in held):
+        return None
+    since = state.began.get((robot.name, "pause"), state.now)
+    text = f"paused for {age(state.now - since)}"
+    if not state.is_paused(robot) and robot.paused is not None:
+        text = f"pause, last heard of {age(state.now - robot.paused.at)} ago"
+    return Condition(robot.name, "pause", Priority.LOW, text, "pause is over", state.limits.pause_after)
+
+
+def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
+    """An order to drive and no movement, which is an alarm once it lasts.
+
+    An obstacle or a pause explains it, and silence hides it: neither begins it. A pause also ends it.
+    """
+    order, place = robot.orders.current, robot.place
+    if order is None or place is None or state.is_paused(robot) or state.now - place.at < STILL:
+        return None
+    known = robot.pose is not None and not state.is_old(robot.pose)
+    if (not known or state.was_obstructed(robot)) and (robot.name, "stuck") not in held:
+        return None
+    text = f"order {order.id}, but not moved for {age(state.now - place.at)}"
+    if not known:
+        text = f"order {order.id}, had not moved when last heard"
+    over = "no longer stuck"
+    return Condition(robot.name, "stuck", Priority.MEDIUM, text, over, state.limits.stuck_after - STILL)
+
+
+def bad_data(state: FleetState, source: Robot | LinkState, _held: Held) -> Condition | None:
+    """Something came from a robot or over a link that can't be read, a short while ago."""
+    if source.fault_at is None or state.now - source.fault_at >= BAD_FOR:
+        return None
+    text = f"bad data x{source.faults}: {source.last_fault}"
+    kind = "data" if isinstance(source, Robot) else "frames"
+    return Condition(source.name, kind, Priority.LOW, text, "no new bad data")
+
+
+def no_link(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
+    """Nothing can be heard or said."""
+    if link.phase is Phase.UP or state.now - link.since <= state.limits.link_after:
+        return None
+    text = f"no link: {link.reason}" if link.reason else "no link"
+    return Condition(link.name, "link", Priority.HIGH, text, "link is back")
+
+
+def dead_commands(state: FleetState, link: LinkState, held: Held) -> Condition | None:
+    """Telemetry flows, but a command would not get through."""
+    was_dead = (link.name, "commands") in held and link.phase is not Phase.UP
+    if not was_dead and not (link.phase is Phase.UP and link.command_path is CommandPath.DEAD):
+        return None
+    text = f"commands don't get through: {link.command_reason}"
+    return Condition(link.name, "commands", Priority.HIGH, text, "commands get through again")
+
+
+ROBOT_RULES = (obstacle, battery, pause, stuck, bad_data)
+LINK_RULES = (dead_commands, no_link, bad_data)
+
+
+def offline(state: FleetState, link: LinkState, robots: Sequence[Robot], held: Held) -> Iterator[Condition]:
+    """Robots of a link that are silent: each by itself, or as one group where many went together.
+
+    A robot stays where it was counted first until it is back. While the link is down its own alarm
+    stands for its robots; what was raised before goes on.
+    """
+    silent = [robot for robot in robots if not state.is_online(robot)]
+    if not silent:
+        return
+    group = held.get((link.name, "robots"))
+    grouped = group.parts if group else frozenset()
+    alone = [robot for robot in silent if (robot.name, "offline") in held]
+    together = [robot for robot in silent if robot.name in grouped]
+    if link.phase is Phase.UP and state.now - link.since > state.limits.offline_after:
+        counted = {robot.name for robot in (*alone, *together)}
+        fresh = [robot for robot in silent if robot.name not in counted]
+        if fresh:
+            counted = {robot.name for robot in (*alone, *fresh)}
+            others = sum(_just_went(state, link, one) for one in robots if one.name not in counted)
+            (together if len(fresh) + others >= FLOOD else alone).extend(fresh)
+    for robot in alone:
+        text = "never seen" if robot.heard is None else f"offline {age(state.now - robot.heard)}"
+        yield Condition(robot.name, "offline", Priority.MEDIUM, text, "is back")
+    if together:
+        yield _group(link, together)
+
+
+def _just_went(state: FleetState, link: LinkState, robot: Robot) -> bool:
+    """Whether it went offline a moment ago, or is half-way there: many that go together don't go at
+    one instant. A new link begins everybody's silence anew."""
+    silence = state.now - max(robot.heard or 0.0, link.since)
+    limit = state.limits.offline_after
+    return limit / 2 < silence <= limit + FLOOD_SPAN
+
+
+def _group(link: LinkState, robots: Sequence[Robot]) -> Condition:
+    word = "offline" if any(robot.heard is not None for robot in robots) else "never seen"
+    some = ", ".join(robot.name for robot in robots[:3]) + (", …" if len(robots) > 3 else "")
+    text = f"{len(robots)} robot{'s' * (len(robots) != 1)} {word}: {some}"
+    parts = frozenset(robot.name for robot in robots)
+    return Condition(link.name, "robots", Priority.HIGH, text, "robots are back", parts=parts)
+
+
+def conditions(state: FleetState) -> Iterator[Condition]:
+    """Everything that needs a person now, what explains more of it first."""
+    held = {alarm.key: alarm.condition for alarm in state.alarms if alarm.holds}
+    by_link: dict[str, list[Robot]] = {name: [] for name in state.links}
+    for robot in state.robots.values():
+        by_link[robot.link].append(robot)
+    for name, link in state.links.items():
+        for link_rule in LINK_RULES:
+            found = link_rule(state, link, held)
+            if found is not None:
+                yield found
+        yield from offline(state, link, by_link[name], held)
+    for robot in state.robots.values():
+        for rule in ROBOT_RULES:
+            found = rule(state, robot, held)
+            if found is not None:
+                yield found
+    yield from failed_commands(state)

@@ -1,0 +1,99 @@
+"""Commands that failed, as conditions of the alarm list.
+
+A failure is a moment and does not hold: it counts as news for a while, then its alarm has
+returned, and stays until somebody acknowledges it.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+
+from fleet_tui.model.alarm import Condition, Key, Priority
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+
+FAILED_FOR = 30.0
+"""Seconds for which a command that failed counts as news."""
+TOGETHER, MANY = 0.3, 5
+"""Commands of one kind with less than so many seconds in between are one wish; for so many robots
+it is one alarm."""
+
+
+def failure(record: CommandRecord) -> str:
+    """How a command failed, in the words of the operator; empty where it didn't, or is not over, or
+    never left this console."""
+    if record.stage not in (Stage.REFUSED, Stage.NOT_CONFIRMED):
+        return ""
+    return f"{record.stage.value} ({record.words})" if record.words else record.stage.value
+
+
+def _wish(robot: Robot, command: Command) -> str:
+    match command:
+        case PlaceOrder(_, start, end):
+            return f"order {robot.name_of(start) or start} -> {robot.name_of(end) or end}"
+        case PlaceOrderWithCargo(_, end):
+            return f"bring cargo -> {robot.name_of(end) or end}"
+        case CancelOrder(_, order_id):
+            return f"cancel order {order_id}"
+        case ClearOrders():
+            return "clear all orders"
+        case PauseRobot():
+            return "pause"
+        case ResumeRobot():
+            return "resume"
+
+
+def failed_commands(state: FleetState) -> Iterator[Condition]:
+    """Commands that failed a short while ago: an alarm for each robot, or for each link where one
+    wish for many robots failed."""
+    fresh = [record for record in state.commands if failure(record) and state.now - record.at < FAILED_FOR]
+    if not fresh:
+        return
+    given = _given_together(state.commands)
+    failed: dict[Key, list[CommandRecord]] = defaultdict(list)
+    for record in fresh:
+        robot = state.robots.get(record.command.robot)
+        if robot is not None:
+            many = given[record.id] >= MANY
+            failed[(robot.link, "many commands") if many else (robot.name, "command")].append(record)
+    for key, records in failed.items():
+        yield _failed(state, key, records)
+
+
+def _failed(state: FleetState, key: Key, records: Sequence[CommandRecord]) -> Condition:
+    last = records[-1]
+    wish = _wish(state.robots[last.command.robot], last.command)
+    robots = len({record.command.robot for record in records})
+    if robots > 1:
+        wish += f" of {robots} robots"
+    high = any(isinstance(record.command, PauseRobot) for record in records)
+    return Condition(
+        *key,
+        Priority.HIGH if high else Priority.MEDIUM,
+        f"{wish}: {failure(last)}",
+        f"{wish} failed",
+        parts=frozenset(str(record.id) for record in records),
+    )
+
+
+def _given_together(records: Sequence[CommandRecord]) -> dict[int, int]:
+    """By command id: how many of its kind were given with it."""
+    runs: list[list[CommandRecord]] = []
+    for record in records:
+        last = runs[-1][-1] if runs else None
+        alike = last is not None and type(last.command) is type(record.command)
+        if last is not None and alike and record.issued_at - last.issued_at < TOGETHER:
+            runs[-1].append(record)
+        else:
+            runs.append([record])
+    return {record.id: len(run) for run in runs for record in run}
