@@ -153,6 +153,7 @@ async def test_cancel_and_clear_by_mouse(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await place(it)
         await it.shows("[Cancel]", "queue")
+        await it.shows("[Clear all]", "queue")
         rows = it.pane("queue").splitlines()
         await it.pilot.click("#queue", offset=(rows[1].index("[Cancel]") + 2, 1))
         await it.shows("Cancel order 1 of robot_0?")
