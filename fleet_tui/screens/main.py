@@ -4,7 +4,6 @@ import time
 from collections.abc import Callable, Mapping
 
 from textual.app import ComposeResult
-from textual.containers import Container
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import Command
@@ -26,6 +25,7 @@ from fleet_tui.view.status_line import console_notes, status_line, status_right
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.map_view import MapView
+from fleet_tui.widgets.panes import Panes
 from fleet_tui.widgets.rows_pane import RowsPane
 
 
@@ -33,6 +33,7 @@ class MainScreen(Navigation):
     """Shows the newest state at every tick, and turns keys into wishes."""
 
     BINDINGS = bindings("console")
+    BLANK = True  # nothing is to be seen of the screen itself
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
     VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall")]  # noqa: RUF012  # as Textual declares it
@@ -66,7 +67,7 @@ class MainScreen(Navigation):
     def compose(self) -> ComposeResult:
         """The panes in the order of Tab, then what opens over them."""
         yield self.status
-        yield Container(self.map, self.fleet, self.alarms, self.queue, id="panes")
+        yield Panes(self.map, self.fleet, self.alarms, self.queue, id="panes")
         yield self.message
         yield self.hints
         yield OrderForm(lambda: self.state, self.submit)

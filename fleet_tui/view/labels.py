@@ -1,7 +1,8 @@
 """Where text goes so that it covers no other text: whole, or not at all."""
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, reduce
+from operator import or_
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,21 +83,15 @@ class Room:
             return None
         near = _near(glyph, cells, self._stride)
         corner = self._bit(x, y) - near.before
-        taken, texts, tags = (
-            bits >> corner & near.everything for bits in (self._taken, self._texts, self._tags)
-        )
-        alone, some = near.places(taken, texts, tags)
-        if not alone and texts:
-            alone, covering = near.places(taken, 0, tags)
-            some = some or covering
-        places = alone or some
-        for start, dx, dy in near.order if places else ():
-            if places & start:
-                tag = start * ((1 << cells) - 1) << corner
-                self._taken |= tag
-                self._tags |= tag
-                return x + dx, y + dy
-        return None
+        taken, texts = self._taken >> corner & near.seen, self._texts >> corner & near.seen
+        spot = near.spot(taken, texts, self._tags >> corner & near.seen)
+        if spot is None:
+            return None
+        start, dx, dy = spot
+        tag = start * ((1 << cells) - 1) << corner
+        self._taken |= tag
+        self._tags |= tag
+        return x + dx, y + dy
 
 
 def _bits(cells: NDArray[np.bool_], around: bool) -> int:
@@ -112,21 +107,31 @@ def _margins(width: int, height: int) -> int:
     return _bits(np.zeros((height, width), np.bool_), around=True)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class _Near:
     """What is near a glyph, as bits counted from a corner that lies `before` bits before it.
 
-    order: where a tag may begin, from beside the glyph outwards: the bit, and dx, dy from the glyph;
-    starts: all these bits. after_glyph, before_glyph: those whose neighbour is the glyph itself.
+    seen: all cells that count for a tag's place. order: where one may begin, from beside the glyph
+    outwards: the bit, and dx, dy from the glyph; starts: all these bits; after_glyph, before_glyph:
+    those whose neighbour is the glyph itself.
     """
 
     cells: int
     before: int
-    everything: int
+    seen: int
     order: tuple[tuple[int, int, int], ...]
     starts: int
     after_glyph: int
     before_glyph: int
+
+    def spot(self, taken: int, texts: int, tags: int) -> tuple[int, int, int] | None:
+        """The first of the best places for a tag, if there is any."""
+        alone, some = self.places(taken, texts, tags)
+        if not alone and texts:
+            alone, covering = self.places(taken, 0, tags)
+            some = some or covering
+        places = alone or some
+        return next((spot for spot in self.order if places & spot[0]), None)
 
     def places(self, taken: int, texts: int, tags: int) -> tuple[int, int]:
         """Where a tag may begin so that it touches nothing, else no tag; and so that it is free at all.
@@ -151,12 +156,13 @@ class _Near:
 def _near(glyph: int, cells: int, stride: int) -> _Near:
     before = _REACH * stride + cells + _REACH + 1
     order = tuple((1 << before + dy * stride + dx, dx, dy) for dx, dy in _around(glyph, cells))
+    starts = sum(start for start, _, _ in order)
     return _Near(
         cells=cells,
         before=before,
-        everything=(1 << 2 * (before + _MARGIN)) - 1,
+        seen=reduce(or_, (starts << i >> 1 for i in range(cells + 2))),
         order=order,
-        starts=sum(start for start, _, _ in order),
+        starts=starts,
         after_glyph=1 << before + 1 | 1 << before + 2,  # an arrow is one or two cells wide
         before_glyph=1 << before - cells,
     )

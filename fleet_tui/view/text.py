@@ -2,6 +2,7 @@
 
 import unicodedata
 from collections.abc import Iterator
+from functools import lru_cache
 
 _UNSEEN = frozenset({"Cf", "Zl", "Zp", "Cs", "Co", "Cn"})
 # Letters that fill a cell with nothing: Hangul fillers, the braille blank, variation selectors.
@@ -49,7 +50,12 @@ def letter_width(letter: str) -> int:
 
 def cell_width(text: str) -> int:
     """How many terminal cells `text` takes."""
-    return len(text) if text.isascii() else sum(map(letter_width, text))
+    return len(text) if text.isascii() else _measured(text)
+
+
+@lru_cache(maxsize=1024)
+def _measured(text: str) -> int:
+    return sum(map(letter_width, text))
 
 
 def cells_of(text: str) -> Iterator[tuple[str, int]]:

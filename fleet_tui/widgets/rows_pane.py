@@ -146,6 +146,8 @@ class RowsPane(InkView, can_focus=True):
 
 def _slide(row: Row, cells: int, room: int) -> tuple[Run, ...]:
     """A row without its first cells, never further than its end."""
+    if not cells:
+        return cut(row.runs, room)
     left = max(0, min(cells, width_of(row.runs) - room))
     runs: list[Run] = []
     for text, ink in row.runs:
