@@ -14,6 +14,7 @@ from fleet_tui.view.roles import Ink
 
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _ATTRIBUTES = ("bold", "reverse", "underline", "dim")
+QUIET = {Ink.FLOOR, Ink.UNKNOWN, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD, Ink.MISSION_NEXT, Ink.RULE}
 BASE = ("background", "surface", "foreground", "accent")
 
 
@@ -39,8 +40,11 @@ class FleetTheme:
     inks: Mapping[Ink, InkLook]
 
     def styles(self, colour: bool = True) -> dict[Ink, Style]:
-        """Every ink as a Rich style; without colour (NO_COLOR) only bold, reverse, underline, dim stay."""
-        return {ink: _style(look, self.base["background"], colour) for ink, look in self.inks.items()}
+        """Every ink as a Rich style; without colour (NO_COLOR) only bold, reverse, underline, dim stay.
+
+        Then what colours would keep in the background is dim: an edge is no wall.
+        """
+        return {ink: _style(ink, look, self.base["background"], colour) for ink, look in self.inks.items()}
 
     def textual(self) -> dict[str, Any]:
         """The arguments of a `textual.theme.Theme`."""
@@ -59,7 +63,7 @@ class FleetTheme:
 _TEXTUAL = {"secondary": Ink.DIM, "warning": Ink.WARN, "error": Ink.ALARM, "success": Ink.GOOD}
 
 
-def _style(look: InkLook, background: str, colour: bool) -> Style:
+def _style(ink: Ink, look: InkLook, background: str, colour: bool) -> Style:
     # None, not False: an explicit "off" would be one more code on the wire.
     return Style(
         color=look.color if colour else None,
@@ -67,7 +71,7 @@ def _style(look: InkLook, background: str, colour: bool) -> Style:
         bold=look.bold or None,
         reverse=look.reverse or None,
         underline=look.underline or None,
-        dim=look.dim or None,
+        dim=look.dim or (not colour and ink in QUIET) or None,
     )
 
 

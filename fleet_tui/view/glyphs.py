@@ -65,4 +65,4 @@ def vertex_glyph(vertex: SceneVertex, plain: bool) -> tuple[str, Ink]:
         return ("D" if plain else "⌂"), Ink.DOCKING
     if vertex.label:
         return "o", Ink.VERTEX_LABELLED
-    return ("." if plain else "·"), Ink.VERTEX
+    return ("'" if plain else "·"), Ink.VERTEX

@@ -42,10 +42,13 @@ def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
 
 
 def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
-    """The vertices by role, the important ones over the others."""
+    """The vertices by role, the important ones over the others. On the current way a plain one is part
+    of the line."""
     placed = seen_vertices(scene, camera)
     for vertex, (x, y) in sorted(placed, key=lambda at: vertex_glyph(at[0], look.plain)[1]):
         glyph, ink = vertex_glyph(vertex, look.plain)
+        if ink is Ink.VERTEX and cells.inks[y, x] == Ink.MISSION:
+            glyph, ink = ("*" if look.plain else "•"), Ink.MISSION
         cells.write(x, y, glyph, Ink.TARGET if vertex.id in scene.target_vertices else ink)
 
 

@@ -131,6 +131,16 @@ def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
     assert Ink.MISSION in cells.inks[y, x:]
 
 
+def test_a_plain_vertex_on_the_current_way_is_part_of_the_line() -> None:
+    scene = replace(SCENE, vertices=(SceneVertex(1, 6.0, 5.0),))
+    x, y = CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))
+    for drawing, alone, on_way in ((Drawing.BRAILLE, "·", "•"), (Drawing.ASCII, "'", "*")):
+        cells = drawn(scene, Look(drawing))
+        assert (chr(cells.codes[y, x]), cells.inks[y, x]) == (alone, Ink.VERTEX)
+        cells = drawn(replace(scene, mission=Mission(ACROSS)), Look(drawing))
+        assert (chr(cells.codes[y, x]), cells.inks[y, x]) == (on_way, Ink.MISSION)
+
+
 def test_the_way_to_the_entry_moves_with_the_robot_over_the_same_backdrop() -> None:
     scene = replace(SCENE, mission=Mission(ACROSS, (), (2.0, 9.5, 2.0, 5.0)))
     behind = backdrop(scene, CAMERA, Look())

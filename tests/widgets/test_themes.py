@@ -58,6 +58,8 @@ def test_without_colour_the_selected_robot_still_stands_out(name: str) -> None:
     assert all(style.color is None and style.bgcolor is None for style in styles.values())
     assert styles[Ink.ROBOT_SELECTED].reverse
     assert not styles[Ink.ROBOT].reverse
+    assert styles[Ink.EDGE].dim and not styles[Ink.WALL].dim
+    assert styles[Ink.MISSION].bold and styles[Ink.MISSION_NEXT].dim
 
 
 @pytest.mark.parametrize(
