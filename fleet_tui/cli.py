@@ -16,6 +16,7 @@ from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, load, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, FleetError, did_you_mean
+from fleet_tui.simulator.faults import FAULTS, parse_faults
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -43,6 +44,19 @@ def _screen(command: F) -> F:
     modes = click.Choice(["auto", "braille", "half-block", "ascii"])
     command = click.option("--drawing", type=modes, help="How the map is drawn.")(command)
     return click.option("--read-only", is_flag=True, help="Watch only: no command leaves.")(command)
+
+
+FAULT_LIST = "\b\nFaults:\n" + "\n".join(f"  {name:<10}{text}" for name, (text, _) in FAULTS.items())
+
+
+def _faults(command: F) -> F:
+    """What the simulator is to do wrong."""
+    return click.option(
+        "--fault",
+        default="",
+        metavar="NAME[:ROBOT],...",
+        help="What goes wrong, for every robot or for one; see below.",
+    )(command)
 
 
 def _merged(run: Callable[..., None]) -> Callable[..., None]:
@@ -80,26 +94,34 @@ def commands(
         open_console(load(find(config_file)), read_only, drawing, debug)
 
 
-@commands.command()
+@commands.command(epilog=FAULT_LIST)
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@_faults
 @_screen
 @_common
 @_merged
 def demo(
-    config_file: str | None, debug: bool, robots: int, floors: int, read_only: bool, drawing: str | None
+    config_file: str | None,
+    debug: bool,
+    robots: int,
+    floors: int,
+    fault: str,
+    read_only: bool,
+    drawing: str | None,
 ) -> None:
     """Open the console on a simulated fleet. No ROS, no network."""
     from fleet_tui.demo import simulated
 
-    with simulated(robots, floors) as url:
+    parse_faults(fault, [f"robot_{n}" for n in range(robots)])
+    with simulated(robots, floors, fault) as url:
         from fleet_tui.console import open_console
         from fleet_tui.demo import demo_config
 
         open_console(demo_config(load(find(config_file)), url, robots, floors), read_only, drawing, debug)
 
 
-@commands.command()
+@commands.command(epilog=FAULT_LIST)
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
 @click.option(
@@ -110,6 +132,7 @@ def demo(
 )
 @click.option("--seed", type=int, default=1, show_default=True)
 @click.option("--stop-with-stdin", is_flag=True, hidden=True)
+@_faults
 @_common
 @_merged
 def sim(
@@ -121,11 +144,12 @@ def sim(
     rate: float,
     seed: int,
     stop_with_stdin: bool,
+    fault: str,
 ) -> None:
     """Serve a simulated fleet to several consoles, until Ctrl-C."""
     from fleet_tui.simulator.run import run
 
-    run(robots, floors, port, rate, seed, lambda url: click.echo(url, nl=True), stop_with_stdin)
+    run(robots, floors, port, rate, seed, lambda url: click.echo(url, nl=True), stop_with_stdin, fault)
 
 
 @commands.command()

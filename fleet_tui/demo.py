@@ -17,10 +17,10 @@ PATIENCE = 1.0
 
 
 @contextmanager
-def simulated(robots: int, floors: int) -> Iterator[str]:
+def simulated(robots: int, floors: int, faults: str = "") -> Iterator[str]:
     """Start the simulator on a free port; its URL. It ends with us, even if we are killed."""
     command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0", "--stop-with-stdin"]
-    command += ["--robots", str(robots), "--floors", str(floors)]
+    command += ["--robots", str(robots), "--floors", str(floors), "--fault", faults]
     with subprocess.Popen(
         command,
         stdin=subprocess.PIPE,

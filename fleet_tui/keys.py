@@ -48,6 +48,7 @@ KEYS: tuple[Key, ...] = (
     Key("previous_floor", ("{",), "step_floor(-1)", "Previous floor"),
     Key("order", ("o",), "order", "Order form for the selected robot", hint="order"),
     Key("simple", ("s",), "simple", "Simple interface on or off: robot, from, to, send", hint="simple"),
+    Key("why", ("w",), "why", "Why does the selected robot stand still: reasons and what helps", hint="why"),
     Key("cancel", ("x",), "cancel", "Cancel the order under the queue's cursor (asks once)", hint="cancel"),
     Key("clear", ("X",), "clear", "Clear all orders of the selected robot (asks once)", hint="clear"),
     Key("pause", ("p",), "pause", "Pause the selected robot, at once", hint="pause"),

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.simulator.faults import FAULTS
+
 BAD = """
 [rosbridge]
 url = "http://x"
@@ -90,6 +92,8 @@ def test_the_config_is_found_in_order(tmp_path: Path) -> None:
         (("demo", "--robots", "0"), "--robots"),
         (("demo", "--robot", "3"), "--robots"),
         (("sim", "--port", "99999"), "--port"),
+        (("sim", "--fault", "obstcle"), "did you mean obstacle?"),
+        (("demo", "--fault", "stuck:robot_9"), "did you mean robot_2?"),
     ],
 )
 def test_usage_errors_end_with_2_and_a_remedy(tmp_path: Path, args: tuple[str, ...], words: str) -> None:
@@ -97,6 +101,11 @@ def test_usage_errors_end_with_2_and_a_remedy(tmp_path: Path, args: tuple[str, .
     assert done.returncode == 2
     assert words in done.stderr
     assert "Traceback" not in done.stderr
+
+
+def test_the_help_of_the_simulator_lists_every_fault(tmp_path: Path) -> None:
+    text = run("sim", "--help", cwd=tmp_path).stdout
+    assert all(f"  {name:<10}{what}" in text for name, (what, _) in FAULTS.items())
 
 
 def test_the_console_without_a_terminal_says_so(tmp_path: Path) -> None:

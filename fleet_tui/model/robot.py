@@ -9,6 +9,7 @@ from fleet_tui.model import events
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.movement import gets_on, is_apart, leap
 from fleet_tui.model.order import OrderQueue
 
 T = TypeVar("T")
@@ -19,10 +20,7 @@ CLOCK_DRIFT = 1e-3
 CLOCK_STEP = 0.5
 # A robot brakes after it accepted a pause; further than this, it drives.
 BRAKING_DISTANCE = 0.5
-# Localisation jitters: a robot whose pose stays within these stands still.
-STILL_WITHIN, STILL_YAW = 0.05, 0.1
-# Metres that a robot must get on to be somewhere else: turning on the spot is not getting on.
-PLACE_WITHIN = 0.2
+JUMPS_KEPT, JUMPS_WITHIN = 100, 10.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,8 +62,8 @@ class Robot:
     """`number` counts from 1 in the order of the config; `heard` is the effective time of the
     last telemetry; `floor` is the one whose frame its pose names; `paused_at` is where it stood
     when it accepted our own pause; `standing` is the pose it has not left, and since when; `place`
-    is coarser: where it got to, and since when it gets no further; `fault_at` is when bad data
-    came last."""
+    is coarser: where it got to, and since when it gets no further; `jumps` are the metres of its
+    pose's last leaps that no robot drives, each with its time; `fault_at` is when bad data came last."""
 
     name: str
     number: int
@@ -74,6 +72,7 @@ class Robot:
     pose: Reading[Pose] | None = None
     standing: Reading[Pose] | None = None
     place: Reading[Pose] | None = None
+    jumps: tuple[Reading[float], ...] = ()
     frame_id: str = ""
     floor: str | None = None
     battery: Reading[float] | None = None
@@ -127,21 +126,22 @@ def _set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
     return StampClock(min(crept, offset), stamp, at)
 
 
-def _turn(pose: Pose) -> float:
-    return math.remainder(pose.yaw, math.tau)
-
-
-def _is_apart(one: Pose, other: Pose) -> bool:
-    turned = abs(math.remainder(_turn(one) - _turn(other), math.tau))
-    return math.dist((one.x, one.y), (other.x, other.y)) > STILL_WITHIN or turned > STILL_YAW
-
-
 def _place(robot: Robot, pose: Reading[Pose], frame_id: str) -> Reading[Pose]:
     before = robot.place
     if before is None or frame_id != robot.frame_id:
         return pose
-    left = math.dist((pose.value.x, pose.value.y), (before.value.x, before.value.y)) > PLACE_WITHIN
-    return pose if left else before
+    return pose if gets_on(before.value, pose.value) else before
+
+
+def _jumps(robot: Robot, pose: Pose, frame_id: str, at: float) -> tuple[Reading[float], ...]:
+    last = robot.pose
+    if last is None or frame_id != robot.frame_id:
+        return robot.jumps
+    metres = leap(last.value, pose, at - last.at)
+    if metres is None:
+        return robot.jumps
+    recent = (jump for jump in robot.jumps if at - jump.at < JUMPS_WITHIN)
+    return (*recent, Reading(metres, at))[-JUMPS_KEPT:]
 
 
 def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
@@ -152,7 +152,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         true_at = event.stamp + clock.offset
     pose, frame_id = Reading(event.pose, true_at), event.frame_id.lstrip("/")
     standing = robot.standing
-    if standing is None or frame_id != robot.frame_id or _is_apart(standing.value, event.pose):
+    if standing is None or frame_id != robot.frame_id or is_apart(standing.value, event.pose):
         standing = pose
     driving = robot.paused_at is not None and (
         math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
@@ -163,6 +163,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         pose=pose,
         standing=standing,
         place=_place(robot, pose, frame_id),
+        jumps=_jumps(robot, event.pose, frame_id, true_at),
         frame_id=frame_id,
         clock=clock,
         heard=max(robot.heard if robot.heard is not None else true_at, true_at),

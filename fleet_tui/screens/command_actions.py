@@ -18,6 +18,7 @@ from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.why import Why
 from fleet_tui.store import Store
 from fleet_tui.view.fleet_rows import mission
 from fleet_tui.view.selection import Selection
@@ -104,6 +105,10 @@ class CommandActions(Screen[None], inherit_bindings=False):
         for name in self.state.robots:
             self.submit(PauseRobot(name))
 
+    def action_why(self) -> None:
+        """Why the selected robot stands still."""
+        self.query_one(Why).show()
+
     def queue_menu(self, robot: str, order_id: int) -> None:
         """What can be done with an order."""
         self.query_one(Menu).show(
@@ -121,6 +126,7 @@ class CommandActions(Screen[None], inherit_bindings=False):
             f"{robot}: {visible(fault)}" if fault else robot,
             [
                 ("Order", lambda: self._for(robot, self.action_order)),
+                ("Why does it stand still?", lambda: self._for(robot, self.action_why)),
                 ("Pause", lambda: self._for(robot, self.action_pause)),
                 ("Resume", lambda: self._for(robot, self.action_resume)),
                 ("Clear all orders", lambda: self._for(robot, self.action_clear)),

@@ -14,6 +14,7 @@ from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.navigation import Navigation
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
+from fleet_tui.screens.why import Why
 from fleet_tui.store import Store
 from fleet_tui.view.command_line import message_line
 from fleet_tui.view.fleet_rows import fleet_table
@@ -75,6 +76,7 @@ class MainScreen(Navigation):
         yield Menu(id="menu")
         yield Help(self.keys)
         yield Palette(self.wishes)
+        yield Why(lambda: (self.state, self.selection.robot), self.keys)
 
     def tick(self) -> None:
         """Show the newest state."""

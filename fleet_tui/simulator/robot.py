@@ -51,6 +51,8 @@ class Robot:
         """Seconds since it has nothing to do."""
         self.silence = 0.0
         """Seconds for which nothing of it is published."""
+        self.stuck = False
+        """Whether it stands still as long as it has an order in process."""
         self.orders: list[Order] = []
         self.last_order_id = self.request_id = 0
         self._driving = False
@@ -88,8 +90,13 @@ class Robot:
         """Live on for STEP seconds."""
         self.silence = max(0.0, self.silence - STEP)
         self._use_battery()
-        if not self._blocked() and not self.paused:
+        held = self.paused or (self.stuck and self.current_order_id != -1)
+        if not self._blocked() and not held:
             next(self._work)
+
+    def block(self) -> None:
+        """Put an obstacle before it that stays."""
+        self.obstacle, self._obstacle_for = STEP, math.inf
 
     def _start_anew(self) -> None:
         self._driving = False

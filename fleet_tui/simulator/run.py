@@ -8,6 +8,7 @@ import threading
 from collections.abc import Callable
 from contextlib import suppress
 
+from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
 
@@ -20,15 +21,19 @@ def run(
     seed: int,
     announce: Callable[[str], None],
     stop_with_stdin: bool = False,
+    faults: str = "",
 ) -> None:
     """Serve a simulated fleet on loopback and announce its ws:// URL; returns on SIGTERM.
 
     `rate`: poses per robot in Hz; port 0: a free one. `stop_with_stdin`: also return when stdin closes,
-    so that the death of the parent, however sudden, is the end of this process too.
-    Raises FleetError where the port can't be had, SystemExit(130) on Ctrl-C.
+    so that the death of the parent, however sudden, is the end of this process too. `faults`: what goes
+    wrong, as `parse_faults` reads it. Raises ConfigError for a fault that is none, FleetError where the
+    port can't be had, SystemExit(130) on Ctrl-C.
     """
     world = World(robots, floors, seed)
-    if asyncio.run(_serve(RosbridgeServer(world, port=port, rate=rate), announce, stop_with_stdin)):
+    server = RosbridgeServer(world, port=port, rate=rate)
+    play(server, parse_faults(faults, world.robots))
+    if asyncio.run(_serve(server, announce, stop_with_stdin)):
         raise SystemExit(130)
 
 

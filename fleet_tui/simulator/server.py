@@ -5,13 +5,14 @@ import errno
 import logging
 import time
 from collections import deque
+from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
 from websockets.asyncio.server import Server, ServerConnection, serve
 
 from fleet_tui.errors import FleetError
-from fleet_tui.simulator.frames import Payload, Publication
+from fleet_tui.simulator.frames import Frame, Payload, Publication
 from fleet_tui.simulator.messages import Topic, topics_of
 from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
 from fleet_tui.simulator.session import Operation, Session
@@ -52,6 +53,8 @@ class RosbridgeServer(ServiceDesk):
         """Every operation that arrived; the newest last."""
         self.muted: set[str] = set()
         """Topics that are not published."""
+        self.deliveries: dict[str, Callable[[Session, Frame], None]] = {}
+        """How the answers of a service are brought to the client, where not at once."""
         self._host, self._port, self._rate = host, port, rate
         self._subscribed: dict[str, set[Session]] = {}
         self._sessions: set[Session] = set()
@@ -99,9 +102,17 @@ class RosbridgeServer(ServiceDesk):
     async def drop_clients(self) -> None:
         """Abort every connection, as a bridge does that is killed, and wait until all are gone."""
         connections = [session.connection for session in self._sessions]
-        for connection in connections:
-            connection.transport.abort()
+        self.abort_clients()
         await asyncio.gather(*(connection.wait_closed() for connection in connections))
+
+    def abort_clients(self) -> None:
+        """The same, without waiting."""
+        for session in self._sessions:
+            session.connection.transport.abort()
+
+    def deliver(self, session: Session, service: str, answer: Frame) -> None:
+        """Bring an answer to a client."""
+        self.deliveries.get(service, Session.reply)(session, answer)
 
     def publish_raw(self, topic: str, msg: dict[str, Any] | str | bytes) -> int:
         """Send a message, or as it is a text or binary frame, to the topic's subscribers, past throttle

@@ -31,8 +31,8 @@ class ServiceDesk:
         self.rosapi_alive = True
         """False: rosapi's services do not exist."""
         robots = [f"/{robot}/Application_layout/" for robot in world.robots]
-        self._services = {robot + verb: type_ for robot in robots for verb, type_ in ROBOT_SERVICES.items()}
-        self._rosapi = Rosapi(topics, self._services, subscribed, time.time)
+        self.services = {robot + verb: type_ for robot in robots for verb, type_ in ROBOT_SERVICES.items()}
+        self._rosapi = Rosapi(topics, self.services, subscribed, time.time)
 
     def answer(self, operation: Mapping[str, Any]) -> Frame | None:
         """The frame that answers a call_service operation, None where nothing is ever said."""
@@ -62,8 +62,8 @@ class ServiceDesk:
             raise ServiceError("Unable to communicate with master!")
         if service in self.answers:
             return self.answers[service](args if isinstance(args, dict) else {})
-        if service in self._services:
-            return self.world.answer(service, fill(self._services[service], args))
+        if service in self.services:
+            return self.world.answer(service, fill(self.services[service], args))
         if service in ROSAPI_SERVICES and self.rosapi_alive:
             return self._rosapi.answer(service, args)
         raise ServiceError(f"Service {service} does not exist")

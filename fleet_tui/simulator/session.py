@@ -44,6 +44,9 @@ class Bridge(Protocol):
     def answer(self, operation: Operation) -> Frame | None:
         """The answer to a service call, None for silence."""
 
+    def deliver(self, session: "Session", service: str, answer: Frame) -> None:
+        """Bring an answer to a client."""
+
     def admit(self, topic: str, type_: str | None) -> bool:
         """Whether the topic may be subscribed to with this type."""
 
@@ -88,6 +91,10 @@ class Session:
         self._outbox.reply(frame, self._clock())
         self._wake.set()
 
+    def reply_in(self, seconds: float, frame: Frame) -> None:
+        """The same, after so many seconds."""
+        asyncio.get_running_loop().call_later(seconds, self.reply, frame)
+
     async def _read(self, raw: str | bytes) -> None:
         try:
             operation = msgspec.json.decode(raw) if isinstance(raw, str) else None
@@ -108,7 +115,7 @@ class Session:
             case "call_service":
                 answer = self.bridge.answer(operation)
                 if answer is not None:
-                    self.reply(answer)
+                    self.bridge.deliver(self, operation["service"], answer)
 
     def _subscribe(self, operation: Operation) -> None:
         topic = operation["topic"]

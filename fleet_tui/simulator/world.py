@@ -1,7 +1,7 @@
 """The simulated fleet as a value that steps: no clock, no I/O; the seed is the only chance in it."""
 
 import random
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from fleet_tui.simulator.robot import LOW, STEP, Robot
@@ -23,6 +23,8 @@ class World:
         self.robots = {f"robot_{i}": self._new_robot(i) for i in range(robots)}
         self.time = 0.0
         """Seconds since the start."""
+        self.troubles: list[Callable[[float], None]] = []
+        """What else happens at every step, told the seconds that pass."""
         self._owed = 0.0
         self._requests = OWN_REQUESTS
         self._silence_in = self._rng.uniform(180.0, 240.0)
@@ -38,6 +40,8 @@ class World:
             self.time += STEP
             for robot in self.robots.values():
                 robot.step()
+            for trouble in self.troubles:
+                trouble(STEP)
             if not self._quiet:
                 self._employ()
                 self._silence()

@@ -1,0 +1,37 @@
+"""What two poses of a robot, one after the other, say of its movement."""
+
+import math
+
+from fleet_tui.model.geometry import Pose
+
+# Localisation jitters: a robot whose pose stays within these stands still.
+STILL_WITHIN, STILL_YAW = 0.05, 0.1
+# Metres that a robot must get on to be somewhere else: turning on the spot is not getting on.
+PLACE_WITHIN = 0.2
+# Metres, and metres per second, beyond which a robot did not drive: its localisation jumped.
+JUMP_DISTANCE, JUMP_SPEED = 1.0, 5.0
+
+
+def is_apart(one: Pose, other: Pose) -> bool:
+    """Whether it moved or turned by more than localisation jitters."""
+    turned = abs(math.remainder(_turn(one) - _turn(other), math.tau))
+    return _metres(one, other) > STILL_WITHIN or turned > STILL_YAW
+
+
+def gets_on(one: Pose, other: Pose) -> bool:
+    """Whether it is somewhere else."""
+    return _metres(one, other) > PLACE_WITHIN
+
+
+def leap(one: Pose, other: Pose, seconds: float) -> float | None:
+    """The metres between them, if no robot drives so far in that time."""
+    metres = _metres(one, other)
+    return metres if metres > max(JUMP_DISTANCE, JUMP_SPEED * abs(seconds)) else None
+
+
+def _metres(one: Pose, other: Pose) -> float:
+    return math.dist((one.x, one.y), (other.x, other.y))
+
+
+def _turn(pose: Pose) -> float:
+    return math.remainder(pose.yaw, math.tau)

@@ -1,0 +1,58 @@
+"""One reason why a robot stands still, and how far its evidence carries."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import IntEnum
+
+from fleet_tui.model.commands import Command, CommandRecord
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import Order
+from fleet_tui.model.robot import Robot
+
+RECENT = 30.0
+"""Seconds for which a failed command is a reason, and for which loading takes a moment."""
+
+
+class Strength(IntEnum):
+    """How far the evidence carries; the smaller the further."""
+
+    CERTAIN = 1
+    LIKELY = 2
+    POSSIBLE = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Reason:
+    """`name` is what holds, `evidence` what shows it. Monotonic seconds, None where unknown: `since` it
+    holds, `seen` when it was last reported. `keys` are the ids of the keys that help."""
+
+    name: str
+    evidence: str
+    strength: Strength = Strength.CERTAIN
+    since: float | None = None
+    seen: float | None = None
+    keys: tuple[str, ...] = ()
+
+
+Rule = Callable[[FleetState, Robot], Reason | None]
+
+
+def stands_since(robot: Robot) -> float | None:
+    """Since when its pose is the same."""
+    return robot.standing.at if robot.standing else None
+
+
+def name_of(robot: Robot, vertex: int) -> str:
+    """A vertex by its label or id; one that no graph of the robot has is marked."""
+    return robot.name_of(vertex) or f"{vertex}?"
+
+
+def mission(robot: Robot, order: Order) -> str:
+    """An order by its id and its two ends."""
+    return f"order {order.id}, {name_of(robot, order.start)} -> {name_of(robot, order.end)}"
+
+
+def last_command(state: FleetState, robot: Robot, *kinds: type[Command]) -> CommandRecord | None:
+    """The newest command of these kinds that was given to the robot from here."""
+    ours = (one for one in reversed(state.commands) if one.command.robot == robot.name)
+    return next((one for one in ours if isinstance(one.command, kinds)), None)

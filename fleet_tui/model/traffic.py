@@ -1,0 +1,121 @@
+"""The way a robot has to drive next, and who stands on it."""
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.graph import Role, RouteGraph
+from fleet_tui.model.robot import Chart, Robot
+
+AT_VERTEX = 0.5
+"""Metres within which a robot stands at a vertex."""
+
+ROBOT_WIDTH = 0.8
+"""Metres beside the line of a way within which a robot stands on it."""
+
+VERTICES_AHEAD = 2
+"""How many vertices of its way a robot may have to wait for."""
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class InTheWay:
+    """A robot on another one's way, `ahead` metres before it, near `vertex` of that way."""
+
+    robot: Robot
+    ahead: float
+    vertex: int
+
+
+def next_stop(robot: Robot) -> int | None:
+    """The vertex that its current order leads to now: the end with the cargo on board, else the start."""
+    order = robot.orders.current
+    if order is None:
+        return None
+    return order.end if robot.has_cargo else order.start
+
+
+def graph_here(robot: Robot) -> RouteGraph | None:
+    """The robot's own graph of the floor it is on."""
+    return robot.charts.get(robot.floor or "", Chart()).graph
+
+
+def vertex_here(robot: Robot) -> int | None:
+    """The vertex at which it stands, None on the way between two."""
+    graph = graph_here(robot)
+    if graph is None or robot.pose is None:
+        return None
+    nearest = _nearest(graph, robot.pose.value)
+    if nearest is None or _distance(graph, nearest, robot.pose.value) > AT_VERTEX:
+        return None
+    return nearest
+
+
+def way_ahead(robot: Robot) -> tuple[int, ...]:
+    """The vertices that lie before it on the way to its next stop; to an elevator where that is elsewhere."""
+    graph, stop = graph_here(robot), next_stop(robot)
+    start = _nearest(graph, robot.pose.value) if graph is not None and robot.pose is not None else None
+    if graph is None or robot.pose is None or stop is None or start is None:
+        return ()
+    lifts = [vertex.id for vertex in graph.vertices.values() if vertex.role is Role.ELEVATOR]
+    ways = [graph.path(start, goal) for goal in ([stop] if stop in graph.vertices else lifts)]
+    way = min(filter(None, ways), key=len, default=())
+    if len(way) > 1 and _distance(graph, way[1], robot.pose.value) <= _length(graph, *way[:2]):
+        return way[1:]
+    return way
+
+
+def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
+    """The nearest robot on the next vertices and edges of its way, seen in the same frame."""
+    graph, pose = graph_here(robot), robot.pose
+    way = way_ahead(robot)[:VERTICES_AHEAD]
+    if graph is None or pose is None or not way:
+        return None
+    points = [(pose.value.x, pose.value.y), *((graph.vertices[id_].x, graph.vertices[id_].y) for id_ in way)]
+    found = list[InTheWay]()
+    for other in state.robots.values():
+        if other is not robot and _same_frame(state, robot, other) and other.pose is not None:
+            at = _along(points, (other.pose.value.x, other.pose.value.y))
+            if at is not None:
+                found.append(InTheWay(other, at[0], way[at[1]]))
+    return min(found, key=lambda one: one.ahead, default=None)
+
+
+def _same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
+    """Positions are compared only where both are on one floor and their maps lie alike in the world."""
+    if other.floor is None or other.floor != one.floor or other.pose is None or state.is_old(other.pose):
+        return False
+    frames = [robot.charts.get(one.floor, Chart()).frame for robot in (one, other)]
+    return None in frames or frames[0] == frames[1]
+
+
+def _along(points: list[Point], at: Point) -> tuple[float, int] | None:
+    """How far along the line a point lies on it, and on which of its parts; None beside or behind it."""
+    before = 0.0
+    for part, ((x, y), (to_x, to_y)) in enumerate(pairwise(points)):
+        length = math.dist((x, y), (to_x, to_y))
+        if length > 0.0:
+            share = ((at[0] - x) * (to_x - x) + (at[1] - y) * (to_y - y)) / length**2
+            reached = min(max(share, 0.0), 1.0)
+            beside = math.dist(at, (x + reached * (to_x - x), y + reached * (to_y - y)))
+            if (share > 0.0 or part > 0) and beside < ROBOT_WIDTH:
+                return before + reached * length, part
+        before += length
+    return None
+
+
+def _nearest(graph: RouteGraph, pose: Pose) -> int | None:
+    return min(graph.vertices, key=lambda id_: _distance(graph, id_, pose), default=None)
+
+
+def _distance(graph: RouteGraph, vertex: int, pose: Pose) -> float:
+    place = graph.vertices[vertex]
+    return math.dist((place.x, place.y), (pose.x, pose.y))
+
+
+def _length(graph: RouteGraph, start: int, end: int) -> float:
+    one, other = graph.vertices[start], graph.vertices[end]
+    return math.dist((one.x, one.y), (other.x, other.y))

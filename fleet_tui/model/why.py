@@ -1,0 +1,73 @@
+"""Why a robot stands still: every reason that holds, the likeliest first.
+
+What weighs more comes first, and among equals the sequence of RULES decides:
+
+CERTAIN: the robot's own fresh word, or a fact about the link. Where the robot can't be heard comes before
+what it said last; a pause before an obstacle, since a paused robot would not drive on a free way either;
+a command that failed before the empty queue it left behind.
+LIKELY: follows from several fresh reports (a place, a queue and a charge), none of which says so itself.
+POSSIBLE: would explain it, and so would much else; and whatever a robot said that can't be heard now.
+
+A robot that moves has no reason to stand. Where nothing weighs, the order that it should drive is named.
+"""
+
+from dataclasses import replace
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.reason import Reason, Rule, Strength
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.why_orders import (
+    at_stop,
+    cargo,
+    command,
+    no_orders,
+    none_current,
+    unexplained,
+    waits_behind,
+)
+from fleet_tui.model.why_robot import (
+    battery,
+    charges,
+    jumps,
+    moves,
+    no_link,
+    obstacle,
+    paused,
+    stale_pose,
+    unheard,
+)
+
+DEAF: tuple[Rule, ...] = (no_link, unheard)
+"""Where one of these holds, everything else is what it said before."""
+
+RULES: tuple[Rule, ...] = (
+    paused,
+    obstacle,
+    stale_pose,
+    jumps,
+    command,
+    cargo,
+    no_orders,
+    at_stop,
+    waits_behind,
+    charges,
+    battery,
+    none_current,
+)
+
+
+def _held(rules: tuple[Rule, ...], state: FleetState, robot: Robot) -> list[Reason]:
+    return [reason for rule in rules if (reason := rule(state, robot)) is not None]
+
+
+def reasons(state: FleetState, robot: Robot) -> list[Reason]:
+    """Why it stands still, the likeliest first: at least one, and only that it moves where it does."""
+    deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
+    if deaf:
+        return deaf + [replace(reason, strength=Strength.POSSIBLE) for reason in others]
+    moving = moves(state, robot)
+    if moving is not None and jumps(state, robot) is None:
+        return [moving]
+    if all(reason.strength is Strength.POSSIBLE for reason in others):
+        others += _held((unexplained,), state, robot)
+    return sorted(others, key=lambda reason: reason.strength)

@@ -1,0 +1,110 @@
+"""Reasons to stand still that lie in what the robot is to do, and in who is in its way."""
+
+from fleet_tui.model.commands import (
+    FAILURES,
+    CancelOrder,
+    ClearOrders,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.order import Order
+from fleet_tui.model.reason import RECENT, Reason, Strength, last_command, mission, name_of, stands_since
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.traffic import in_the_way, next_stop, vertex_here
+
+
+def open_orders(robot: Robot) -> tuple[Order, ...]:
+    """The orders that will still be driven, as far as their letters tell."""
+    return tuple(order for order in robot.orders.in_sequence() if order.status not in ("D", "C"))
+
+
+def command(state: FleetState, robot: Robot) -> Reason | None:
+    """What was to make it drive is under way, or failed a short while ago."""
+    kinds = (ResumeRobot,) if state.is_paused(robot) else (PlaceOrder, PlaceOrderWithCargo)
+    record = last_command(state, robot, *kinds)
+    if record is None or (robot.orders.current is not None and not state.is_paused(robot)):
+        return None
+    failed = record.stage in FAILURES and state.now - record.at < RECENT
+    if record.ended and not failed:
+        return None
+    verb = "resume" if isinstance(record.command, ResumeRobot) else "order"
+    evidence = record.words or f"given {age(state.now - record.issued_at)} ago"
+    strength = Strength.LIKELY if open_orders(robot) else Strength.CERTAIN
+    keys = (verb,) if failed else ()
+    return Reason(f"{verb}: {record.stage.value}", evidence, strength, since=record.at, keys=keys)
+
+
+def cargo(state: FleetState, robot: Robot) -> Reason | None:
+    """Loaded, and nobody said where to."""
+    if not robot.has_cargo or robot.queue is None or open_orders(robot):
+        return None
+    strength = Strength.POSSIBLE if state.is_old(robot.queue) else Strength.CERTAIN
+    evidence = "it carries cargo and has no order: say where to bring it"
+    return Reason("cargo without destination", evidence, strength, seen=robot.queue.at, keys=("order",))
+
+
+def no_orders(state: FleetState, robot: Robot) -> Reason | None:
+    """Nothing to drive."""
+    if robot.queue is None:
+        return Reason("queue unknown", "its queue has not been heard", Strength.POSSIBLE)
+    if open_orders(robot) or robot.has_cargo:
+        return None
+    record = last_command(state, robot, PlaceOrder, PlaceOrderWithCargo, ClearOrders, CancelOrder)
+    taken = record is not None and isinstance(record.command, ClearOrders | CancelOrder)
+    evidence = "its queue is empty: it waits for one"
+    if record is not None and taken and record.stage is Stage.CONFIRMED:
+        evidence = f"they were taken out of its queue here {age(state.now - record.at)} ago"
+    strength = Strength.POSSIBLE if state.is_old(robot.queue) else Strength.CERTAIN
+    return Reason("no orders", evidence, strength, seen=robot.queue.at, keys=("order",))
+
+
+def at_stop(state: FleetState, robot: Robot) -> Reason | None:
+    """Loading and unloading take a moment."""
+    order, here, since = robot.orders.current, vertex_here(robot), stands_since(robot)
+    if order is None or since is None or here is None or here != next_stop(robot):
+        return None
+    does = "unloading" if robot.has_cargo else "loading"
+    strength = Strength.LIKELY if state.now - since < RECENT else Strength.POSSIBLE
+    return Reason(f"{does} at {name_of(robot, here)}", f"for {mission(robot, order)}", strength, since)
+
+
+def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
+    """Another robot is on the next vertices and edges of its way."""
+    found = in_the_way(state, robot)
+    if found is None:
+        return None
+    other = found.robot
+    back = in_the_way(state, other)
+    mutual = "; each is in the other's way" if back is not None and back.robot is robot else ""
+    return Reason(
+        f"waits behind {other.name}",
+        f"{other.name} is {found.ahead:.1f} m before it on the way to {name_of(robot, found.vertex)}{mutual}",
+        Strength.LIKELY,
+        since=stands_since(other),
+        seen=other.pose.at if other.pose else None,
+        keys=(f"robot_{other.number}" if other.number <= 9 else "next_robot",),
+    )
+
+
+def none_current(_state: FleetState, robot: Robot) -> Reason | None:
+    """It has orders and has begun none."""
+    waiting = open_orders(robot)
+    if robot.queue is None or not waiting or robot.orders.current is not None:
+        return None
+    evidence = f"it has begun none of them; the first is {mission(robot, waiting[0])}"
+    name = f"{len(waiting)} order{'s' * (len(waiting) != 1)} waiting, none current"
+    return Reason(name, evidence, Strength.LIKELY, seen=robot.queue.at, keys=("clear", "order"))
+
+
+def unexplained(state: FleetState, robot: Robot) -> Reason | None:
+    """It should drive, and nothing tells why it doesn't."""
+    order = robot.orders.current
+    if order is None:
+        return None
+    since = stands_since(robot)
+    evidence = f"{mission(robot, order)}, is current, and no report tells why it does not drive"
+    keys = ("centre", "clear")
+    return Reason("no reason is reported", evidence, Strength.POSSIBLE, since, keys=keys)

@@ -1,0 +1,122 @@
+"""Reasons to stand still that lie in the robot: what it says of itself, and whether it is heard at all."""
+
+from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.confirmation import STANDS_AFTER
+from fleet_tui.model.fleet import FleetState, age, obstacle_text
+from fleet_tui.model.graph import Role
+from fleet_tui.model.link import Phase
+from fleet_tui.model.reason import Reason, Strength, last_command, name_of, stands_since
+from fleet_tui.model.robot import JUMPS_WITHIN, Robot
+from fleet_tui.model.traffic import graph_here, vertex_here
+
+JUMPS = 2
+"""So many leaps within JUMPS_WITHIN seconds are no correction any more."""
+
+UNDONE = frozenset({Stage.CHECKED, Stage.NOT_SENT, Stage.REFUSED})
+"""Where a command did nothing."""
+
+FULL = 95.0
+"""Per cent below which a robot at a charger may be charging."""
+
+
+def moves(state: FleetState, robot: Robot) -> Reason | None:
+    """It does not stand still at all."""
+    since = stands_since(robot)
+    if robot.pose is None or since is None or state.is_old(robot.pose) or state.now - since >= STANDS_AFTER:
+        return None
+    return Reason("it moves", "its pose has just changed", seen=robot.pose.at)
+
+
+def no_link(state: FleetState, robot: Robot) -> Reason | None:
+    """Nobody knows what it does."""
+    link = state.links[robot.link]
+    if link.phase is Phase.UP:
+        return None
+    why = f": {link.reason}" if link.reason else ""
+    return Reason("no link", f"nothing can come from {link.url}{why}", since=link.since)
+
+
+def unheard(state: FleetState, robot: Robot) -> Reason | None:
+    """The link is there, and the robot is not."""
+    if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
+        return None
+    if robot.heard is None:
+        return Reason("never seen", "nothing has come from it, though the link is up")
+    name = f"offline {age(state.now - robot.heard)}"
+    return Reason(name, "nothing comes from it, though the link is up", since=robot.heard)
+
+
+def paused(state: FleetState, robot: Robot) -> Reason | None:
+    """By its own word, or by our accepted pause where it gives none."""
+    if not state.is_paused(robot):
+        return None
+    record = last_command(state, robot, PauseRobot, ResumeRobot)
+    ours = record is not None and isinstance(record.command, PauseRobot) and record.stage not in UNDONE
+    since = record.time_of(Stage.SENT) if record is not None and ours else None
+    if robot.paused is None:
+        return Reason("paused (by us)", "it accepted our pause", since=since, keys=("resume",))
+    by = "it says so; the pause came from here" if since is not None else "it says so; it came from elsewhere"
+    return Reason("paused", by, since=since, seen=robot.paused.at, keys=("resume",))
+
+
+def obstacle(state: FleetState, robot: Robot) -> Reason | None:
+    """Something touches it; a short contact may be a passing one."""
+    contact = robot.obstacle
+    if contact is None or contact.value <= 0.0 or (state.is_old(contact) and not state.was_obstructed(robot)):
+        return None
+    strength = Strength.CERTAIN if state.is_obstructed(robot) else Strength.LIKELY
+    evidence = "it is in contact with something: its way must be cleared there"
+    return Reason(
+        obstacle_text(state, contact),
+        evidence if not state.is_old(contact) else "by its last word; none has come since",
+        strength if not state.is_old(contact) else Strength.POSSIBLE,
+        since=contact.at - contact.value,
+        seen=contact.at,
+        keys=("centre",),
+    )
+
+
+def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
+    """Its place is old while the rest of it is fresh: it may not stand at all."""
+    if not state.is_online(robot) or (robot.pose is not None and not state.is_old(robot.pose)):
+        return None
+    if robot.pose is None:
+        return Reason("no pose", "no pose has come, though other reports do: nobody knows where it is")
+    name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
+    if clock is not None and state.now - clock.at <= state.limits.offline_after:
+        return Reason(name, "poses come, but late: its stamps lag behind", seen=robot.pose.at)
+    return Reason(name, "other reports come: it may have moved since", since=robot.pose.at)
+
+
+def jumps(state: FleetState, robot: Robot) -> Reason | None:
+    """Its localisation leaps: most robots stop then, and the pose says nothing."""
+    recent = [jump for jump in robot.jumps if state.now - jump.at < JUMPS_WITHIN]
+    if len(recent) < JUMPS:
+        return None
+    last = recent[-1]
+    evidence = f"{len(recent)} leaps of its pose in {JUMPS_WITHIN:.0f} s, the last by {last.value:.1f} m"
+    return Reason("localisation jumps", evidence, Strength.LIKELY, recent[0].at, last.at, ("centre",))
+
+
+def charges(state: FleetState, robot: Robot) -> Reason | None:
+    """It stands at a charger, is not full, and drives no order."""
+    graph, here, battery = graph_here(robot), vertex_here(robot), robot.battery
+    if graph is None or here is None or battery is None or robot.orders.current is not None:
+        return None
+    if graph.vertices[here].role is not Role.DOCKING or battery.value >= FULL:
+        return None
+    evidence = f"it stands there with battery {int(battery.value)} %, and drives no order"
+    since = stands_since(robot)
+    return Reason(f"charging at {name_of(robot, here)}", evidence, Strength.LIKELY, since, battery.at)
+
+
+def battery(state: FleetState, robot: Robot) -> Reason | None:
+    """Many robots drive no order on the last of their charge; fewer mind the low limit."""
+    charge, limits = robot.battery, state.limits
+    if charge is None or charge.value >= max(limits.battery_low, limits.battery_critical):
+        return None
+    critical = charge.value < limits.battery_critical and not state.is_old(charge)
+    limit = limits.battery_critical if critical else limits.battery_low
+    strength = Strength.LIKELY if critical else Strength.POSSIBLE
+    evidence = f"below {limit:.0f} %: it may keep what is left for the way to a charger"
+    return Reason(f"battery {int(charge.value)} %", evidence, strength, seen=charge.at)

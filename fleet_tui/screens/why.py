@@ -1,0 +1,86 @@
+"""Why the selected robot stands still: reasons as they hold at this moment, and the keys that help."""
+
+from collections.abc import Callable, Mapping
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.content import Content
+from textual.timer import Timer
+from textual.widgets import Static
+
+from fleet_tui.keys import KEYS
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.screens.overlay import Overlay
+from fleet_tui.view.text import visible
+from fleet_tui.view.why_lines import why_lines
+from fleet_tui.widgets.bindings import bindings
+
+STAYS_OPEN = frozenset({"resume", "pause", "pause_all", "next_robot", "previous_robot"}) | {
+    f"robot_{n}" for n in range(1, 10)
+}
+"""The keys after which the panel shows what has come of them."""
+
+HELPS = STAYS_OPEN | {"order", "cancel", "clear", "centre"}
+_ACTIONS = {key.id: key.action for key in KEYS if key.id in HELPS}
+EVERY = 0.1  # seconds between two looks, as in the panes
+
+
+class Why(Overlay, can_focus=True):
+    """The keys that help work in here as they do outside."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *(
+            Binding(binding.key, f"help_it('{binding.id}')", show=False, id=binding.id)
+            for binding in bindings("console")
+            if isinstance(binding, Binding) and binding.id in HELPS
+        ),
+        *(
+            Binding(binding.key, "close", show=False, id=binding.id)
+            for binding in bindings("console")
+            if isinstance(binding, Binding) and binding.id in ("why", "back", "quit")
+        ),
+    ]
+
+    def __init__(
+        self, looked_at: Callable[[], tuple[FleetState, str]], keys: Mapping[str, tuple[str, ...]]
+    ) -> None:
+        super().__init__(id="why")
+        self._looked_at, self._keys = looked_at, keys
+        self._shown: list[str] = []
+        self._timer: Timer | None = None
+
+    def compose(self) -> ComposeResult:
+        """Only text."""
+        yield Static(id="reasons", markup=False)
+
+    def show(self) -> None:
+        """Open on the selected robot."""
+        self._shown = []
+        self.look()
+        self.open(self)
+        if self._timer is None:
+            self._timer = self.set_interval(EVERY, self._tick)
+
+    def _tick(self) -> None:
+        if self.is_open:
+            self.look()
+        elif self._timer is not None:
+            self._timer.stop()
+            self._timer = None
+
+    def look(self) -> None:
+        """Show what holds now."""
+        state, name = self._looked_at()
+        self.border_title = Content(f"Why does {visible(name)} stand still?")
+        lines = why_lines(state, state.robots[name], self._keys)
+        if lines != self._shown:
+            self._shown = lines
+            self.query_one("#reasons", Static).update("\n".join(lines))
+
+    async def action_help_it(self, id_: str) -> None:
+        """Do what the key does everywhere."""
+        if id_ not in STAYS_OPEN:
+            self.action_close()
+        await self.screen.run_action(_ACTIONS[id_])
+        self.look()
