@@ -16,7 +16,10 @@ ROBOT_WIDTH = 0.8
 """Metres beside the line of a way within which a robot stands on it."""
 
 VERTICES_AHEAD = 2
-"""How many vertices of its way a robot may have to wait for."""
+"""How many vertices of its way are looked at."""
+
+NEAR = 4.0
+"""Metres within which a robot keeps its distance; at a vertex it also waits for the whole next edge."""
 
 Point = tuple[float, float]
 
@@ -79,7 +82,7 @@ def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
     for other in state.robots.values():
         if other is not robot and _same_frame(state, robot, other) and other.pose is not None:
             at = _along(points, (other.pose.value.x, other.pose.value.y))
-            if at is not None:
+            if at is not None and (at[0] < NEAR or (at[1] == 0 and vertex_here(robot) is not None)):
                 found.append(InTheWay(other, at[0], way[at[1]]))
     return min(found, key=lambda one: one.ahead, default=None)
 

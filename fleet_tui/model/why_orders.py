@@ -105,6 +105,6 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
     if order is None:
         return None
     since = stands_since(robot)
-    evidence = f"{mission(robot, order)}, is current, and no report tells why it does not drive"
+    evidence = f"nothing tells why it does not drive {mission(robot, order)}"
     keys = ("centre", "clear")
     return Reason("no reason is reported", evidence, Strength.POSSIBLE, since, keys=keys)

@@ -1,0 +1,106 @@
+"""`w`: the panel on the selected robot, live, and the keys in it."""
+
+import msgspec
+import pytest
+
+from fleet_tui.screens.confirm import Confirm
+from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.screens.why import Why
+from fleet_tui.simulator.faults import parse_faults, play
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.console_pilot import Console, console
+from tests.watched import config_of
+
+
+def plant(server: RosbridgeServer, faults: str) -> None:
+    play(server, parse_faults(faults, server.world.robots))
+
+
+def is_open(it: Console) -> bool:
+    return it.app.main.query_one(Why).is_open
+
+
+@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+async def test_it_names_the_cause_and_its_key_does_the_fix(
+    server: RosbridgeServer, size: tuple[int, int]
+) -> None:
+    plant(server, "paused:robot_0")
+    async with console(config_of(server.url, 2, 2), size) as it:
+        await it.press("w")
+        await it.shows("Why does robot_0 stand still?")
+        await it.shows("▶ likeliest: paused  (certain)")
+        await it.shows("r  Resume the selected robot, at once")
+        await it.press("r")
+        await it.shows("▶ likeliest: no orders")
+        assert [service for service, _ in server.calls] == ["/robot_0/Application_layout/Resume"]
+        await it.press("escape")
+        await it.hides("Why does robot_0")
+
+
+async def test_it_is_live_and_goes_with_the_robot(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("w")
+        await it.shows("▶ likeliest: no orders")
+        plant(server, "obstacle:robot_0,paused:robot_1")
+        await it.shows("▶ likeliest: obstacle")
+        await it.press("]")
+        await it.shows("Why does robot_1 stand still?")
+        await it.shows("▶ likeliest: paused")
+        await it.press("1")
+        await it.shows("Why does robot_0 stand still?")
+        await it.press("w")
+        await it.hides("Why does")
+
+
+async def test_order_and_clear_open_what_they_open_elsewhere(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("w", "o")
+        await it.shows("Receiving  (")
+        assert it.app.main.query_one(OrderForm).is_open and not is_open(it)
+        await it.type("Base")
+        await it.press("enter")
+        await it.type("Store")
+        await it.press("enter")
+        await it.until(lambda state: state.robots["robot_0"].orders.orders)
+        await it.press("w", "X")
+        await it.shows("Clear all 1 orders of robot_0?")
+        assert it.app.main.query_one(Confirm).is_open and not is_open(it)
+        await it.press("n")
+        assert len(server.calls) == 1
+
+
+async def test_a_pause_reaches_through_it(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("w", "f12")
+        await it.until(lambda _: len(server.calls) == 2)
+        await it.press("P")
+        await it.until(lambda _: len(server.calls) == 4)
+        await it.shows("it says so; the pause came from here")
+        assert is_open(it)
+
+
+async def test_other_keys_do_nothing_in_it(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("w", "s", "m", "*", "A", "}")
+        assert is_open(it)
+        assert server.calls == []
+
+
+async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
+    plant(server, "paused:robot_0")
+    config = msgspec.structs.replace(config_of(server.url, 1), keys={"why": "W", "resume": "f5"})
+    async with console(config) as it:
+        await it.press("W")
+        await it.shows("f5  Resume")
+        await it.press("f5")
+        await it.shows("▶ likeliest: no orders")
+        await it.press("W")
+        await it.hides("Why does")
+
+
+async def test_the_robots_menu_has_it(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("tab", "enter")
+        await it.shows("Why does it stand still?")
+        await it.press("j", "enter")
+        await it.shows("▶ likeliest: no orders")

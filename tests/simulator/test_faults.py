@@ -1,0 +1,166 @@
+"""Faults on request: they are named right, and the simulator does what they say."""
+
+import asyncio
+import json
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from typing import Any
+
+import pytest
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed
+
+from fleet_tui.errors import ConfigError
+from fleet_tui.simulator import faults
+from fleet_tui.simulator.faults import FAULTS, FLAT, JUMP, parse_faults, play
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
+
+NAMES = ["robot_0", "robot_1"]
+ORDER = "/robot_0/Application_layout/Execute_order"
+
+
+def test_a_fault_is_every_robots_or_one_robots() -> None:
+    assert parse_faults("", NAMES) == []
+    assert parse_faults("stuck, late:robot_1", NAMES) == [
+        ("stuck", "robot_0"),
+        ("stuck", "robot_1"),
+        ("late", "robot_1"),
+    ]
+
+
+def test_every_wrong_name_is_answered_with_the_nearest() -> None:
+    with pytest.raises(ConfigError) as raised:
+        parse_faults("obstcle,stuck:robt_1,refuse", NAMES)
+    assert raised.value.problems == [
+        "--fault obstcle: no such fault, did you mean obstacle?",
+        "--fault stuck:robt_1: no such robot, did you mean robot_1?",
+    ]
+    with pytest.raises(ConfigError, match="no such fault: refuse, late, "):
+        parse_faults("zzz", NAMES)
+
+
+def planted(name: str) -> World:
+    """robot_0 with the fault and an order to drive, robot_1 without either."""
+    server = RosbridgeServer(World(2, 1, seed=1, quiet=True))
+    play(server, parse_faults(f"{name}:robot_0", server.world.robots))
+    args = {"request_id": 1, "initial_point": 19, "end_point": 0}
+    if name != "silent":
+        server.answer({"service": ORDER, "args": args})
+    return server.world
+
+
+@pytest.mark.parametrize("name", ["obstacle", "stuck", "paused"])
+def test_a_robot_that_is_held_stays_where_it_is(name: str) -> None:
+    world = planted(name)
+    robot = world.robots["robot_0"]
+    at = robot.pose.x, robot.pose.y
+    world.step(120)
+    assert (robot.pose.x, robot.pose.y) == at
+    assert robot.orders
+    assert robot.obstacle == pytest.approx(120 if name == "obstacle" else 0.0, abs=0.1)
+    assert robot.current_order_id == (1 if name == "stuck" else -1)
+
+
+def test_a_pause_ends_with_a_resume() -> None:
+    world = planted("paused")
+    world.answer("/robot_0/Application_layout/Resume", {})
+    world.step(200)
+    assert not world.robots["robot_0"].orders
+
+
+def test_the_other_faults_of_a_robot() -> None:
+    world = planted("battery")
+    world.step(5)
+    assert world.robots["robot_0"].battery <= FLAT < world.robots["robot_1"].battery
+    world = planted("silent")
+    world.step(3600)
+    assert world.robots["robot_0"].silence > 0.0
+    world = planted("restart")
+    world.step(1)
+    assert world.robots["robot_0"].last_order_id == 1
+    world.step(2)
+    assert (world.robots["robot_0"].orders, world.robots["robot_0"].last_order_id) == ([], 0)
+
+
+def test_a_lost_robot_jumps_to_and_fro_and_gets_nowhere() -> None:
+    world = planted("jumping")
+    robot = world.robots["robot_0"]
+    seen = []
+    for _ in range(20):
+        world.step(0.5)
+        seen.append(robot.pose.x)
+    assert max(seen) - min(seen) == pytest.approx(JUMP)
+    assert len({round(x, 6) for x in seen}) == 2
+
+
+@asynccontextmanager
+async def served(name: str) -> AsyncIterator[tuple[RosbridgeServer, ClientConnection]]:
+    server = RosbridgeServer(World(1, 1, seed=1, quiet=True))
+    play(server, parse_faults(name, server.world.robots))
+    await server.start()
+    async with connect(server.url) as client:
+        args = {"request_id": 1, "initial_point": 19, "end_point": 0}
+        call = {"op": "call_service", "id": "call:1", "service": ORDER, "args": args}
+        await client.send(json.dumps(call))
+        await client.send(json.dumps({"op": "call_service", "id": "after", "service": "/rosapi/get_time"}))
+        yield server, client
+    await server.stop()
+
+
+async def answers(client: ClientConnection) -> list[dict[str, Any]]:
+    """What came for the order until the call behind it was answered."""
+    found = []
+    while (answer := json.loads(await client.recv()))["id"] != "after":
+        found.append(answer)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("name", "ids", "carried_out"),
+    [
+        ("refuse", ["call:1"], 0),
+        ("late", [], 1),
+        ("twice", ["call:1", "call:1"], 1),
+        ("never", [], 0),
+        ("wrong-id", ["not-call:1"], 1),
+    ],
+)
+async def test_faults_of_the_answer(name: str, ids: list[str], carried_out: int) -> None:
+    async with served(name) as (server, client):
+        came = await answers(client)
+        assert [answer["id"] for answer in came] == ids
+        assert len(server.world.robots["robot_0"].orders) == carried_out
+        if name == "refuse":
+            assert came[0]["values"]["status"].startswith("REJECTED")
+
+
+async def test_a_late_answer_comes_in_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(faults, "LATE", 0.2)
+    async with served("late") as (_, client):
+        assert await answers(client) == []
+        async with asyncio.timeout(10):
+            assert json.loads(await client.recv())["id"] == "call:1"
+
+
+async def test_a_dropped_connection_was_no_dropped_order() -> None:
+    async with served("drop") as (server, client):
+        with pytest.raises(ConnectionClosed):
+            await answers(client)
+        assert len(server.world.robots["robot_0"].orders) == 1
+
+
+async def test_a_stale_pose_stays_away_and_the_rest_comes() -> None:
+    server = RosbridgeServer(World(1, 1, seed=1, quiet=True))
+    play(server, parse_faults("stale", server.world.robots))
+    await server.start()
+    async with connect(server.url) as client:
+        for topic in ("pose", "battery"):
+            await client.send(json.dumps({"op": "subscribe", "topic": f"/robot_0/{topic}"}))
+        came = {json.loads(await client.recv())["topic"] for _ in range(4)}
+    await server.stop()
+    assert came == {"/robot_0/battery"}
+
+
+def test_every_fault_says_what_it_does() -> None:
+    assert all(text for text, _ in FAULTS.values())

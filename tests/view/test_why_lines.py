@@ -1,0 +1,81 @@
+"""The panel's text: since when, what, how likely, how old, and which key helps."""
+
+from fleet_tui.keys import keymap
+from fleet_tui.model.events import CargoReported, PoseReported
+from fleet_tui.model.geometry import Pose
+from fleet_tui.view.why_lines import SHOWN, why_lines
+from tests.fleets import R0, T0, fleet, graph, labels, link_up, pose, queue, tick, told
+from tests.planted import Planted
+
+KEYS, _ = keymap({})
+REMAPPED, _ = keymap({"resume": "f5", "clear": "ctrl+x"})
+
+
+def text(planted: Planted, keys: dict[str, tuple[str, ...]] = KEYS) -> str:
+    return "\n".join(why_lines(planted.state, planted.robot, keys))
+
+
+PAUSED_AND_BLOCKED = """\
+It has not moved for 6 s.
+
+▶ likeliest: paused  (certain)
+    it says so; it came from elsewhere
+    reported 0.4 s ago
+    r  Resume the selected robot, at once
+
+  2. obstacle 5.7 s  (certain)
+    it is in contact with something: its way must be cleared there
+    for 6 s, reported 0.4 s ago
+    c  Centre on the selected robot, once
+
+  3. no orders  (certain)
+    its queue is empty: it waits for one
+    reported 0.4 s ago
+    o  Order form for the selected robot"""
+
+
+def test_paused_and_blocked() -> None:
+    assert text(Planted("paused:robot_0,obstacle:robot_0").run(6)) == PAUSED_AND_BLOCKED
+
+
+def test_a_robot_that_is_gone() -> None:
+    planted = Planted().run(3)
+    planted.plant("silent:robot_0")
+    assert (
+        text(planted.run(20))
+        == """\
+Its last known place is 20 s old.
+
+▶ likeliest: offline 20 s  (certain)
+    nothing comes from it, though the link is up
+    for 20 s
+
+  2. no orders  (possible)
+    its queue is empty: it waits for one
+    reported 20.4 s ago
+    o  Order form for the selected robot"""
+    )
+
+
+def test_remapped_keys_are_shown() -> None:
+    lines = text(Planted("paused:robot_0").run(3), REMAPPED)
+    assert "    f5  Resume the selected robot, at once" in lines
+
+
+def test_what_the_wire_says_is_only_text_and_there_is_an_end_to_it() -> None:
+    state = told(
+        fleet(2),
+        link_up(T0),
+        graph(1, 2, 3),
+        labels({1: "\x1b[2JBase", 3: "[red]x"}),
+        pose(T0),
+        PoseReported("robot_1", T0, Pose(1.0, 0.0), "floor_0", None),
+        CargoReported(R0, T0, False),
+        queue(T0, (1, 1, 3, "W"), current=1),
+        tick(T0 + 3),
+    )
+    lines = why_lines(state, state.robots[R0], KEYS)
+    assert "▶ likeliest: loading at ␛[2JBase  (likely)" in lines
+    assert "    for order 1, ␛[2JBase -> [red]x" in lines
+    assert all(line.isprintable() for line in lines)
+    assert sum(line.startswith(("▶", "  2", "  3", "  4", "  5")) for line in lines) <= SHOWN
