@@ -126,11 +126,11 @@ class CommandActions(Screen[None], inherit_bindings=False):
             f"{robot}: {visible(fault)}" if fault else robot,
             [
                 ("Order", lambda: self._for(robot, self.action_order)),
-                ("Why does it stand still?", lambda: self._for(robot, self.action_why)),
                 ("Pause", lambda: self._for(robot, self.action_pause)),
                 ("Resume", lambda: self._for(robot, self.action_resume)),
                 ("Clear all orders", lambda: self._for(robot, self.action_clear)),
                 ("Show on the map", lambda: self.find_robot(robot)),
+                ("Why does it stand still?", lambda: self._for(robot, self.action_why)),
             ],
         )
 

@@ -102,5 +102,5 @@ async def test_the_robots_menu_has_it(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("tab", "enter")
         await it.shows("Why does it stand still?")
-        await it.press("j", "enter")
+        await it.press("j", "j", "j", "j", "j", "enter")
         await it.shows("▶ likeliest: no orders")
