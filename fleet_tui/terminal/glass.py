@@ -126,6 +126,7 @@ class Glass:
         named = list(self._looks)
         clusters = list(self._clusters)
         text = np.where(codes < _CLUSTERS, codes, ord("?")).tobytes().decode("utf-32-le", "replace")
+        plain = ONE_CELL_EACH.fullmatch(text) and codes.max() < _CLUSTERS
         out, look, cursor = [], PLAIN, -1
         ends = [*starts[1:], len(text)]
         first = zip(places[starts].tolist(), codes[starts].tolist(), looks[starts].tolist(), strict=True)
@@ -137,7 +138,7 @@ class Glass:
             # Terminals disagree about the width of what is not plain: name the next place outright.
             # The last column too: there the cursor waits beside the screen.
             cursor = place + end - start
-            if cursor % width == 0 or not ONE_CELL_EACH.fullmatch(out[-1]):
+            if cursor % width == 0 or not (plain or ONE_CELL_EACH.fullmatch(out[-1])):
                 cursor = -1
         if look != PLAIN:
             out.append(RESET)

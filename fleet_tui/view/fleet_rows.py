@@ -119,7 +119,7 @@ def fleet_table(state: FleetState, selected: str, width: int) -> Table:
     online = sum(state.is_online(robot) for robot in robots)
     numbers = len(str(len(robots)))
     names = column((robot.name for robot in robots), 6, 14)
-    floors = column((floor_text(state, robot) for robot in robots), 5, 13)
+    floors = column({floor_text(state, robot) for robot in robots}, 5, 13)
 
     def row(place: int) -> Row:
         robot = robots[place]

@@ -89,6 +89,13 @@ def test_wide_and_combined_characters_come_and_go_whole(texts: Iterable[str]) ->
         assert screen.display == other.display
 
 
+def test_after_what_may_be_wider_on_a_terminal_the_next_place_is_named_outright() -> None:
+    pane = glass(6)
+    put(pane, 0, "......")
+    assert put(pane, 0, "e\u0301.x...") == "\x1b[1;1He\u0301\x1b[1;3Hx"
+    assert put(pane, 0, "漢y...") == "\x1b[1;1H漢\x1b[1;3Hy"
+
+
 def test_what_lies_over_half_a_wide_character_takes_the_other_half_too() -> None:
     pane = glass(6)
     put(pane, 0, "a漢bcd")
