@@ -60,10 +60,13 @@ class Room:
         middle = x - cells // 2
         right, left = x + 2, x - 1 - cells
         beside = ((right, y), (left, y), (middle, y - 1), (middle, y + 1))
+        shifted = ((x, y - 1), (x, y + 1), (x + 1 - cells, y - 1), (x + 1 - cells, y + 1))
         corners = ((right, y - 1), (right, y + 1), (left, y - 1), (left, y + 1))
-        free = [spot for spot in beside if self._apart(*spot, cells)]
-        free = free or [spot for spot in corners if self._apart(*spot, cells)]
-        if not free:
+        for spots in (beside, shifted, corners):
+            free = [spot for spot in spots if self._apart(*spot, cells)]
+            if free:
+                break
+        else:
             return None
         column, row = min(free, key=lambda spot: _hidden(inks[spot[1], spot[0] : spot[0] + cells]))
         self.take(column, row, cells)

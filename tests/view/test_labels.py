@@ -104,6 +104,13 @@ def test_a_tag_covers_a_label_only_where_nothing_else_is_free(
         assert not any(before.free(*place, 2) for place in near)
 
 
+def test_a_label_at_the_rim_ends_above_its_vertex_not_beside_the_neighbours() -> None:
+    room, ground = Room(WIDTH, HEIGHT), np.full((HEIGHT, WIDTH), Ink.FLOOR, np.uint8)
+    for x in (WIDTH - 6, WIDTH - 2):
+        room.take(x, 4, 1)
+    assert room.label_spot(WIDTH - 2, 4, "Consumidores", ground) == (WIDTH - 13, 3)
+
+
 def test_where_all_is_labels_a_number_covers_one() -> None:
     assert Room(WIDTH, HEIGHT, np.full((HEIGHT, WIDTH), Ink.LABEL, np.uint8)).tag_spot(9, 4, 1, 2)
 
