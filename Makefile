@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test lint types unit bench picture lock format clean
+.PHONY: demo test lint types unit bench soak picture lock format clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -25,6 +25,9 @@ unit: $(READY)
 bench: $(READY)
 	@$(BIN)/pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[bench]' || echo "measuring without the others"
 	@$(BIN)/python -m tests.bench --json docs/performance.json
+
+soak: $(READY)
+	@$(BIN)/python -m tests.bench.soak --minutes $(or $(MINUTES),10)
 
 format: $(READY)
 	@$(BIN)/ruff format .

@@ -13,6 +13,8 @@ from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot, hear, take_chart, with_fault
 
 COMMANDS_KEPT = 200
+LIVE_CELLS_KEPT = 16_000_000
+"""Cells of live maps: one robot's map is looked at, and asked for again when another's was."""
 
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
@@ -90,6 +92,21 @@ def _advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetS
     return _with_record(state, record)
 
 
+def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
+    """Of the other live maps none is kept where all would be too much."""
+    grids = [chart.grid for robot in state.robots.values() for chart in robot.charts.values() if chart.grid]
+    cells = sum(grid.frame.width * grid.frame.height for grid in [event.grid, *grids])
+    if cells <= LIVE_CELLS_KEPT:
+        return state
+    robots = {
+        name: replace(
+            robot, charts={floor: replace(chart, grid=None) for floor, chart in robot.charts.items()}
+        )
+        for name, robot in state.robots.items()
+    }
+    return replace(state, robots=robots)
+
+
 def _apply_to_robot(
     state: FleetState, event: events.Telemetry | events.ChartReceived | events.MessageRejected
 ) -> FleetState:
@@ -99,10 +116,11 @@ def _apply_to_robot(
     match event:
         case events.MessageRejected():
             return _with_robot(state, with_fault(robot, event.text))
-        case (
-            events.FrameReceived() | events.GraphReceived() | events.LabelsReceived() | events.GridReceived()
-        ):
+        case events.FrameReceived() | events.GraphReceived() | events.LabelsReceived():
             return _with_robot(state, take_chart(robot, event))
+        case events.GridReceived():
+            state = _forget_grids(state, event)
+            return _with_robot(state, take_chart(state.robots[event.robot], event))
         case events.PoseReported():
             robot = hear(robot, event)
             return _with_robot(state, replace(robot, floor=_floor_with(state, robot.frame_id)))

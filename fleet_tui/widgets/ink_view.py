@@ -60,6 +60,8 @@ class InkView(Widget):
 
     def render_lines(self, crop: Region) -> list[Strip]:
         """The rows as they are kept: past the cache that would wrap each of them anew."""
+        # Textual notes what was to be painted until it has rendered the widget itself, which it never does.
+        self._dirty_regions.clear()
         if crop.x == 0 and crop.size == self.size and crop.height == len(self._strips):
             return self._strips  # all of them, each as wide as the widget
         return [self.render_line(y).crop(crop.x, crop.right) for y in range(crop.y, crop.bottom)]

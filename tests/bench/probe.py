@@ -24,7 +24,15 @@ from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.widgets.map_view import MapView
 
 BEAT = 0.002
-noted: dict[str, list[Any]] = {"handler": [], "write": [], "tick": [], "pose": [], "beat": [], "map": []}
+noted: dict[str, list[Any]] = {
+    "handler": [],
+    "write": [],
+    "tick": [],
+    "pose": [],
+    "beat": [],
+    "map": [],
+    "task": [],
+}
 
 
 def after(owner: type[Any], name: str, note: Callable[..., None]) -> None:
@@ -108,11 +116,22 @@ def beats() -> None:
     after(MainScreen, "tick", ticked)
 
 
+def tasks() -> None:
+    """How many tasks the screen's loop has, once a second."""
+
+    async def count() -> None:
+        while True:
+            noted["task"].append(len(asyncio.all_tasks()))
+            await asyncio.sleep(1.0)
+
+    after(FleetApp, "on_ready", lambda app: app.run_worker(count()))
+
+
 def main() -> None:
     path, *wanted = sys.argv[1 : sys.argv.index("--")]
     sys.argv = ["fleet-tui", *sys.argv[sys.argv.index("--") + 1 :]]
     for name in wanted:
-        {"stock": stock, "keys": keys, "poses": poses, "beats": beats}[name]()
+        {"stock": stock, "keys": keys, "poses": poses, "beats": beats, "tasks": tasks}[name]()
     try:
         fleet_tui()
     finally:

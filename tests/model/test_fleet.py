@@ -37,6 +37,19 @@ def alarms(state: FleetState) -> dict[tuple[str, str], Alarm]:
     return {alarm.key: alarm for alarm in state.alarms}
 
 
+def test_live_maps_of_many_robots_do_not_add_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("fleet_tui.model.apply.LIVE_CELLS_KEPT", 4)
+    names = ["robot_0", "robot_1", "robot_2"]
+    state = told(fleet(3, 2), *(events.GridReceived(name, F0, GRID) for name in names[:2]))
+    held = [name for name in names if state.robots[name].charts[F0].grid]
+    assert held == ["robot_0", "robot_1"]
+    state = told(state, events.GridReceived("robot_1", "floor_1", GRID))
+    kept = {
+        (name, floor) for name in names for floor, chart in state.robots[name].charts.items() if chart.grid
+    }
+    assert kept == {("robot_1", "floor_1")}
+
+
 def test_every_value_lands_in_its_place_with_its_time() -> None:
     state = told(
         fleet(),

@@ -1,0 +1,85 @@
+"""The console at work for as long as asked: does anything grow, does it get slower?
+
+100 robots, 1,800 messages a second, a key now and then. Run: python -m tests.bench.soak --minutes 10
+"""
+
+import argparse
+import json
+import statistics
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from itertools import cycle
+from pathlib import Path
+
+from tests.bench.in_pty import Terminal, console, simulator
+
+ROBOTS = 100
+SETTLES = 5.0
+"""Seconds until caches are warm; of a longer run the first minute."""
+KEYS = "+t]m}-e*v{h]m0[m"
+
+
+@dataclass(frozen=True)
+class Sample:
+    """The console's process at one moment; `answer` is how long it took to say something to a key."""
+
+    at: float
+    megabytes: float
+    threads: int
+    files: int
+    answer: float
+
+
+def look(terminal: Terminal, started: float, key: str) -> Sample:
+    """One sample, with one key pressed for it."""
+    proc = Path(f"/proc/{terminal.pid}")
+    threads, files = len(list((proc / "task").iterdir())), len(list((proc / "fd").iterdir()))
+    chunks, pressed = len(terminal.chunks), terminal.press(key)
+    while len(terminal.chunks) == chunks and time.monotonic() - pressed < 2.0:
+        time.sleep(0.0005)
+    answer = terminal.chunks[-1][0] - pressed
+    return Sample(time.monotonic() - started, terminal.megabytes(), threads, files, answer)
+
+
+def soak(seconds: float, robots: int = ROBOTS) -> tuple[list[Sample], list[int]]:
+    """Samples, one a second, and how many asyncio tasks there were at each."""
+    with tempfile.TemporaryDirectory() as folder, simulator(robots) as url:
+        tasks = Path(folder) / "tasks.json"
+        with console(url, robots, [str(tasks), "tasks"]) as terminal:
+            terminal.wait_for(f"{robots} of {robots} online")
+            started, keys, samples = time.monotonic(), cycle(KEYS), []
+            while time.monotonic() - started < seconds:
+                samples.append(look(terminal, started, next(keys)))
+                time.sleep(1.0)
+        return samples, json.loads(tasks.read_text())["task"]
+
+
+def growth(samples: list[Sample]) -> float:
+    """MB a minute after settling, as the line through the samples has it."""
+    settled = [one for one in samples if one.at > min(60.0, max(SETTLES, samples[-1].at / 3))]
+    slope, _ = statistics.linear_regression([one.at for one in settled], [one.megabytes for one in settled])
+    return slope * 60
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--minutes", type=float, default=10.0)
+    samples, tasks = soak(parser.parse_args().minutes * 60)
+    print("    min     MB  threads  files  tasks  answer ms")
+    for one, count in list(zip(samples, tasks, strict=False))[:: max(1, len(samples) // 30)]:
+        answer, minutes = one.answer * 1000, one.at / 60
+        print(
+            f"{minutes:7.1f} {one.megabytes:6.1f} {one.threads:8d} {one.files:6d} {count:6d} {answer:10.1f}"
+        )
+    third = len(samples) // 3 or 1
+    early, late = (
+        statistics.median(one.answer for one in part) for part in (samples[:third], samples[-third:])
+    )
+    print(f"memory {growth(samples):+.2f} MB a minute; answer {early * 1000:.1f} -> {late * 1000:.1f} ms")
+    sys.exit(0)
+
+
+if __name__ == "__main__":
+    main()
