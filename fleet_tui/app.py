@@ -5,7 +5,6 @@ import logging
 import signal
 import time
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
 from textual.binding import BindingType
@@ -19,12 +18,10 @@ from fleet_tui.model.events import Event
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.store import Store
 from fleet_tui.terminal.annunciator import Annunciator
-from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.terminal.paint_first import PaintFirst
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.drawing import Drawing
-from fleet_tui.view.layers import Look
 from fleet_tui.widgets.bindings import bindings, textual_keymap
-from fleet_tui.widgets.ink_view import InkView
 
 if TYPE_CHECKING:
     from fleet_tui.link.fleet_link import FleetLink
@@ -37,8 +34,8 @@ def clock(wall: float) -> str:
     return time.strftime("%H:%M:%S", time.localtime(wall)) if wall else ""
 
 
-class FleetApp(LeanApp, inherit_bindings=False):
-    """The console. The link is made after the first paint: importing it takes longer than drawing."""
+class FleetApp(PaintFirst, inherit_bindings=False):
+    """The console. The link is made last: importing it takes longer than painting."""
 
     TITLE = "fleet-tui"
     CSS_PATH = "fleet.tcss"
@@ -54,7 +51,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         colour: bool = True,
     ) -> None:
         # Without colour Textual must leave the terminal's own, or it sends greys.
-        super().__init__(ansi_color=not colour)
+        super().__init__(Theme(**themes[config.ui.theme].textual()), ansi_color=not colour)
         self._config, self._themes = config, themes
         self._drawing, self._colour = drawing, colour
         self.store = store
@@ -64,6 +61,8 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self.main.read_only, self.main.armed = config.operator.read_only, config.operator.armed
         self.main.announce = Annunciator(config.alarms, self.call).look
         self.main.themes = {name: partial(self.use_theme, name) for name in themes}
+        self.main.filled = self.show_first
+        self.main.set_inks(themes[config.ui.theme].styles(colour))
         # Only what differs: Textual goes through the whole keymap at every key.
         self.set_keymap(textual_keymap({id_: keys[id_] for id_ in config.keys if id_ in keys}))
 
@@ -71,17 +70,19 @@ class FleetApp(LeanApp, inherit_bindings=False):
         """The one screen; everything else opens over its map."""
         return self.main
 
-    def on_ready(self) -> None:
+    async def on_ready(self) -> None:
         """Paint first, then connect."""
-        for theme in self._themes.values():
-            self.register_theme(Theme(**theme.textual()))
-        self.use_theme(self._config.ui.theme)
-        self.main.map.look = Look(drawing=self._drawing)
-        self.main.tick()
-        self.set_interval(1 / self._config.ui.ticks_per_second, self.main.tick)
-        self.call_after_refresh(self._connect)
         for name in (signal.SIGTERM, signal.SIGHUP):
             asyncio.get_running_loop().add_signal_handler(name, self.exit)
+        await self.stand()
+        self.set_interval(1 / self._config.ui.ticks_per_second, self.main.tick)
+        self.call_after_refresh(self._connect)
+
+    async def furnish(self) -> None:
+        """The map, and what opens over the panes."""
+        await self.main.furnish(self._drawing)
+        self.use_theme(self._config.ui.theme)
+        self.main.tick()
 
     def _connect(self) -> None:
         self.run_worker(self._open_link, thread=True, exit_on_error=False)
@@ -104,7 +105,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
 
         for floor in self._config.floors:
             if floor.map:
-                path: Path = map_path(self._config, floor.map)
+                path = map_path(self._config, floor.map)
                 link.tell(load_floor_map(floor.name, path, self._config.profile.origin == "added"))
 
     def submit(self, command: Command) -> None:
@@ -131,10 +132,9 @@ class FleetApp(LeanApp, inherit_bindings=False):
     def use_theme(self, name: str) -> None:
         """Change every colour, at once."""
         theme = self._themes[name]
+        self.register_theme(Theme(**theme.textual()))
         self.theme = f"fleet-{name}"
-        styles = theme.styles(self._colour)
-        for view in self.main.query(InkView):
-            view.set_inks(styles)
+        self.main.set_inks(theme.styles(self._colour))
 
     def action_help(self) -> None:
         """Help, also while typing."""

@@ -3,6 +3,7 @@
 What needs the screen or the simulator is imported where it is used: `check` answers without them.
 """
 
+import gc
 import os
 import sys
 from collections.abc import Callable
@@ -89,6 +90,7 @@ def commands(
     Without a command it opens the console. `fleet-tui demo` shows it with simulated robots.
     """
     if ctx.invoked_subcommand is None:
+        gc.disable()  # until the first paint: it would go through all that is imported again and again
         from fleet_tui.console import open_console
 
         open_console(load(find(config_file)), read_only, drawing, debug)

@@ -2,15 +2,18 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
+from typing import TYPE_CHECKING
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.screens.command_actions import CommandActions
-from fleet_tui.screens.menu import Entry, Menu
 from fleet_tui.view.alarm_rows import alarm_table, unacknowledged
 from fleet_tui.view.text import visible
 from fleet_tui.widgets.rows_pane import RowsPane
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.menu import Entry
 
 SHOWN = 3
 """Robots of a group that its menu can go to."""
@@ -52,15 +55,15 @@ class AlarmActions(CommandActions):
             self.say(f"the alarm of {source} is over")
             return
         title = f"{source}: {visible(alarm.text)}"
-        self.query_one(Menu).show(title, [*self._ways_to(alarm), *self._answers(alarm)])
+        self.menu.show(title, [*self._ways_to(alarm), *self._answers(alarm)])
 
-    def _ways_to(self, alarm: Alarm) -> Iterator[Entry]:
+    def _ways_to(self, alarm: Alarm) -> "Iterator[Entry]":
         """To the robot, or to some of a group."""
         whose = {alarm.condition.source, *alarm.condition.parts}
         for name in [name for name in self.state.robots if name in whose][:SHOWN]:
             yield f"Show {name} on the map", partial(self.find_robot, name)
 
-    def _answers(self, alarm: Alarm) -> Iterator[Entry]:
+    def _answers(self, alarm: Alarm) -> "Iterator[Entry]":
         if alarm.needs_acknowledgement:
             key = " ".join(self.keys["acknowledge"])
             yield f"Acknowledge ({key})", partial(self.tell, AlarmAcknowledged(*alarm.key))

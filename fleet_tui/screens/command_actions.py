@@ -1,6 +1,7 @@
 """The commands of the main screen: from a key or a button to a Command."""
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from textual.screen import Screen
 
@@ -14,17 +15,19 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.lookup import Place
-from fleet_tui.screens.confirm import Confirm
-from fleet_tui.screens.menu import Menu
-from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.screens.why import Why
 from fleet_tui.store import Store
 from fleet_tui.view.fleet_rows import mission
 from fleet_tui.view.selection import Selection
 from fleet_tui.view.text import visible
 from fleet_tui.widgets.bindings import EAGER
 from fleet_tui.widgets.rows_pane import RowsPane
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.confirm import Confirm
+    from fleet_tui.screens.menu import Menu
+    from fleet_tui.screens.order_form import OrderForm
+    from fleet_tui.screens.why import Why
 
 
 class CommandActions(Screen[None], inherit_bindings=False):
@@ -35,6 +38,10 @@ class CommandActions(Screen[None], inherit_bindings=False):
     tell: Callable[[Event], None]
     selection: Selection
     queue: RowsPane
+    order_form: "OrderForm"
+    confirm: "Confirm"
+    menu: "Menu"
+    why: "Why"
 
     @property
     def state(self) -> FleetState:
@@ -47,7 +54,7 @@ class CommandActions(Screen[None], inherit_bindings=False):
 
     def action_order(self) -> None:
         """Open the order form for the selected robot."""
-        self.query_one(OrderForm).start(self.selection.robot)
+        self.order_form.start(self.selection.robot)
 
     def order_at(self, vertex: int, floor: str) -> None:
         """Open the order form for a vertex chosen on the map, if it is one of the robot's own graph."""
@@ -57,7 +64,7 @@ class CommandActions(Screen[None], inherit_bindings=False):
         if name is None:
             self.say(f"{robot.name} knows no vertex {vertex} on {floor}")
         else:
-            self.query_one(OrderForm).start(robot.name, Place(vertex, name, floor))
+            self.order_form.start(robot.name, Place(vertex, name, floor))
 
     def action_cancel(self) -> None:
         """Cancel the order under the queue's cursor, after asking."""
@@ -78,7 +85,7 @@ class CommandActions(Screen[None], inherit_bindings=False):
             self.say(f"order id {order_id} would mean all orders to the robot: use clear for that")
             return
         lines = [f"Cancel order {order_id} of {robot_name}?", mission(robot, order)]
-        self.query_one(Confirm).ask(lines, lambda: self.submit(CancelOrder(robot_name, order_id)))
+        self.confirm.ask(lines, lambda: self.submit(CancelOrder(robot_name, order_id)))
 
     def action_clear(self) -> None:
         """Clear all orders of the selected robot, after asking."""
@@ -90,7 +97,7 @@ class CommandActions(Screen[None], inherit_bindings=False):
         lost = [f"  {order.id}  {mission(robot, order)}" for order in orders[:6]]
         more = [f"  and {len(orders) - 6} more"] if len(orders) > 6 else []
         lines = [f"Clear all {len(orders)} orders of {robot.name}?", *lost, *more]
-        self.query_one(Confirm).ask(lines, lambda: self.submit(ClearOrders(robot.name)))
+        self.confirm.ask(lines, lambda: self.submit(ClearOrders(robot.name)))
 
     def action_pause(self) -> None:
         """Pause the selected robot, at once."""
@@ -107,11 +114,11 @@ class CommandActions(Screen[None], inherit_bindings=False):
 
     def action_why(self) -> None:
         """Why the selected robot stands still."""
-        self.query_one(Why).show()
+        self.why.show()
 
     def queue_menu(self, robot: str, order_id: int) -> None:
         """What can be done with an order."""
-        self.query_one(Menu).show(
+        self.menu.show(
             f"Order {order_id} of {robot}",
             [
                 ("Cancel this order", lambda: self.ask_cancel(robot, order_id)),
@@ -122,7 +129,7 @@ class CommandActions(Screen[None], inherit_bindings=False):
     def robot_menu(self, robot: str) -> None:
         """What can be done with a robot."""
         fault = self.state.robots[robot].last_fault
-        self.query_one(Menu).show(
+        self.menu.show(
             f"{robot}: {visible(fault)}" if fault else robot,
             [
                 ("Order", lambda: self._for(robot, self.action_order)),

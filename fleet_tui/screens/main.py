@@ -3,29 +3,26 @@
 import time
 from collections.abc import Callable, Mapping
 
+from rich.style import Style
 from textual.app import ComposeResult
+from textual.containers import Container
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import Command
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.screens.confirm import Confirm
-from fleet_tui.screens.help import Help
-from fleet_tui.screens.menu import Menu
+from fleet_tui.model.robot import Robot
 from fleet_tui.screens.navigation import Navigation
-from fleet_tui.screens.order_form import OrderForm
-from fleet_tui.screens.palette import Palette
-from fleet_tui.screens.why import Why
 from fleet_tui.store import Store
 from fleet_tui.view.command_line import message_line
+from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.fleet_rows import fleet_table
-from fleet_tui.view.floor_scene import chart_robot, floor_scene
 from fleet_tui.view.hints import hints
 from fleet_tui.view.queue_rows import queue_table
+from fleet_tui.view.roles import Ink
 from fleet_tui.view.selection import first_selection
 from fleet_tui.view.status_line import console_notes, status_line, status_right
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
-from fleet_tui.widgets.map_view import MapView
 from fleet_tui.widgets.panes import Panes
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -53,7 +50,7 @@ class MainScreen(Navigation):
         self.selection = first_selection(store.state)
         self.status, self.message = LineView(id="status"), LineView(id="message")
         self.hints = LineView(id="hints", keep_right=True)
-        self.map = MapView(id="map")
+        self.furnished = False
         self.fleet = RowsPane(id="fleet", rows=len(store.state.robots))
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
         self.read_only, self.armed = False, True
@@ -63,27 +60,45 @@ class MainScreen(Navigation):
         self._all_orders = False
         self.said, self._said_at = "", 0.0
         self.terminal = ""
+        self.filled: Callable[[], None] = lambda: None
         self._mapped: tuple[str, str] | None = None
 
     def compose(self) -> ComposeResult:
-        """The panes in the order of Tab, then what opens over them."""
+        """The panes in the order of Tab; the map and what opens over them come after the first paint."""
+        # Textual would find out after the first layout, and style and lay out all of it again.
+        for cells, steps in zip(
+            self.app.size, (self.HORIZONTAL_BREAKPOINTS, self.VERTICAL_BREAKPOINTS), strict=True
+        ):
+            self.add_class([name for least, name in steps if cells >= least][-1])
         yield self.status
-        yield Panes(self.map, self.fleet, self.alarms, self.queue, id="panes")
+        yield Panes(Container(id="map"), self.fleet, self.alarms, self.queue, id="panes")
         yield self.message
         yield self.hints
-        yield OrderForm(lambda: self.state, self.submit)
-        yield Confirm(id="confirm")
-        yield Menu(id="menu")
-        yield Help(self.keys)
-        yield Palette(self.wishes)
-        yield Why(lambda: (self.state, self.selection.robot), self.keys)
+
+    async def furnish(self, drawing: Drawing) -> None:
+        """Get what is not on the first picture: importing it takes as long as painting that."""
+        from fleet_tui.screens.furniture import furnish
+
+        await furnish(self, drawing)
+        self.furnished = True
+
+    def set_inks(self, styles: Mapping[Ink, Style]) -> None:
+        """Change every colour."""
+        for view in (self.status, self.fleet, self.alarms, self.queue, self.message, self.hints):
+            view.set_inks(styles)
+        if self.furnished:
+            self.map.set_inks(styles)
+
+    def on_resize(self) -> None:
+        """Fill the panes at their new size."""
+        self.tick()
+        self.filled()
 
     def tick(self) -> None:
         """Show the newest state."""
         state = self.state
-        self.selection = self.selection.settled(state, self.map.viewport.follow)
-        self._ask_for_map()
-        self.map.show(floor_scene(state, self.selection))
+        if self.furnished:
+            self._show_floor(state)
         self.fleet.show(fleet_table(state, self.selection.robot, self.fleet.room))
         self.show_alarms(state)
         self.queue.show(queue_table(state, self.selection.robot, self._all_orders, self.queue.room))
@@ -97,12 +112,18 @@ class MainScreen(Navigation):
         if self.simple is not None:
             self.simple.show()
 
-    def _focused_pane(self) -> str:
-        return "map" if self.focused is self.map else "table"
+    def _show_floor(self, state: FleetState) -> None:
+        from fleet_tui.view.floor_scene import chart_robot, floor_scene
 
-    def _ask_for_map(self) -> None:
+        self.selection = self.selection.settled(state, self.map.viewport.follow)
+        self._ask_for_map(chart_robot(state, self.selection))
+        self.map.show(floor_scene(state, self.selection))
+
+    def _focused_pane(self) -> str:
+        return "map" if not self.furnished or self.focused is self.map else "table"
+
+    def _ask_for_map(self, owner: Robot | None) -> None:
         """The live map of what is shown, unless a file gives it."""
-        owner = chart_robot(self.state, self.selection)
         has_file = self.state.floors[self.selection.floor].grid is not None
         wanted = (owner.name, "" if has_file else self.selection.floor) if owner else None
         if wanted is not None and wanted != self._mapped and self._show_map(*wanted):
@@ -118,26 +139,11 @@ class MainScreen(Navigation):
         self._all_orders = not self._all_orders
         self.tick()
 
-    def action_on_map(self, action: str, *args: int) -> None:
-        """Something that the map does, whatever pane has the focus."""
-        getattr(self.map, f"action_{action}")(*args)
-
     def action_help(self) -> None:
         """Every key there is."""
-        self.query_one(Help).show(self._focused_pane(), self.terminal)
-
-    def action_palette(self) -> None:
-        """Everything that can be done, by name."""
-        self.query_one(Palette).show()
+        self.key_help.show(self._focused_pane(), self.terminal)
 
     def action_arm(self) -> None:
         """Let commands leave this console, or no longer."""
         self.armed = not self.armed
         self.say("this console is armed" if self.armed else "this console is not armed")
-
-    def action_back(self) -> None:
-        """One level back: the map's cursor goes, then the focus to the map."""
-        if self.map.look.cursor is not None:
-            self.map.action_cursor()
-        if self.map.display:
-            self.set_focus(self.map)

@@ -3,17 +3,21 @@
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 from textual import on
 
 from fleet_tui.keys import KEYS
 from fleet_tui.screens.alarm_actions import AlarmActions
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.screens.palette import Entry
-from fleet_tui.screens.simple import Simple
 from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
-from fleet_tui.widgets.map_view import MapView
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.help import Help
+    from fleet_tui.screens.palette import Entry, Palette
+    from fleet_tui.screens.simple import Simple
+    from fleet_tui.widgets.map_view import MapView
 
 NOT_WISHED = {"palette", "back", "next_pane", "previous_pane"}
 
@@ -21,8 +25,10 @@ NOT_WISHED = {"palette", "back", "next_pane", "previous_pane"}
 class Navigation(AlarmActions):
     """The selection, by key, by mouse and by name."""
 
-    map: MapView
-    simple: Simple | None = None
+    map: "MapView"
+    simple: "Simple | None" = None
+    key_help: "Help"
+    palette: "Palette"
     themes: Mapping[str, Callable[[], None]]
 
     def tick(self) -> None:
@@ -66,6 +72,8 @@ class Navigation(AlarmActions):
 
     async def action_simple(self) -> None:
         """The simple interface in the map's place, or the map again. It is made when it is first wanted."""
+        from fleet_tui.screens.simple import Simple
+
         panes = self.query_one("#panes")
         if self.simple is None:
             self.simple = Simple(lambda: self.state, lambda: self.selection.robot, self.select, self.submit)
@@ -75,7 +83,22 @@ class Navigation(AlarmActions):
         else:
             self.set_focus(self.map)
 
-    def wishes(self) -> Iterator[Entry]:
+    def action_back(self) -> None:
+        """One level back: the map's cursor goes, then the focus to the map."""
+        if self.map.look.cursor is not None:
+            self.map.action_cursor()
+        if self.map.display:
+            self.set_focus(self.map)
+
+    def action_on_map(self, action: str, *args: int) -> None:
+        """Something that the map does, whatever pane has the focus."""
+        getattr(self.map, f"action_{action}")(*args)
+
+    def action_palette(self) -> None:
+        """Everything that can be done, by name."""
+        self.palette.show()
+
+    def wishes(self) -> "Iterator[Entry]":
         """Everything the palette offers."""
         for key in KEYS:
             if key.pane == "console" and key.id not in NOT_WISHED:

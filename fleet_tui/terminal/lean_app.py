@@ -8,7 +8,7 @@ import inspect
 import io
 import sys
 from collections.abc import Iterator
-from importlib.metadata import version
+from typing import TYPE_CHECKING
 
 from rich.color import ColorSystem
 from rich.console import RenderableType
@@ -20,7 +20,8 @@ from textual.geometry import Offset
 from textual.screen import Screen
 from textual.strip import Strip
 
-from fleet_tui.terminal.glass import Glass
+if TYPE_CHECKING:
+    from fleet_tui.terminal.glass import Glass
 
 MADE_FOR = "8.2.8"
 RETRY = 0.003
@@ -38,6 +39,8 @@ _COLOURS = {
 
 def textual_fits() -> bool:
     """Whether Textual is as this module needs it. If not, Textual paints by itself."""
+    from importlib.metadata import version  # takes 6 ms
+
     try:
         signatures = (
             (_compositor.LayoutUpdate, ["strips", "region"]),
@@ -58,29 +61,45 @@ def textual_fits() -> bool:
 class LeanApp(App[None]):
     """Sends only the cells that changed, and never waits: frames are left out while nobody reads."""
 
-    LEAN = textual_fits()
+    LEAN = True
+    lean = True
+    """The first picture may go Textual's way: what is needed here takes as long to import as to paint it."""
 
-    _glass: Glass | None = None
+    _glass: "Glass | None" = None
     _writer: object = None
     _cursor_sent = Offset(-1, -1)
     _retrying = False
 
     def _display(self, screen: Screen[object], renderable: RenderableType | None) -> None:
         update = renderable if isinstance(renderable, _compositor.CompositorUpdate) else None
-        if not self.LEAN or update is None or self.is_headless or self.is_inline:
+        shows = self._running and not self._closed and not self._batch_count
+        if update is None or self.is_headless or self.is_inline or not self._paints_lean():
             super()._display(screen, renderable)
-            return
-        try:
-            if self._running and not self._closed and not self._batch_count:
-                self._want(update)
-                self._send()
-        finally:
-            self.post_display_hook()
+        else:
+            try:
+                if shows:
+                    self._want(update)
+                    self._send()
+            finally:
+                self.post_display_hook()
+        if update is not None and shows:
+            self.on_painted()
+
+    def on_painted(self) -> None:
+        """A picture has gone out."""
+
+    def _paints_lean(self) -> bool:
+        if self._glass is None and self.LEAN and self.lean:
+            from fleet_tui.terminal.glass import Glass
+
+            self.LEAN = textual_fits()
+            colours = None if self.no_color else _COLOURS.get(self.console.color_system or "")
+            self._glass = Glass(colours) if self.LEAN else None
+            self.screen.refresh()
+        return self._glass is not None
 
     def _want(self, update: _compositor.CompositorUpdate) -> None:
-        if self._glass is None:
-            colours = None if self.no_color else _COLOURS.get(self.console.color_system or "")
-            self._glass = Glass(colours)
+        assert self._glass is not None
         if isinstance(update, _compositor.LayoutUpdate):
             self._glass.fit(*update.region.size)
             parts = _all_parts(update)

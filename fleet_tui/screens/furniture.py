@@ -1,0 +1,32 @@
+"""What the main screen gets after its first paint: the map, and what opens over the panes."""
+
+from typing import TYPE_CHECKING
+
+from fleet_tui.screens.confirm import Confirm
+from fleet_tui.screens.help import Help
+from fleet_tui.screens.menu import Menu
+from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.screens.palette import Palette
+from fleet_tui.screens.why import Why
+from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.layers import Look
+from fleet_tui.widgets.map_view import MapView
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+
+
+async def furnish(screen: "MainScreen", drawing: Drawing) -> None:
+    """Put everything in its place; the focus is on the map."""
+    screen.map = MapView(id="map")
+    screen.map.look = Look(drawing=drawing)
+    screen.order_form = OrderForm(lambda: screen.state, screen.submit)
+    screen.confirm, screen.menu = Confirm(id="confirm"), Menu(id="menu")
+    screen.key_help, screen.palette = Help(screen.keys), Palette(screen.wishes)
+    screen.why = Why(lambda: (screen.state, screen.selection.robot), screen.keys)
+    opens = (screen.order_form, screen.confirm, screen.menu, screen.key_help, screen.palette, screen.why)
+    with screen.app.batch_update():
+        await screen.query_one("#map").remove()
+        await screen.query_one("#panes").mount(screen.map, before=0)
+        await screen.mount(*opens)
+    screen.set_focus(screen.map)
