@@ -1,0 +1,51 @@
+"""The first picture comes early, and nothing that is typed before all stands is lost."""
+
+import subprocess
+import sys
+import time
+
+import pytest
+
+from fleet_tui.app import FleetApp
+from fleet_tui.config.start import initial_state
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.store import Store
+from fleet_tui.themes import load_themes
+from fleet_tui.view.drawing import Drawing
+from tests.console_pilot import console
+from tests.played_terminal import PlayedDriver, shown, terminal_of
+from tests.watched import config_of
+
+
+def test_the_first_picture_needs_no_numpy() -> None:
+    code = "import sys, fleet_tui.console; print([name for name in ('numpy', 'roslibpy') if name in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "[]\n"
+
+
+@pytest.mark.parametrize(("size", "panes"), [((120, 40), "Alarms Queue Fleet"), ((80, 24), "Queue Fleet")])
+async def test_the_first_picture_is_the_console_without_its_map(size: tuple[int, int], panes: str) -> None:
+    config = config_of("ws://127.0.0.1:1", robots=3)
+    app = FleetApp(config, Store(initial_state(config, time.monotonic())), load_themes()[0], Drawing.BRAILLE)
+    app.driver_class = PlayedDriver
+    seen: list[str] = []
+
+    async def furnish() -> None:
+        seen.extend("".join(cell[0] for cell in row) for row in shown(terminal_of(app)))
+
+    app.furnish = furnish  # type: ignore[method-assign]  # the furniture never comes
+    async with app.run_test(headless=False, size=size) as pilot:
+        await pilot.pause()
+    picture = "\n".join(seen)
+    assert [pane for pane in panes.split() if pane not in picture] == []
+    assert "robot_2" in picture
+    assert "no link ws://127.0.0.1:1" in picture
+
+
+async def test_keys_typed_before_anything_is_painted_open_and_fill_the_form(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1), wait=False) as it:
+        assert not it.app.main.furnished
+        await it.type("oBase")
+        assert it.app.main.order_form.is_open
+        assert it.app.focused is not None
+        await it.shows("Base")
+        assert getattr(it.app.focused, "value", None) == "Base"
