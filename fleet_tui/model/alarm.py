@@ -61,8 +61,8 @@ _STEPS = {(was, now): step for (was, step), now in TRANSITIONS.items()}
 class Condition:
     """Something that needs a person now. `text` says it while it holds, `over` once it is over.
 
-    `after` is how long it must hold, in seconds, before it is an alarm. `parts` is what it is made
-    of, where that is several things (robots of a group, failed commands): a new one is news.
+    It is an alarm after the monotonic second `due`. `parts` is what it is made of, where that is
+    several things (robots of a group, failed commands): a new one is news.
     """
 
     source: str
@@ -70,7 +70,7 @@ class Condition:
     priority: Priority
     text: str
     over: str
-    after: float = 0.0
+    due: float = float("-inf")
     parts: frozenset[str] = frozenset()
 
     @property

@@ -9,6 +9,7 @@ from fleet_tui.model.commands import Before, Command, CommandRecord, PauseRobot,
 from fleet_tui.model.conditions import conditions
 from fleet_tui.model.confirmation import before, confirm
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.floods import without_floods
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot, hear, take_chart, with_fault
 
@@ -19,9 +20,10 @@ LIVE_CELLS_KEPT = 16_000_000
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     state = _confirm_commands(replace(state, now=event.at, wall=event.wall))
-    found = list(conditions(state))
-    began = {one.key: state.began.get(one.key, event.at) for one in found if one.after}
-    due = [one for one in found if not one.after or event.at - began[one.key] >= one.after]
+    held = {alarm.key: alarm.condition for alarm in state.alarms if alarm.holds}
+    found = list(conditions(state, held))
+    began = {one.key: state.began.get(one.key, event.at) for one in found}
+    due = without_floods(state, found, held)
     alarms = ripen(state.alarms, due, event.at, event.wall, state.limits.clear_after)
     return replace(state, began=began, alarms=alarms)
 

@@ -1,23 +1,21 @@
-"""What needs a person now: one small rule for each source of alarms, over the newest state.
+"""What needs a person now or soon: one small rule for each source of alarms, over the newest state.
 
-A rule gives None while all is well. `Held` is what held at the last look: a battery has to leave
+A rule gives None while all is well. `held` is what held at the last look: a battery has to leave
 its dead band, and what was known before the link went goes on.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 
-from fleet_tui.model.alarm import Condition, Key, Priority
+from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.failures import failed_commands
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
+from fleet_tui.model.floods import Held, is_held
 from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.model.robot import Robot
 
-Held = Mapping[Key, Condition]
-
-FLOOD, FLOOD_SPAN = 5, 3.0
-"""So many robots of a link that fall silent within so many seconds are one alarm."""
-BAD_FOR = 10.0
-"""Seconds without bad data after which the data counts as good."""
+BAD_AFTER, BAD_FOR = 1.0, 10.0
+"""Seconds from bad data to its alarm (other robots may send some, too), and without any until it
+counts as good."""
 STILL = 2.0
 """Seconds without a step after which a robot counts as standing."""
 
@@ -51,13 +49,14 @@ def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
 def pause(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     """Paused, which is an alarm once it lasts."""
     last_word = robot.paused.value if robot.paused is not None else robot.paused_by_us
-    if not last_word or not (state.is_paused(robot) or (robot.name, "pause") in held):
+    if not last_word or not (state.is_paused(robot) or is_held(held, robot.name, robot.link, "pause")):
         return None
     since = state.began.get((robot.name, "pause"), state.now)
     text = f"paused for {age(state.now - since)}"
     if not state.is_paused(robot) and robot.paused is not None:
         text = f"pause, last heard of {age(state.now - robot.paused.at)} ago"
-    return Condition(robot.name, "pause", Priority.LOW, text, "pause is over", state.limits.pause_after)
+    due = since + state.limits.pause_after
+    return Condition(robot.name, "pause", Priority.LOW, text, "pause is over", due)
 
 
 def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
@@ -69,13 +68,15 @@ def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     if order is None or place is None or state.is_paused(robot) or state.now - place.at < STILL:
         return None
     known = robot.pose is not None and not state.is_old(robot.pose)
-    if (not known or state.was_obstructed(robot)) and (robot.name, "stuck") not in held:
+    explained = not known or state.was_obstructed(robot)
+    if explained and not is_held(held, robot.name, robot.link, "stuck"):
         return None
     text = f"order {order.id}, but not moved for {age(state.now - place.at)}"
     if not known:
         text = f"order {order.id}, had not moved when last heard"
-    over = "no longer stuck"
-    return Condition(robot.name, "stuck", Priority.MEDIUM, text, over, state.limits.stuck_after - STILL)
+    began = state.began.get((robot.name, "stuck"), state.now)
+    due = began + state.limits.stuck_after - STILL
+    return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
 
 
 def bad_data(state: FleetState, source: Robot | LinkState, _held: Held) -> Condition | None:
@@ -84,7 +85,8 @@ def bad_data(state: FleetState, source: Robot | LinkState, _held: Held) -> Condi
         return None
     text = f"bad data x{source.faults}: {source.last_fault}"
     kind = "data" if isinstance(source, Robot) else "frames"
-    return Condition(source.name, kind, Priority.LOW, text, "no new bad data")
+    due = state.began.get((source.name, kind), state.now) + BAD_AFTER
+    return Condition(source.name, kind, Priority.LOW, text, "no new bad data", due)
 
 
 def no_link(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
@@ -104,65 +106,35 @@ def dead_commands(state: FleetState, link: LinkState, held: Held) -> Condition |
     return Condition(link.name, "commands", Priority.HIGH, text, "commands get through again")
 
 
-ROBOT_RULES = (obstacle, battery, pause, stuck, bad_data)
+def offline(state: FleetState, robot: Robot, held: Held) -> Condition | None:
+    """Silent for longer than the limit, or half-way there.
+
+    While the link is down its own alarm stands for its robots; what was raised before goes on. A new
+    link begins everybody's silence anew.
+    """
+    limit = state.limits.offline_after
+    if robot.heard is not None and state.now - robot.heard <= limit / 2:
+        return None
+    link = state.links[robot.link]
+    raised = is_held(held, robot.name, robot.link, "offline")
+    if state.is_online(robot) if raised else link.phase is not Phase.UP:
+        return None
+    due = limit + (robot.heard or 0.0 if raised else max(robot.heard or 0.0, link.since))
+    text = "never seen" if robot.heard is None else f"offline {age(state.now - robot.heard)}"
+    return Condition(robot.name, "offline", Priority.MEDIUM, text, "is back", due)
+
+
+ROBOT_RULES = (offline, obstacle, battery, pause, stuck, bad_data)
 LINK_RULES = (dead_commands, no_link, bad_data)
 
 
-def offline(state: FleetState, link: LinkState, robots: Sequence[Robot], held: Held) -> Iterator[Condition]:
-    """Robots of a link that are silent: each by itself, or as one group where many went together.
-
-    A robot stays where it was counted first until it is back. While the link is down its own alarm
-    stands for its robots; what was raised before goes on.
-    """
-    silent = [robot for robot in robots if not state.is_online(robot)]
-    if not silent:
-        return
-    group = held.get((link.name, "robots"))
-    grouped = group.parts if group else frozenset()
-    alone = [robot for robot in silent if (robot.name, "offline") in held]
-    together = [robot for robot in silent if robot.name in grouped]
-    if link.phase is Phase.UP and state.now - link.since > state.limits.offline_after:
-        counted = {robot.name for robot in (*alone, *together)}
-        fresh = [robot for robot in silent if robot.name not in counted]
-        if fresh:
-            counted = {robot.name for robot in (*alone, *fresh)}
-            others = sum(_just_went(state, link, one) for one in robots if one.name not in counted)
-            (together if len(fresh) + others >= FLOOD else alone).extend(fresh)
-    for robot in alone:
-        text = "never seen" if robot.heard is None else f"offline {age(state.now - robot.heard)}"
-        yield Condition(robot.name, "offline", Priority.MEDIUM, text, "is back")
-    if together:
-        yield _group(link, together)
-
-
-def _just_went(state: FleetState, link: LinkState, robot: Robot) -> bool:
-    """Whether it went offline a moment ago, or is half-way there: many that go together don't go at
-    one instant. A new link begins everybody's silence anew."""
-    silence = state.now - max(robot.heard or 0.0, link.since)
-    limit = state.limits.offline_after
-    return limit / 2 < silence <= limit + FLOOD_SPAN
-
-
-def _group(link: LinkState, robots: Sequence[Robot]) -> Condition:
-    word = "offline" if any(robot.heard is not None for robot in robots) else "never seen"
-    some = ", ".join(robot.name for robot in robots[:3]) + (", …" if len(robots) > 3 else "")
-    text = f"{len(robots)} robot{'s' * (len(robots) != 1)} {word}: {some}"
-    parts = frozenset(robot.name for robot in robots)
-    return Condition(link.name, "robots", Priority.HIGH, text, "robots are back", parts=parts)
-
-
-def conditions(state: FleetState) -> Iterator[Condition]:
-    """Everything that needs a person now, what explains more of it first."""
-    held = {alarm.key: alarm.condition for alarm in state.alarms if alarm.holds}
-    by_link: dict[str, list[Robot]] = {name: [] for name in state.links}
-    for robot in state.robots.values():
-        by_link[robot.link].append(robot)
-    for name, link in state.links.items():
+def conditions(state: FleetState, held: Held) -> Iterator[Condition]:
+    """Everything that needs a person now, or soon: see `due`."""
+    for link in state.links.values():
         for link_rule in LINK_RULES:
             found = link_rule(state, link, held)
             if found is not None:
                 yield found
-        yield from offline(state, link, by_link[name], held)
     for robot in state.robots.values():
         for rule in ROBOT_RULES:
             found = rule(state, robot, held)

@@ -47,7 +47,7 @@ class Floor:
 @dataclass(frozen=True, slots=True, eq=False)
 class FleetState:
     """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick;
-    `began` is since when each condition holds that must last before it is an alarm."""
+    `began` is since when each condition holds, alarm or not yet."""
 
     floors: Mapping[str, Floor]
     robots: Mapping[str, Robot]

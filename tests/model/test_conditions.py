@@ -168,7 +168,7 @@ def test_a_pause_is_an_alarm_when_it_lasts() -> None:
     state = told(up(), events.PausedReported(R0, T0, True), tick(T0))
     for n in range(1, 310):
         state = told(state, events.PausedReported(R0, T0 + n, True), tick(T0 + n))
-        assert ((R0, "pause") in alarms(state)) is (n >= 300)
+        assert ((R0, "pause") in alarms(state)) is (n > 300)
     assert alarm(state, "pause").text == "paused for 5 min"
     state = told(state, events.PausedReported(R0, T0 + 310, False), tick(T0 + 310))
     assert alarm(state, "pause").text == "pause is over"
@@ -192,17 +192,17 @@ def test_a_silent_robot_is_not_said_to_be_paused() -> None:
 
 
 def test_bad_data_is_an_alarm_while_it_comes() -> None:
-    state = told(up(), events.MessageRejected(R0, "pose: no x"), tick(T0))
+    state = told(up(), events.MessageRejected(R0, "pose: no x"), tick(T0), tick(T0 + 1.1))
     assert alarm(state, "data").text == "bad data x1: pose: no x"
-    for n in range(1, 30):
+    for n in range(2, 31):
         state = told(state, events.MessageRejected(R0, "pose: no y"), battery(T0 + n), tick(T0 + n))
     assert (alarm(state, "data").text, alarm(state, "data").count) == ("bad data x30: pose: no y", 1)
-    state = told(state, battery(T0 + 40), tick(T0 + 40))
+    state = told(state, battery(T0 + 41), tick(T0 + 41))
     assert alarm(state, "data").text == "no new bad data"
 
 
 def test_a_bad_frame_is_an_alarm_of_its_link() -> None:
-    state = told(up(), events.FrameRejected(LINK, "frame of 3 bytes"), tick(T0))
+    state = told(up(), events.FrameRejected(LINK, "frame of 3 bytes"), tick(T0), tick(T0 + 1.1))
     assert alarm(state, "frames", LINK).text == "bad data x1: frame of 3 bytes"
 
 
@@ -286,7 +286,7 @@ def silence(state: FleetState, gone: set[int], robots: int, start: float, second
 
 
 def offline(state: FleetState) -> list[str]:
-    return [one.text for one in state.alarms if one.condition.kind in ("offline", "robots")]
+    return [one.text for one in state.alarms if one.condition.kind in ("offline", "many offline")]
 
 
 def test_robots_that_go_together_are_one_alarm_at_every_moment() -> None:
@@ -298,7 +298,7 @@ def test_robots_that_go_together_are_one_alarm_at_every_moment() -> None:
         state = told(state, *(battery(at, robot=f"robot_{k}") for k in speak), tick(at))
         assert len(offline(state)) == (n / 10 > 5.0)
     assert offline(state) == ["37 robots offline: robot_0, robot_1, robot_2, …"]
-    assert [one.key for one in state.alarms] == [(LINK, "robots")]
+    assert [one.key for one in state.alarms] == [(LINK, "many offline")]
     assert sum(not state.is_online(robot) for robot in state.robots.values()) == 37
 
 
@@ -352,15 +352,43 @@ def test_robots_that_were_never_heard_are_not_said_to_have_gone() -> None:
     assert offline(state) == ["10 robots never seen: robot_0, robot_1, robot_2, …"]
 
 
+def test_a_fleet_that_is_paused_for_long_is_one_alarm() -> None:
+    state = up(100)
+    for n in range(310):
+        speak = (events.PausedReported(f"robot_{k}", T0 + n + k / 100, True) for k in range(100))
+        state = told(state, *speak, tick(T0 + n + 1))
+    assert [(one.key, one.text) for one in state.alarms] == [
+        ((LINK, "many pause"), "100 robots in a long pause: robot_0, robot_1, robot_2, …")
+    ]
+
+
+def test_bad_data_of_all_robots_is_one_alarm() -> None:
+    state = up(100)
+    for n in range(100):
+        state = told(state, events.MessageRejected(f"robot_{n}", "pose: no x"), tick(T0 + n / 50))
+    state = told(state, tick(T0 + 3.5))
+    assert [one.text for one in state.alarms] == ["100 robots with bad data: robot_0, robot_1, robot_2, …"]
+
+
+def test_a_fleet_that_stops_at_once_is_one_alarm() -> None:
+    state = up(10)
+    for n in range(70):
+        for k in range(10):
+            name = f"robot_{k}"
+            state = told(state, pose(T0 + n, robot=name), queue(T0 + n, ORDER, current=12, robot=name))
+        state = told(state, tick(T0 + n))
+    assert [one.key for one in state.alarms] == [(LINK, "many stuck")]
+
+
 def test_a_shelved_robot_is_not_taken_into_a_group() -> None:
     state = silence(up(20), {0}, 20, T0 + 0.1, 8)
     state = told(state, events.AlarmShelved(R0, "offline", T0 + 1000))
     state = silence(state, set(range(10)), 20, T0 + 9, 8)
     assert [(one.key, one.stage) for one in state.alarms] == [
         ((R0, "offline"), AlarmStage.SHELVED),
-        ((LINK, "robots"), AlarmStage.UNACKNOWLEDGED),
+        ((LINK, "many offline"), AlarmStage.UNACKNOWLEDGED),
     ]
-    assert alarm(state, "robots", LINK).text.startswith("9 robots offline")
+    assert alarm(state, "many offline", LINK).text.startswith("9 robots offline")
     assert (state.unacknowledged, state.shelved) == (1, 1)
 
 
