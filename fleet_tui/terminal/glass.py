@@ -132,7 +132,8 @@ class Glass:
         first = zip(places[starts].tolist(), codes[starts].tolist(), looks[starts].tolist(), strict=True)
         for start, end, (place, code, number) in zip(starts, ends, first, strict=True):
             out.append(_move(cursor, place, width))
-            out.append(turn(look, named[number]))
+            if named[number] is not look:
+                out.append(turn(look, named[number]))
             out.append(clusters[code - _CLUSTERS] if code >= _CLUSTERS else text[start:end])
             look = named[number]
             # Terminals disagree about the width of what is not plain: name the next place outright.

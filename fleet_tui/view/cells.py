@@ -1,5 +1,6 @@
 """A picture in terminal cells: one plane of characters, one of inks; and how it becomes text."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Self
@@ -17,6 +18,7 @@ Run = tuple[str, int]
 
 _TAIL = 0  # the code in the second cell of a wide character
 _BLANK = 0x20
+_FEW = 40  # texts that are written sooner one by one than all at once
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,6 +54,26 @@ class Cells:
             row[after] = _BLANK
         row[x:after] = codes
         self.inks[y, x:after] = ink
+
+    def write_all(self, texts: Sequence[tuple[int, int, str, Ink]]) -> None:
+        """`write` for many texts (x, y, text, ink) at once, of letters that take one cell each."""
+        if len(texts) < _FEW:
+            for text in texts:
+                self.write(*text)
+            return
+        height, width = self.codes.shape
+        xs, ys, words, inks = zip(*texts, strict=True)
+        sizes = np.array([len(word) for word in words])
+        letters = np.arange(sizes.sum()) - np.repeat(sizes.cumsum() - sizes, sizes)
+        x, y = np.repeat(xs, sizes) + letters, np.repeat(ys, sizes)
+        kept = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        places = (y * width + x)[kept]
+        codes = self.codes.reshape(-1)
+        after = places[places + 1 < codes.size] + 1
+        codes[places[codes[places] == _TAIL] - 1] = _BLANK
+        codes[after[codes[after] == _TAIL]] = _BLANK
+        codes[places] = np.frombuffer("".join(words).encode("utf-32-le"), np.uint32)[kept]
+        self.inks.reshape(-1)[places] = np.repeat(np.frombuffer(bytes(inks), np.uint8), sizes)[kept]
 
     def changes(self, before: "Cells | None") -> list[tuple[int, int, int]]:
         """Where this differs from `before`: (y, first x, end x) per row that does."""

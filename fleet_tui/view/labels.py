@@ -134,25 +134,27 @@ class _Near:
             alone, covering = self.places(taken, 0, tags)
             some = some or covering
         places = alone or some
-        return next((spot for spot in self.order if places & spot[0]), None)
+        for spot in self.order:
+            if places & spot[0]:
+                return spot
+        return None
 
     def places(self, taken: int, texts: int, tags: int) -> tuple[int, int]:
         """Where a tag may begin so that it touches nothing, else no tag; and so that it is free at all.
 
         A label may be touched rather than that the tag goes far from its robot.
         """
-        texts &= ~taken
         held = blocked = taken | texts
         for cell in range(1, self.cells):
             blocked |= held >> cell
         free = self.starts & ~blocked
         touching = taken << 1 & ~self.after_glyph | taken >> self.cells & ~self.before_glyph
         clear = free & ~touching
-        beside = clear & (self.order[0][0] | self.order[1][0])
-        return (
-            beside & ~(texts << 1 | texts >> self.cells) or clear or free & ~(tags << 1 | tags >> self.cells),
-            free,
-        )
+        if clear and texts:
+            texts &= ~taken
+            beside = clear & (self.order[0][0] | self.order[1][0])
+            clear = beside & ~(texts << 1 | texts >> self.cells) or clear
+        return clear or free & ~(tags << 1 | tags >> self.cells), free
 
 
 @lru_cache

@@ -86,32 +86,31 @@ def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     """Every robot as an arrow with its number beside it; the selected one on top and placed first."""
     placed = seen_robots(scene, camera)
     owners = {at: robot for robot, at in reversed(placed)}  # of robots in one cell the first one is seen
-    glyphs = {at: _robot_glyph(robot, at, owners, scene, look) for at, robot in owners.items()}
+    plain, turned = look.plain, scene.frame.origin.yaw
+    glyphs = {at: _robot_glyph(robot, at, owners, turned, plain) for at, robot in owners.items()}
     room = Room(camera.width, camera.height, cells.inks)
     for (x, y), glyph in glyphs.items():
         room.take(x, y, len(glyph))
+    texts: list[tuple[int, int, str, Ink]] = []
     for robot, (x, y) in placed:
-        glyph, tag = glyphs[x, y], robot_tag(robot, look.plain)
+        glyph, tag = glyphs[x, y], robot_tag(robot, plain)
         glyph_ink, tag_ink = robot_inks(robot)
         spot = room.tag_spot(x, y, len(glyph), len(tag))
         if spot is None:
             tag = str(robot.number)
             spot = room.tag_spot(x, y, len(glyph), len(tag))
-        owner = owners[x, y] is robot
-        if owner and glyph_ink is tag_ink and spot == (x + len(glyph), y):
-            cells.write(x, y, glyph + tag, tag_ink)
-            continue
-        if owner:
-            cells.write(x, y, glyph, glyph_ink)
+        if owners[x, y] is robot:
+            texts.append((x, y, glyph, glyph_ink))
         if spot:
-            cells.write(*spot, tag, tag_ink)
+            texts.append((*spot, tag, tag_ink))
+    cells.write_all(texts)
 
 
 def _robot_glyph(
-    robot: SceneRobot, at: Place, owners: Mapping[Place, SceneRobot], scene: Scene, look: Look
+    robot: SceneRobot, at: Place, owners: Mapping[Place, SceneRobot], turned: float, plain: bool
 ) -> str:
     """The arrow, only as wide as it hides no other robot."""
-    glyph = robot_glyph(robot, scene.frame.origin.yaw, look.plain)
+    glyph = robot_glyph(robot, turned, plain)
     return glyph[:1] if (at[0] + 1, at[1]) in owners else glyph
 
 

@@ -42,6 +42,28 @@ def test_changes_are_exactly_what_differs(
     assert np.array_equal(patched.inks, after.inks)
 
 
+narrow = st.text("ab▶‖", max_size=5)
+robots = st.lists(
+    st.tuples(st.integers(-4, 14), st.integers(-1, 3), narrow, st.sampled_from(list(Ink))), max_size=9
+)
+
+
+@given(robots, st.sampled_from((1, 50)))
+def test_many_texts_at_once_are_the_same_as_one_after_the_other(
+    robots: list[tuple[int, int, str, Ink]], times: int
+) -> None:
+    written = robots * times
+    once = Cells.blank(12, 3, Ink.FLOOR)
+    for y in range(3):
+        once.write(y % 2, y, "仓" * 6, Ink.LABEL)
+    singly = once.copy()
+    once.write_all(written)
+    for x, y, text, ink in written:
+        singly.write(x, y, text, ink)
+    assert np.array_equal(once.codes, singly.codes)
+    assert np.array_equal(once.inks, singly.inks)
+
+
 def test_a_wide_character_loses_both_halves() -> None:
     cells = Cells.blank(6, 1, Ink.FLOOR)
     cells.write(1, 0, "仓", Ink.LABEL)
