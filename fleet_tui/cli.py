@@ -4,11 +4,10 @@ What needs the screen or the simulator is imported where it is used: `check` ans
 """
 
 import gc
-import os
 import sys
 from collections.abc import Callable
 from functools import wraps
-from typing import Any, NoReturn, TypeVar
+from typing import Any, TypeVar
 
 import click
 
@@ -16,7 +15,7 @@ from fleet_tui import __version__
 from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, load, read, user_folder
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import ConfigError, FleetError, did_you_mean
+from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.simulator.faults import FAULTS, parse_faults
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -120,7 +119,8 @@ def demo(
         from fleet_tui.console import open_console
         from fleet_tui.demo import demo_config
 
-        open_console(demo_config(load(find(config_file)), url, robots, floors), read_only, drawing, debug)
+        config = demo_config(load(find(config_file)), url, robots, floors)
+        open_console(config, read_only, drawing, debug, demo=True)
 
 
 @commands.command(epilog=FAULT_LIST)
@@ -189,6 +189,33 @@ def status(
     sys.exit(run(config, timeout, as_json, oneline, watch, click.echo))
 
 
+@commands.command()
+@click.argument("words", nargs=-1)
+@click.option("--robot", default="", help="Only of this robot.")
+@click.option("--since", default="", metavar="TIME", help="30m, 2h, 7d, 12:00 or 2024-05-31T12:00.")
+@click.option("--csv", "as_csv", is_flag=True, help="For a spreadsheet.")
+@click.option("--demo", is_flag=True, help="What the demo wrote, instead of what real fleets did.")
+@_common
+@_merged
+def audit(
+    config_file: str | None,
+    debug: bool,
+    words: tuple[str, ...],
+    robot: str,
+    since: str,
+    as_csv: bool,
+    demo: bool,
+) -> None:
+    """What was commanded and how it went on, newest first; WORDS as in the console's audit log."""
+    from fleet_tui.headless.audit import write_records
+
+    named = {"robot": robot, "since": since}
+    typed = [*words, *(f"{name}:{value}" for name, value in named.items() if value)]
+    said = write_records(" ".join(typed), as_csv, demo, sys.stdout)
+    if said:
+        click.echo(said, err=True)
+
+
 def _theme_problems(config: Config) -> list[str]:
     from fleet_tui.themes import load_themes
 
@@ -196,40 +223,3 @@ def _theme_problems(config: Config) -> list[str]:
     if config.ui.theme in themes:
         return []
     return [f"ui.theme: no theme {config.ui.theme!r}{did_you_mean(config.ui.theme, themes)}"]
-
-
-def _end(code: int, *lines: str) -> NoReturn:
-    for line in lines:
-        click.echo(line, err=True)
-    sys.exit(code)
-
-
-def main() -> None:
-    """Run the command line; every end has its exit code."""
-    # Tracebacks are for --debug, wherever it stands.
-    debug = "--debug" in sys.argv
-    try:
-        commands.main(standalone_mode=False)
-    except click.exceptions.Abort:
-        _end(130)
-    except click.ClickException as problem:
-        _end(2, f"fleet-tui: {problem.format_message()}", "fleet-tui --help lists what there is.")
-    except ConfigError as problem:
-        _end(2, *problem.problems)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        _end(1)
-    except KeyboardInterrupt:
-        _end(130)
-    except FleetError as problem:
-        _end(1, f"fleet-tui: {problem}")
-    except Exception as problem:
-        if debug:
-            raise
-        import logging
-
-        from fleet_tui.log_file import log_to_file
-
-        path = log_to_file(debug)
-        logging.getLogger(__name__).exception("fatal")
-        _end(1, f"fleet-tui: internal error: {problem} (details in {path}, or with --debug)")

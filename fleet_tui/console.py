@@ -5,6 +5,7 @@ import logging
 import os
 import sys
 import time
+from contextlib import ExitStack
 
 import msgspec
 
@@ -13,7 +14,7 @@ from fleet_tui.config.load import user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import ConfigError, FleetError, did_you_mean
-from fleet_tui.log_file import log_to_file
+from fleet_tui.log_file import log_to_file, state_folder
 from fleet_tui.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.view.drawing import Drawing
@@ -60,8 +61,10 @@ def _terminal(drawing: Drawing, colour: bool) -> str:
     )
 
 
-def open_console(config: Config, read_only: bool, drawing: str | None, debug: bool) -> None:
-    """Run the console until the operator leaves."""
+def open_console(
+    config: Config, read_only: bool, drawing: str | None, debug: bool, demo: bool = False
+) -> None:
+    """Run the console until the operator leaves. What a `demo` did is marked in the audit log."""
     if not all(stream.isatty() for stream in (sys.stdin, sys.stdout, sys.stderr)):
         raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")
     themes, problems = load_themes(user_folder() / "themes")
@@ -81,6 +84,20 @@ def open_console(config: Config, read_only: bool, drawing: str | None, debug: bo
         LOG.warning("theme %s", problem)
     if problems:
         app.main.said = f"theme {problems[0]}" + (f" and {len(problems) - 1} more" if problems[1:] else "")
-    app.run()
+    _run(app, config, demo)
     if app.return_code:
         raise FleetError("the console ended with an error: the log file says more")
+
+
+def _run(app: FleetApp, config: Config, demo: bool) -> None:
+    """Run it; the audit log is opened after the first picture and before the link."""
+    with ExitStack() as until_the_end:
+
+        def open_audit() -> None:
+            from fleet_tui.journal.audit import auditing
+
+            keeping = auditing(state_folder(), config, app.store, demo)
+            app.main.audit = until_the_end.enter_context(keeping)
+
+        app.main.open_audit = open_audit
+        app.run()

@@ -70,6 +70,7 @@ KEYS: tuple[Key, ...] = (
         "Queue: orders of the selected robot, or of all robots",
         hint="all orders",
     ),
+    Key("audit", ("L",), "audit", "Audit log: every command and alarm, and how it went on"),
     Key("arm", (), "arm", "Arm: let commands leave this console, or no longer"),
     Key("acknowledge", ("a",), "acknowledge", "Acknowledge the alarm under the cursor", hint="ack"),
     Key("acknowledge_all", ("A",), "acknowledge_all", "Acknowledge all alarms"),

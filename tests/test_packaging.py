@@ -56,7 +56,7 @@ def test_a_checkout_finds_them_beside_the_package(tmp_path: Path) -> None:
 def test_check_and_help_do_not_load_the_screen(tmp_path: Path) -> None:
     code = (
         "import sys\n"
-        "from fleet_tui.cli import main\n"
+        "from fleet_tui.__main__ import main\n"
         "sys.argv = ['fleet-tui', 'check']\n"
         "try:\n    main()\n"
         "finally:\n    print('loaded', [name for name in ('textual', 'roslibpy') if name in sys.modules])"

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.help import Help
 from fleet_tui.screens.menu import Menu
@@ -17,16 +18,18 @@ if TYPE_CHECKING:
 
 
 async def furnish(screen: "MainScreen", drawing: Drawing) -> None:
-    """Put everything in its place; the focus is on the map."""
+    """Put everything in its place; the focus is on the map. The audit log begins before there is a link."""
     screen.map = MapView(id="map")
     screen.map.look = Look(drawing=drawing)
     screen.order_form = OrderForm(lambda: screen.state, screen.submit)
     screen.confirm, screen.menu = Confirm(id="confirm"), Menu(id="menu")
     screen.key_help, screen.palette = Help(screen.keys), Palette(screen.wishes)
     screen.why = Why(lambda: (screen.state, screen.selection.robot), screen.keys)
+    screen.audit_log = AuditLog(lambda: screen.audit)
     opens = (screen.order_form, screen.confirm, screen.menu, screen.key_help, screen.palette, screen.why)
     with screen.app.batch_update():
         await screen.query_one("#map").remove()
         await screen.query_one("#panes").mount(screen.map, before=0)
-        await screen.mount(*opens)
+        await screen.mount(*opens, screen.audit_log)
     screen.set_focus(screen.map)
+    screen.open_audit()

@@ -56,6 +56,7 @@ class MainScreen(Navigation):
         self.read_only, self.armed = False, True
         self.themes: Mapping[str, Callable[[], None]] = {}
         self.announce: Callable[[FleetState], None] = lambda _state: None
+        self.open_audit: Callable[[], None] = lambda: None
         self._show_map, self.keys, self.clock = show_map, keys, clock
         self._all_orders = False
         self.said, self._said_at = "", 0.0
@@ -88,6 +89,7 @@ class MainScreen(Navigation):
             view.set_inks(styles)
         if self.furnished:
             self.map.set_inks(styles)
+            self.audit_log.rows.set_inks(styles)
 
     def on_resize(self) -> None:
         """Fill the panes at their new size."""
@@ -102,10 +104,9 @@ class MainScreen(Navigation):
         self.fleet.show(fleet_table(state, self.selection.robot, self.fleet.room))
         self.show_alarms(state)
         self.queue.show(queue_table(state, self.selection.robot, self._all_orders, self.queue.room))
-        notes = console_notes(self.read_only, self.armed, time.monotonic() - state.now)
-        self.status.show(
-            status_line(state, self.selection.robot, notes), status_right(self.clock(state.wall))
-        )
+        notes = console_notes(self.read_only, self.armed, time.monotonic() - state.now) + self.audit_notes()
+        right = status_right(self.clock(state.wall), self.operator)
+        self.status.show(status_line(state, self.selection.robot, notes), right)
         self.message.show(message_line(state, self.said, self._said_at))
         self.hints.show(*hints(self.keys, self._focused_pane()))
         self.announce(state)

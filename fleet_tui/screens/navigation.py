@@ -9,6 +9,7 @@ from textual import on
 
 from fleet_tui.keys import KEYS
 from fleet_tui.screens.alarm_actions import AlarmActions
+from fleet_tui.screens.audit_actions import AuditActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 NOT_WISHED = {"palette", "back", "next_pane", "previous_pane"}
 
 
-class Navigation(AlarmActions):
+class Navigation(AlarmActions, AuditActions):
     """The selection, by key, by mouse and by name."""
 
     map: "MapView"

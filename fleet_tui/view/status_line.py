@@ -78,6 +78,6 @@ def status_line(state: FleetState, selected: str, notes: Sequence[str] = ()) -> 
     return tuple(runs)
 
 
-def status_right(clock: str) -> tuple[Run, ...]:
-    """What fills the right end where there is room."""
-    return (("fleet-tui  ", Ink.DIM), (f"{clock} ", Ink.DIM))
+def status_right(clock: str, operator: str = "") -> tuple[Run, ...]:
+    """What fills the right end where there is room: the program or who commands, and the time."""
+    return ((f"{visible(operator) or 'fleet-tui'}  ", Ink.DIM), (f"{clock} ", Ink.DIM))

@@ -9,7 +9,7 @@ from fleet_tui.keys import KEYS
 
 # What opens something to type in comes before all else: the next key, which may already be on its
 # way, belongs there.
-EAGER = frozenset({"order", "help", "palette"})
+EAGER = frozenset({"order", "help", "palette", "audit"})
 
 
 def bindings(pane: str) -> list[BindingType]:

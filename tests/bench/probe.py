@@ -15,8 +15,8 @@ from typing import Any
 
 from textual.drivers.linux_driver import LinuxDriver
 
+from fleet_tui.__main__ import main as fleet_tui
 from fleet_tui.app import FleetApp
-from fleet_tui.cli import main as fleet_tui
 from fleet_tui.model.events import Event, PoseReported
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.store import Store

@@ -106,7 +106,7 @@ def test_ages_alone_are_no_change() -> None:
 def test_no_screen_is_imported(tmp_path: Path) -> None:
     config_file(tmp_path, "ws://127.0.0.1:9")
     code = (
-        "import sys; from fleet_tui.cli import main\n"
+        "import sys; from fleet_tui.__main__ import main\n"
         "sys.argv = ['fleet-tui', 'status', '--timeout', '0.2']\n"
         "try: main()\nexcept SystemExit: pass\n"
         "print([name for name in sys.modules if name.split('.')[0] in ('textual', 'rich', 'PIL')])"

@@ -1,0 +1,39 @@
+"""The audit log as text or CSV, for who has no console open."""
+
+from datetime import datetime
+from typing import TextIO
+
+import click
+
+from fleet_tui.errors import FleetError
+from fleet_tui.journal.audit_file import FILE_NAME
+from fleet_tui.journal.export import write_csv
+from fleet_tui.journal.reader import Reading
+from fleet_tui.journal.search import search_of
+from fleet_tui.log_file import state_folder
+from fleet_tui.view.audit_rows import line_text
+
+
+def write_records(typed: str, as_csv: bool, demo: bool, out: TextIO) -> str:
+    """Write what was searched, newest first. Returns what else is to be said of the log.
+
+    Raises click's UsageError for a time that is none, FleetError where the log can't be read.
+    """
+    try:
+        search = search_of(typed, datetime.now().astimezone(), demo)
+    except FleetError as problem:
+        raise click.UsageError(str(problem)) from None
+    reading = Reading(state_folder() / FILE_NAME)
+    records = filter(search.wants, reading.newest_first())
+    try:
+        if as_csv:
+            count = write_csv(out, records)
+        else:
+            count = sum(bool(out.write(f"{line_text(record)}\n")) for record in records)
+    except BrokenPipeError:
+        raise
+    except OSError as problem:
+        raise FleetError(f"{reading.path}: {problem.strerror}") from None
+    notes = [f"{reading.unreadable} lines are no records"] if reading.unreadable else []
+    notes += [] if count else ["no such record"]
+    return f"{reading.path}: {', '.join(notes)}" if notes else ""

@@ -1,0 +1,1 @@
+"""What is kept on disk of what happened: the audit log, written, read back and exported."""

@@ -1,0 +1,158 @@
+"""What becomes a record: the difference between two states, in the words of the log."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from datetime import datetime
+from functools import cache
+from typing import Any, assert_never
+from urllib.parse import urlsplit
+
+from fleet_tui.model.alarm import Alarm, AlarmStage, transitions
+from fleet_tui.model.audit_record import VERSION, AuditRecord
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+    Step,
+)
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+
+TEXT_KEPT = 1000
+"""Characters of a text from outside: no robot fills the disk with one answer."""
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Who writes: the operator's name, `console` as host:process id, `run` as it is told from others."""
+
+    operator: str
+    console: str
+    run: str
+    demo: bool = False
+
+    def record(self, wall: float, **fields: Any) -> AuditRecord:
+        """A record signed with this origin. `wall` is Unix seconds."""
+        fields |= {"operator": self.operator, "console": self.console, "run": self.run, "demo": self.demo}
+        kept: dict[str, Any] = {
+            name: _kept(value) if isinstance(value, str) else value for name, value in fields.items()
+        }
+        time = datetime.fromtimestamp(wall).astimezone().isoformat(timespec="milliseconds")
+        return AuditRecord(version=VERSION, time=time, **kept)
+
+
+def _kept(text: str) -> str:
+    """Cut, and without what no JSON reader takes: half a surrogate pair."""
+    text = text if len(text) <= TEXT_KEPT else text[: TEXT_KEPT - 1] + "…"
+    return text if text.isascii() else text.encode(errors="backslashreplace").decode()
+
+
+@cache
+def without_secrets(url: str) -> str:
+    """The address of a bridge without user, password, query and fragment."""
+    try:
+        parts = urlsplit(url)
+    except ValueError:
+        return ""
+    return f"{parts.scheme}://{parts.netloc.rpartition('@')[2]}{parts.path}"
+
+
+def command_records(
+    origin: Origin, before: FleetState, after: FleetState, wall: Callable[[float], float]
+) -> Iterator[AuditRecord]:
+    """Each step that a command made. `wall` gives the Unix time of a monotonic one."""
+    if before.commands is after.commands:
+        return
+    told = {record.id: len(record.steps) for record in before.commands}
+    for record in after.commands:
+        for step in record.steps[told.get(record.id, 0) :]:
+            yield _of_step(origin, after, record, step, wall(step.at))
+
+
+def closing_records(origin: Origin, state: FleetState, wall: float) -> Iterator[AuditRecord]:
+    """The last word of this console on each command that is under way."""
+    for record in state.commands:
+        if not record.ended:
+            fields = _about(state, record) | {"words": f"it was: {record.stage.value}"}
+            yield origin.record(wall, change="console closed", **fields)
+
+
+def _of_step(
+    origin: Origin, state: FleetState, record: CommandRecord, step: Step, wall: float
+) -> AuditRecord:
+    return origin.record(wall, change=step.stage.value, words=step.words, **_about(state, record))
+
+
+def _about(state: FleetState, record: CommandRecord) -> dict[str, Any]:
+    robot = state.robots.get(record.command.robot)
+    return {
+        "kind": "command",
+        "id": record.id,
+        "robot": record.command.robot,
+        "order": record.order_id,
+        **(_where(state, robot) if robot else {}),
+        **_arguments(robot, record.command),
+    }
+
+
+def _where(state: FleetState, robot: Robot) -> dict[str, Any]:
+    link = state.links.get(robot.link)
+    return {
+        "floor": robot.floor or "",
+        "link": robot.link,
+        "url": without_secrets(link.url) if link else "",
+    }
+
+
+def _arguments(robot: Robot | None, command: Command) -> dict[str, Any]:
+    match command:
+        case PlaceOrder(_, start, end):
+            return {"what": "order", **_vertex("start", robot, start), **_vertex("end", robot, end)}
+        case PlaceOrderWithCargo(_, end):
+            return {"what": "bring cargo", **_vertex("end", robot, end)}
+        case CancelOrder(_, order_id):
+            return {"what": "cancel", "order": order_id}
+        case ClearOrders():
+            return {"what": "clear"}
+        case PauseRobot():
+            return {"what": "pause"}
+        case ResumeRobot():
+            return {"what": "resume"}
+        case _:
+            assert_never(command)
+
+
+def _vertex(role: str, robot: Robot | None, vertex: int) -> dict[str, Any]:
+    name = robot.name_of(vertex) if robot else None
+    return {role: vertex, f"{role}_label": "" if name in (None, str(vertex)) else name}
+
+
+def alarm_records(
+    origin: Origin, before: FleetState, after: FleetState, wall: float
+) -> Iterator[AuditRecord]:
+    """Each change of an alarm."""
+    for change in transitions(before.alarms, after.alarms, wall):
+        cleared = change.now is AlarmStage.CLEARED
+        word = f"{change.word}, {AlarmStage.CLEARED.value}" if cleared else change.word
+        yield _of_alarm(origin, after, change.alarm, word, wall)
+
+
+def _of_alarm(origin: Origin, state: FleetState, alarm: Alarm, change: str, wall: float) -> AuditRecord:
+    condition = alarm.condition
+    robot = state.robots.get(condition.source)
+    about = {"robot": robot.name, **_where(state, robot)} if robot else {"link": condition.source}
+    return origin.record(
+        wall,
+        kind="alarm",
+        what=condition.kind,
+        change=change,
+        words=alarm.text,
+        priority=condition.priority.name.lower(),
+        count=alarm.count,
+        **about,
+    )

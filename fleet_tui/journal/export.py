@@ -1,0 +1,42 @@
+"""The audit log as CSV, for a spreadsheet: nothing in it is run as a formula."""
+
+import csv
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TextIO
+
+from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.view.text import visible
+
+COLUMNS = AuditRecord.__struct_fields__
+# Full-width forms are formulas, too, where the spreadsheet speaks Japanese or Chinese.
+_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20")
+
+
+def cell(value: object) -> str:
+    """A value as the text of a cell; one that a spreadsheet would run gets an apostrophe in front."""
+    if value is None:
+        return ""
+    if not isinstance(value, str):
+        return str(value)
+    text = visible(value)
+    return f"'{text}" if value.startswith(_FORMULA) or text.startswith(_FORMULA) else text
+
+
+def write_csv(file: TextIO, records: Iterable[AuditRecord]) -> int:
+    """Write a line of names and one for each record. Returns how many records there were."""
+    writer = csv.writer(file)
+    writer.writerow(COLUMNS)
+    count = 0
+    for count, record in enumerate(records, 1):  # noqa: B007  # the count is what is returned
+        writer.writerow([cell(getattr(record, name)) for name in COLUMNS])
+    return count
+
+
+def export(path: Path, records: Iterable[AuditRecord]) -> int:
+    """Write a new file that only its owner reads. Returns how many records are in it. Raises OSError,
+    also where the file is there already."""
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC
+    with open(os.open(path, flags, 0o600), "w", encoding="utf-8", newline="") as file:  # noqa: PTH123  # a Path can't open a descriptor
+        return write_csv(file, records)

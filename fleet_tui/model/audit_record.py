@@ -1,0 +1,39 @@
+"""One line of the audit log, as docs/audit.md describes it."""
+
+import msgspec
+
+VERSION = 1
+"""Of the fields below. It grows when one changes its meaning; a new field leaves it as it is."""
+
+
+class AuditRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """One change of a command, an alarm or the console itself. What is empty is not written.
+
+    `time` is ISO 8601 with the offset. `kind` is command, alarm or console; `what` is which one of
+    these (order, pause, offline, ...), `change` what happened to it (sent, refused, raised, ...) and
+    `words` the reason, or the robot's own words. `id` is the request id of a command, `order` the
+    id of an order in the robot's queue; `floor` is the one the robot was on.
+    """
+
+    version: int
+    time: str
+    operator: str
+    console: str
+    run: str
+    kind: str
+    what: str
+    change: str
+    robot: str = ""
+    words: str = ""
+    id: int | None = None
+    start: int | None = None
+    start_label: str = ""
+    end: int | None = None
+    end_label: str = ""
+    order: int | None = None
+    floor: str = ""
+    link: str = ""
+    url: str = ""
+    priority: str = ""
+    count: int = 0
+    demo: bool = False

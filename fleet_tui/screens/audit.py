@@ -1,0 +1,171 @@
+"""The audit log on the screen: typing filters it, Enter shows one command from the key to its end."""
+
+from collections.abc import Callable
+from datetime import datetime
+from functools import partial
+from typing import TYPE_CHECKING, ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.widgets import Input, Static
+from textual.worker import get_current_worker
+
+from fleet_tui.errors import FleetError
+from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.screens.overlay import Overlay
+from fleet_tui.view.audit_rows import audit_table, details
+from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.widgets.messages import RowChosen, RowPicked
+from fleet_tui.widgets.rows_pane import RowsPane
+
+if TYPE_CHECKING:
+    from fleet_tui.journal.audit import Audit
+    from fleet_tui.journal.reader import Reading
+    from fleet_tui.journal.search import Search
+
+SHOWN = 1000
+"""Records that are listed; a narrower search reaches the older ones."""
+HOW = "type to filter, robot: by: outcome: since:2h   Enter one command   Ctrl-S to CSV   Esc closes"
+
+
+class Records(RowsPane, can_focus=False):
+    """The list; the keys stay in the field."""
+
+
+class AuditLog(Overlay):
+    """Reads the files in a thread, so that no size of theirs holds up the console."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [("escape", "close", "Close")]
+
+    def __init__(self, audit: "Callable[[], Audit | None]") -> None:
+        super().__init__(id="audit")
+        self._audit = audit
+        self._records: list[AuditRecord] = []
+        self.rows = Records(id="audit-rows")
+
+    def compose(self) -> ComposeResult:
+        """A field above the records, and below them all about the marked one."""
+        keys: Keys = {
+            "escape": self.action_close,
+            "enter": self._look_closer,
+            "ctrl+s": self._export,
+            "up": partial(self.rows.action_move, -1),
+            "down": partial(self.rows.action_move, 1),
+            "pageup": partial(self.rows.action_move, -10),
+            "pagedown": partial(self.rows.action_move, 10),
+        }
+        yield Field(keys, id="audit-filter", placeholder=HOW)
+        yield self.rows
+        yield Static(id="audit-detail", markup=False)
+
+    def show(self) -> None:
+        """Open on the newest records."""
+        self.open(self.query_one(Field))
+        self._find("")
+
+    def _find(self, typed: str) -> None:
+        """Search for what is typed from now on."""
+        field = self.query_one(Field)
+        with field.prevent(Input.Changed):
+            field.value = typed
+        self._search()
+
+    @on(Input.Changed, "#audit-filter")
+    def _typed(self, event: Input.Changed) -> None:
+        event.stop()
+        self._search()
+
+    def _wanted(self) -> "tuple[Reading, Search] | None":
+        """The log and what is searched in it, unless what was typed is no search."""
+        from fleet_tui.journal.reader import Reading
+        from fleet_tui.journal.search import search_of
+
+        audit = self._audit()
+        if audit is None:
+            self._list([], empty="this console keeps no audit log")
+            return None
+        try:
+            typed = self.query_one(Field).value
+            search = search_of(typed, datetime.now().astimezone(), audit.origin.demo)
+        except FleetError as problem:
+            self._list([], empty=str(problem))
+            return None
+        return Reading(audit.file.path), search
+
+    def _search(self) -> None:
+        wanted = self._wanted()
+        if wanted is not None:
+            self.run_worker(partial(self._read, *wanted), thread=True, exclusive=True, group="audit")
+
+    def _read(self, reading: "Reading", search: "Search") -> None:
+        """In a thread: the newest that match."""
+        worker = get_current_worker()
+        found: list[AuditRecord] = []
+        problem = "no such record"
+        try:
+            for record in reading.newest_first():
+                if worker.is_cancelled:
+                    return
+                if search.wants(record):
+                    found.append(record)
+                    if len(found) > SHOWN:
+                        break
+        except OSError as failed:
+            problem = f"the log can't be read: {failed.strerror}"
+        note = f"the newest {SHOWN}" if len(found) > SHOWN else str(len(found))
+        if reading.unreadable:
+            note += f", {reading.unreadable} lines are no records"
+        self.app.call_from_thread(self._list, found[:SHOWN], note, problem)
+
+    def _list(self, records: list[AuditRecord], note: str = "", empty: str = "") -> None:
+        self._records = records
+        self.rows.cursor = 0
+        self.rows.show(audit_table(records, note, empty))
+        self._detail()
+
+    def _detail(self) -> None:
+        place = self.rows.cursor
+        known = isinstance(place, int) and place < len(self._records)
+        lines = details(self._records[place]) if known and isinstance(place, int) else []
+        self._say("\n".join(lines))
+
+    def _say(self, text: str) -> None:
+        self.query_one("#audit-detail", Static).update(text)
+
+    @on(RowPicked)
+    def _picked(self, event: RowPicked) -> None:
+        event.stop()
+        self._detail()
+
+    @on(RowChosen)
+    def _chosen(self, event: RowChosen) -> None:
+        event.stop()
+        self._look_closer()
+
+    def _look_closer(self) -> None:
+        """The marked command alone, with all its steps; again, everything."""
+        place = self.rows.cursor
+        if not isinstance(place, int) or place >= len(self._records):
+            return
+        record = self._records[place]
+        this = f"request:{record.id}" if record.id is not None else f"{record.robot} {record.what}".strip()
+        self._find("" if self.query_one(Field).value == this else this)
+
+    def _export(self) -> None:
+        wanted = self._wanted()
+        if wanted is not None:
+            self._say("writing ...")
+            self.run_worker(partial(self._write, *wanted), thread=True, group="audit export")
+
+    def _write(self, reading: "Reading", search: "Search") -> None:
+        """In a thread: everything that matches, to a new file beside the log."""
+        from fleet_tui.journal.export import export
+
+        path = reading.path.with_name(f"audit-{datetime.now():%Y%m%d-%H%M%S}.csv")
+        try:
+            count = export(path, filter(search.wants, reading.newest_first()))
+            said = f"{count} record{'s' * (count != 1)} written to {path}"
+        except OSError as problem:
+            said = f"not written: {path}: {problem.strerror}"
+        self.app.call_from_thread(self._say, said)

@@ -1,0 +1,39 @@
+"""Records and logs for the tests of the journal."""
+
+from pathlib import Path
+
+from fleet_tui.journal.audit import Audit
+from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
+from fleet_tui.journal.entries import Origin
+from fleet_tui.journal.reader import Reading
+from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.store import Store
+from tests.fleets import R0, T0, WALL, fleet, graph, labels, link_up, pose, told
+
+ANA = Origin("ana", "host:1", "run1")
+
+
+def record(words: str = "", **more: object) -> AuditRecord:
+    fields = {"kind": "command", "what": "pause", "change": "sent", "robot": R0, "words": words, **more}
+    return ANA.record(WALL, **fields)
+
+
+def known_fleet() -> FleetState:
+    """A robot with two labelled vertices and one without."""
+    return told(fleet(), link_up(T0), graph(1, 2, 3), labels({1: "Base", 3: "Store"}), pose(T0))
+
+
+def watched(folder: Path, origin: Origin = ANA) -> tuple[Store, Audit]:
+    """A store whose changes go to the log of a folder."""
+    store, audit = Store(known_fleet()), Audit(AuditFile(folder / FILE_NAME), origin)
+    store.watchers.append(audit.watch)
+    return store, audit
+
+
+def read(folder: Path) -> list[AuditRecord]:
+    """The log of a folder, the oldest record first; nothing in it may be unreadable."""
+    reading = Reading(folder / FILE_NAME)
+    found = list(reading.newest_first())[::-1]
+    assert reading.unreadable == 0
+    return found

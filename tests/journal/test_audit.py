@@ -1,0 +1,273 @@
+"""What is written of commands, alarms and the console, and when."""
+
+import json
+import re
+from collections.abc import Callable
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.config.schema import Config, Operator
+from fleet_tui.journal import audit as module
+from fleet_tui.journal.audit import Audit, auditing, encode, operator_name
+from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
+from fleet_tui.journal.entries import TEXT_KEPT, Origin, without_secrets
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.events import AlarmAcknowledged, CommandAdvanced, CommandIssued
+from fleet_tui.store import Store
+from tests.fleets import F0, R0, T0, WALL, battery, commanded, queue, tick
+from tests.journal.records import ANA, known_fleet, read, record, watched
+from tests.watched import config_of
+
+ORDER = PlaceOrder(R0, 1, 2)
+
+
+def give(store: Store, id_: int, command: Command, *stages: Stage, words: str = "") -> None:
+    for fact in commanded(id_, command, *stages, words=words):
+        store.tell(fact)
+
+
+def test_a_command_from_the_key_to_its_end(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    give(store, 7, ORDER, Stage.SENT, Stage.ACCEPTED)
+    store.tell(tick(T0 + 1))
+    store.tell(queue(T0 + 1, (12, 1, 2, "Q")))
+    store.tell(tick(T0 + 2))
+    found = read(tmp_path)
+    assert [one.change for one in found] == ["checked", "sent", "accepted"]  # its queue was not known before
+    for one in found:
+        assert (one.id, one.kind, one.what, one.robot, one.floor) == (7, "command", "order", R0, F0)
+        assert (one.start, one.start_label, one.end, one.end_label) == (1, "Base", 2, "")
+        assert (one.operator, one.console, one.run, one.version) == ("ana", "host:1", "run1", 1)
+        assert (one.link, one.url) == ("rosbridge", "ws://site:9090")
+        assert datetime.fromisoformat(one.time).utcoffset() is not None
+
+
+def test_the_order_that_was_recognised_and_the_robots_words_are_in_it(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    store.tell(queue(T0))
+    give(store, 7, ORDER, Stage.SENT, Stage.ACCEPTED, words="ACCEPTED")
+    store.tell(queue(T0 + 1, (12, 1, 2, "Q")))
+    store.tell(tick(T0 + 2))
+    last = read(tmp_path)[-1]
+    assert (last.change, last.order, last.words) == ("confirmed", 12, "order 12 is in the queue")
+    assert read(tmp_path)[-2].words == "ACCEPTED"
+
+
+@pytest.mark.parametrize(
+    ("command", "what", "arguments"),
+    [
+        (PlaceOrderWithCargo(R0, 3), "bring cargo", {"end": 3, "end_label": "Store"}),
+        (CancelOrder(R0, 12), "cancel", {"order": 12}),
+        (ClearOrders(R0), "clear", {}),
+        (PauseRobot(R0), "pause", {}),
+        (ResumeRobot(R0), "resume", {}),
+    ],
+)
+def test_every_kind_of_command(
+    tmp_path: Path, command: Command, what: str, arguments: dict[str, object]
+) -> None:
+    store, _ = watched(tmp_path)
+    give(store, 1, command, Stage.NOT_SENT, words="no link")
+    line = json.loads((tmp_path / FILE_NAME).read_bytes().splitlines()[-1])
+    known = {name: line.get(name) for name in ("start", "start_label", "end", "end_label", "order")}
+    assert {name: value for name, value in known.items() if value is not None} == arguments
+    assert (line["what"], line["change"], line["words"]) == (what, "not sent", "no link")
+
+
+def test_the_line_is_there_before_anything_else_happens(tmp_path: Path) -> None:
+    """In the link the command is sent after it was told."""
+    store, _ = watched(tmp_path)
+    store.tell(CommandIssued(1, ORDER, T0, WALL))
+    assert [one.change for one in read(tmp_path)] == ["checked"]
+
+
+def test_an_alarm_from_raised_to_cleared(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    for fact in (battery(T0 + 1, 15.0), tick(T0 + 1), tick(T0 + 1.1), AlarmAcknowledged()):
+        store.tell(fact)
+    for fact in (battery(T0 + 2, 80.0), tick(T0 + 2), battery(T0 + 60), tick(T0 + 60)):
+        store.tell(fact)
+    found = read(tmp_path)
+    assert {(one.kind, one.what, one.robot) for one in found} == {("alarm", "battery", R0)}
+    assert (found[0].change, found[0].words, found[0].priority) == ("raised", "battery 15 %", "low")
+    assert found[1].change == "acknowledged"
+    assert found[-1].change == "returned, cleared"
+    assert len(found) == 3
+
+
+def test_the_console_itself_and_what_it_leaves_open(tmp_path: Path) -> None:
+    config = config_of("ws://site:9090")
+    store = Store(known_fleet())
+    with auditing(tmp_path, config, store, demo=True):
+        give(store, 1, ORDER, Stage.SENT)
+        give(store, 2, ORDER, Stage.NOT_SENT)
+    store.tell(CommandAdvanced(1, Stage.UNKNOWN, T0))
+    found = read(tmp_path)
+    assert (found[0].kind, found[0].change) == ("console", "opened")
+    assert [(one.id, one.change, one.words) for one in found[-2:]] == [
+        (1, "console closed", "it was: sent"),
+        (None, "closed", ""),
+    ]
+    assert all(one.demo for one in found)
+    assert len({one.run for one in found}) == 1
+
+
+class FullDisk(AuditFile):
+    """Refuses as long as it is told to."""
+
+    full = True
+
+    def append(self, line: bytes) -> None:
+        if self.full:
+            raise OSError(28, "No space left on device")
+        super().append(line)
+
+
+def test_a_full_disk_is_said_and_what_was_not_written_is_written_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "RETRY", 0.0)
+    store, disk = Store(known_fleet()), FullDisk(tmp_path / FILE_NAME)
+    audit = Audit(disk, ANA)
+    store.watchers.append(audit.watch)
+    give(store, 1, ORDER, Stage.SENT, Stage.REFUSED)
+    assert store.state.commands[0].stage is Stage.REFUSED
+    assert audit.notes == ["audit: not written: No space left on device"]
+    audit.retry()
+    disk.full = False
+    assert audit.notes != []
+    audit.retry()
+    assert audit.notes == []
+    give(store, 2, ORDER)
+    assert [(one.id, one.change) for one in read(tmp_path)] == [
+        *((1, change) for change in ("checked", "sent", "refused")),
+        (2, "checked"),
+    ]
+
+
+def test_a_disk_is_not_tried_at_every_record(tmp_path: Path) -> None:
+    disk = FullDisk(tmp_path / FILE_NAME)
+    audit = Audit(disk, ANA)
+    audit.tell("one")
+    disk.full = False
+    audit.tell("two")
+    audit.retry()
+    assert audit.notes != [] and not (tmp_path / FILE_NAME).exists()
+    assert audit.close(known_fleet()) == 0  # the last chance is taken
+    assert [one.change for one in read(tmp_path)] == ["one", "two", "closed"]
+
+
+def test_what_waits_has_a_bound_and_what_is_lost_is_counted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "WAITING", 10)
+    monkeypatch.setattr(module, "RETRY", 0.0)
+    disk = FullDisk(tmp_path / FILE_NAME)
+    audit = Audit(disk, ANA)
+    for n in range(25):
+        audit.tell(f"n{n}")
+    disk.full = False
+    audit.retry()
+    found = read(tmp_path)
+    assert [one.change for one in found] == [*(f"n{n}" for n in range(15, 25)), "lost"]
+    assert found[-1].words == "15 records before this one could not be written"
+    assert audit.notes == []
+
+
+def _no_folder(folder: Path) -> Path:
+    (folder / "file").write_text("")
+    return folder / "file" / "state"
+
+
+def _device(folder: Path) -> Path:
+    (folder / FILE_NAME).symlink_to("/dev/full")
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("prepare", "says"), [(_no_folder, "Not a directory"), (_device, "No space left on device")]
+)
+def test_what_the_disk_says_stands_on_the_screen(
+    tmp_path: Path, prepare: Callable[[Path], Path], says: str
+) -> None:
+    store, audit = watched(prepare(tmp_path))
+    give(store, 1, ORDER, Stage.SENT)
+    assert audit.notes == [f"audit: not written: {says}"]
+    assert audit.close(store.state) > 0
+
+
+def test_an_error_of_our_own_stops_no_dispatch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    store, _ = watched(tmp_path)
+
+    def broken(_record: object) -> bytes:
+        raise RuntimeError
+
+    with monkeypatch.context() as patched:
+        patched.setattr(module, "encode", broken)
+        give(store, 1, ORDER, Stage.SENT)
+    give(store, 2, ORDER)
+    assert [one.change for one in read(tmp_path)] == ["checked", "lost"]
+
+
+HOSTILE = "\x1b[2J\x9b31m\u202eevil\x07\r\n\ud800\x00[red]" + "é" * 2000
+
+
+def test_hostile_words_stay_what_they_are_and_act_on_nobody(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path, Origin(HOSTILE, HOSTILE, "run"))
+    give(store, 1, ORDER, Stage.SENT, Stage.REFUSED, words=HOSTILE)
+    raw = (tmp_path / FILE_NAME).read_bytes()
+    assert len(raw.splitlines()) == 3 and len(raw) < 3 * 40 * TEXT_KEPT
+    assert all(0x20 <= byte < 0x7F or byte == 0x0A for byte in raw)
+    found = read(tmp_path)
+    assert found[-1].words.startswith("\x1b[2J\x9b31m\u202eevil\x07\r\n\\ud800\x00[red]é")
+    assert found[-1].words.endswith("…")
+
+
+def test_a_record_costs_the_writer_little(tmp_path: Path) -> None:
+    import time
+
+    store, _ = watched(tmp_path)
+    began = time.perf_counter()
+    for n in range(300):
+        give(store, n, ORDER, Stage.SENT, Stage.REFUSED)
+    assert (time.perf_counter() - began) / 900 < 0.002
+
+
+def test_the_operator_is_named_by_the_config_or_the_login(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert operator_name(Config(operator=Operator("eva"))) == "eva"
+    monkeypatch.setenv("LOGNAME", "ben")
+    assert operator_name(Config()) == "ben"
+
+    def nobody() -> str:
+        raise KeyError("uid not found")
+
+    monkeypatch.setattr("getpass.getuser", nobody)
+    assert re.fullmatch(r"uid \d+", operator_name(Config()))
+
+
+@pytest.mark.parametrize(
+    "url", ["wss://ana:secret@site:9090/ros?token=secret#secret", "wss://secret@site:9090/ros"]
+)
+def test_no_secret_of_an_address_is_kept(url: str) -> None:
+    assert without_secrets(url) == "wss://site:9090/ros"
+    assert without_secrets("ws://[::1") == ""
+
+
+def test_a_record_reads_back_as_it_was() -> None:
+    import msgspec
+
+    from fleet_tui.model.audit_record import AuditRecord
+
+    whole = record("w", id=1, start=2, end=3, start_label="é", order=4, floor=F0, priority="low", count=5)
+    assert msgspec.json.decode(encode(whole), type=AuditRecord) == whole
