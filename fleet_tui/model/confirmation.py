@@ -46,12 +46,22 @@ def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
     return robot.queue.value
 
 
+def _is_of_another_life(other: CommandRecord, record: CommandRecord, last: int) -> bool:
+    """Whether the robot has begun to count anew between two commands: an id seen before the second one
+    was given was above the last one known when it was."""
+    return other.order_id is not None and other.at <= record.issued_at and other.order_id > last
+
+
 def _find_order(state: FleetState, robot: Robot, record: CommandRecord) -> int | None:
     """The order in the queue that this command placed: same ends, a new id, nobody else's."""
     queue, command, last = _queue_since(robot, record), record.command, record.before.last_order_id
     if queue is None or last is None:
         return None
-    taken = {other.order_id for other in state.commands if other.command.robot == robot.name}
+    taken = {
+        other.order_id
+        for other in state.commands
+        if other.command.robot == robot.name and not _is_of_another_life(other, record, last)
+    }
     start = command.start if isinstance(command, PlaceOrder) else None
     end = command.end if isinstance(command, PlaceOrder | PlaceOrderWithCargo) else None
     ids = [

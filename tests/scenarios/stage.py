@@ -1,0 +1,76 @@
+"""What the scenarios share: a console with short patience, and what became of its commands."""
+
+from typing import Any
+
+import msgspec
+
+from fleet_tui.config.schema import Config
+from fleet_tui.model.commands import CommandRecord, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.simulator.faults import parse_faults, play
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.console_pilot import Console
+from tests.watched import config_of
+
+R0 = "robot_0"
+NO_ANSWER_AFTER, NOT_CONFIRMED_AFTER = 0.5, 2.0
+
+
+def hasty(url: str) -> Config:
+    """One robot, and seconds where an operator has more patience."""
+    config = config_of(url, 1)
+    alarms = msgspec.structs.replace(
+        config.alarms, no_answer_after=NO_ANSWER_AFTER, not_confirmed_after=NOT_CONFIRMED_AFTER
+    )
+    return msgspec.structs.replace(config, alarms=alarms)
+
+
+def plant(server: RosbridgeServer, faults: str) -> None:
+    play(server, parse_faults(faults, server.world.robots))
+
+
+def calls(server: RosbridgeServer) -> list[str]:
+    """The services that were called, by their last name."""
+    return [service.rpartition("/")[2] for service, _ in server.calls]
+
+
+def requests(server: RosbridgeServer) -> list[Any]:
+    """The request ids of the orders that reached the wire."""
+    return [args["request_id"] for _, args in server.calls if "request_id" in args]
+
+
+async def order(it: Console) -> None:
+    """Base -> Consumidores by the promised keys."""
+    await it.press("o")
+    await it.type("Base")
+    await it.press("enter")
+    await it.type("Consumidores")
+    await it.press("enter")
+
+
+async def ended(it: Console, count: int = 1) -> CommandRecord:
+    """The last of so many commands, once all of them have ended."""
+
+    def holds(state: FleetState) -> bool:
+        return len(state.commands) == count and all(record.ended for record in state.commands)
+
+    return (await it.until(holds)).commands[-1]
+
+
+def stages(record: CommandRecord) -> list[Stage]:
+    return [step.stage for step in record.steps]
+
+
+def is_up(state: FleetState) -> bool:
+    """Whether telemetry and commands get through."""
+    return all(
+        link.phase is Phase.UP and link.command_path is CommandPath.ALIVE for link in state.links.values()
+    )
+
+
+async def heard_anew(it: Console) -> None:
+    """Wait until the link is up and the queue was heard once more."""
+    now = it.store.state.now
+    await it.until(is_up)
+    await it.until(lambda state: (queue := state.robots[R0].queue) is not None and queue.at > now)

@@ -1,0 +1,113 @@
+"""Two consoles command the same robot: each command ends once in each, and both show the same robot."""
+
+import time
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+
+from fleet_tui.config.start import initial_state
+from fleet_tui.link.fleet_link import FleetLink
+from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.console_pilot import console
+from tests.scenarios.stage import R0, calls, ended, hasty, order, requests, stages
+from tests.watched import WatchedStore
+
+SENT = [Stage.CHECKED, Stage.SENT]
+BASE, CONSUMIDORES = 0, 19
+
+
+class Other:
+    """The other console, without a screen."""
+
+    def __init__(self, link: FleetLink, store: WatchedStore) -> None:
+        self.link, self.store = link, store
+
+    async def ended(self, count: int = 1) -> CommandRecord:
+        def holds(state: FleetState) -> bool:
+            return len(state.commands) == count and all(record.ended for record in state.commands)
+
+        return (await self.store.until(holds)).commands[-1]
+
+
+@asynccontextmanager
+async def other_console(url: str) -> AsyncIterator[Other]:
+    config = hasty(url)
+    store = WatchedStore(initial_state(config, time.monotonic()))
+    link = FleetLink(config, store)
+    link.open()
+    await store.until(lambda state: state.robots[R0].queue)
+    yield Other(link, store)
+    link.close()
+
+
+async def test_the_same_order_from_both_is_two_orders(server: RosbridgeServer) -> None:
+    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+        other.link.submit(PlaceOrder(R0, BASE, CONSUMIDORES))
+        await order(it)
+        for record in (await ended(it), await other.ended()):
+            assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
+        assert calls(server) == ["Execute_order", "Execute_order"]
+        assert len(set(requests(server))) == 2
+        await it.until(lambda state: len(state.robots[R0].orders.orders) == 2)
+        await it.shows("Q queued", "queue")
+        assert it.pane("queue").count("Base -> Consumidores") == 2
+
+
+async def test_an_order_of_the_other_one_is_shown_and_can_be_cancelled(server: RosbridgeServer) -> None:
+    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+        other.link.submit(PlaceOrder(R0, BASE, CONSUMIDORES))
+        await other.ended()
+        await it.shows("Base -> Consumidores", "queue")
+        await it.press("x", "y")
+        record = await ended(it)
+        assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
+        await it.shows("cancel order 1: confirmed (gone from the queue)", "message")
+        # It was in the queue, and that was the end of it there.
+        assert (await other.ended()).stage is Stage.CONFIRMED
+
+
+async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:
+    """Only one can; the other is told so in the robot's own words."""
+    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+        await order(it)
+        await ended(it)
+        await it.shows("Base -> Consumidores", "queue")
+        await it.press("x")
+        await it.shows("Cancel order 1 of robot_0?")
+        other.link.submit(CancelOrder(R0, 1))
+        await it.until(lambda _: len(server.calls) == 2)
+        await it.press("y")
+        record, first = await ended(it, 2), await other.ended()
+        assert stages(first) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
+        assert stages(record) == [*SENT, Stage.REFUSED]
+        await it.shows("cancel order 1: refused (REJECTED: no order 1)", "message")
+        await it.shows("no orders", "queue")
+
+
+async def test_one_clears_while_the_other_orders(server: RosbridgeServer) -> None:
+    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+        for count in (1, 2):
+            await order(it)
+            await ended(it, count)
+        other.link.submit(ClearOrders(R0))
+        assert stages(await other.ended()) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
+        await it.shows("no orders", "queue")
+        await order(it)
+        assert (await ended(it, 3)).order_id == 3
+        assert len(calls(server)) == 4
+
+
+async def test_a_pause_from_the_other_one_is_named_as_such(server: RosbridgeServer) -> None:
+    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+        other.link.submit(PauseRobot(R0))
+        assert stages(await other.ended()) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
+        await it.shows("paused", "fleet")
+        await it.press("w")
+        await it.shows("it says so; it came from elsewhere")
+        await it.press("r")
+        record = await ended(it)
+        assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
+        await it.shows("▶ likeliest: no orders")
+        assert "paused" not in it.pane("fleet")
+        assert calls(server) == ["Pause", "Resume"]
