@@ -14,14 +14,19 @@ from tests.console_pilot import Console
 from tests.watched import config_of
 
 R0 = "robot_0"
-NO_ANSWER_AFTER, NOT_CONFIRMED_AFTER = 0.5, 2.0
+NO_ANSWER_AFTER = 0.5  # seconds, where an answer is not expected
 
 
-def hasty(url: str) -> Config:
-    """One robot, and seconds where an operator has more patience."""
-    config = config_of(url, 1)
+def patient(url: str) -> Config:
+    """One robot, and the seconds that an operator has."""
+    return config_of(url, 1)
+
+
+def hasty(url: str, not_confirmed_after: float = 5.0) -> Config:
+    """The same with fewer seconds, for what is expected to fail: nothing else must fail on a busy machine."""
+    config = patient(url)
     alarms = msgspec.structs.replace(
-        config.alarms, no_answer_after=NO_ANSWER_AFTER, not_confirmed_after=NOT_CONFIRMED_AFTER
+        config.alarms, no_answer_after=NO_ANSWER_AFTER, not_confirmed_after=not_confirmed_after
     )
     return msgspec.structs.replace(config, alarms=alarms)
 

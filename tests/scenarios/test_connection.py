@@ -5,7 +5,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
 from tests.console_pilot import console
-from tests.scenarios.stage import R0, calls, ended, hasty, heard_anew, order, plant, stages
+from tests.scenarios.stage import R0, calls, ended, hasty, heard_anew, order, patient, plant, stages
 
 SENT = [Stage.CHECKED, Stage.SENT]
 
@@ -20,7 +20,7 @@ def stands_at(stage: Stage, state: FleetState) -> bool:
 
 async def test_carried_out_but_the_answer_was_lost(server: RosbridgeServer) -> None:
     plant(server, "drop")
-    async with console(hasty(server.url)) as it:
+    async with console(patient(server.url)) as it:
         await order(it)
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.CONFIRMED]
@@ -33,7 +33,7 @@ async def test_carried_out_but_the_answer_was_lost(server: RosbridgeServer) -> N
 
 async def test_neither_carried_out_nor_answered(server: RosbridgeServer) -> None:
     plant(server, "never")
-    async with console(hasty(server.url)) as it:
+    async with console(hasty(server.url, 1.5)) as it:
         await order(it)
         await it.until(lambda _: server.calls)
         await server.drop_clients()
@@ -48,7 +48,7 @@ async def test_neither_carried_out_nor_answered(server: RosbridgeServer) -> None
 
 async def test_a_pause_whose_answer_was_lost(server: RosbridgeServer) -> None:
     plant(server, "drop")
-    async with console(hasty(server.url)) as it:
+    async with console(patient(server.url)) as it:
         await it.press("p")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.CONFIRMED]
@@ -62,7 +62,7 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
     first = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True))
     await first.start()
     plant(first, "never")
-    async with console(hasty(first.url)) as it:
+    async with console(hasty(first.url, 1.5)) as it:
         await order(it)
         await it.until(lambda _: first.calls)
         await first.stop()
@@ -91,7 +91,7 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
 async def test_a_robot_that_starts_anew_counts_from_nothing_again(server: RosbridgeServer) -> None:
     """The ids of before come again: the second order 1 is another one than the first."""
     plant(server, "restart:robot_0")
-    async with console(hasty(server.url)) as it:
+    async with console(patient(server.url)) as it:
         for count in (1, 2):
             await order(it)
             record = await ended(it, count)

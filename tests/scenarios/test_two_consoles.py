@@ -10,7 +10,7 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, Pa
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import console
-from tests.scenarios.stage import R0, calls, ended, hasty, order, requests, stages
+from tests.scenarios.stage import R0, calls, ended, order, patient, requests, stages
 from tests.watched import WatchedStore
 
 SENT = [Stage.CHECKED, Stage.SENT]
@@ -32,7 +32,7 @@ class Other:
 
 @asynccontextmanager
 async def other_console(url: str) -> AsyncIterator[Other]:
-    config = hasty(url)
+    config = patient(url)
     store = WatchedStore(initial_state(config, time.monotonic()))
     link = FleetLink(config, store)
     link.open()
@@ -42,7 +42,7 @@ async def other_console(url: str) -> AsyncIterator[Other]:
 
 
 async def test_the_same_order_from_both_is_two_orders(server: RosbridgeServer) -> None:
-    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+    async with console(patient(server.url)) as it, other_console(server.url) as other:
         other.link.submit(PlaceOrder(R0, BASE, CONSUMIDORES))
         await order(it)
         for record in (await ended(it), await other.ended()):
@@ -55,7 +55,7 @@ async def test_the_same_order_from_both_is_two_orders(server: RosbridgeServer) -
 
 
 async def test_an_order_of_the_other_one_is_shown_and_can_be_cancelled(server: RosbridgeServer) -> None:
-    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+    async with console(patient(server.url)) as it, other_console(server.url) as other:
         other.link.submit(PlaceOrder(R0, BASE, CONSUMIDORES))
         await other.ended()
         await it.shows("Base -> Consumidores", "queue")
@@ -69,7 +69,7 @@ async def test_an_order_of_the_other_one_is_shown_and_can_be_cancelled(server: R
 
 async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:
     """Only one can; the other is told so in the robot's own words."""
-    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+    async with console(patient(server.url)) as it, other_console(server.url) as other:
         await order(it)
         await ended(it)
         await it.shows("Base -> Consumidores", "queue")
@@ -86,7 +86,7 @@ async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:
 
 
 async def test_one_clears_while_the_other_orders(server: RosbridgeServer) -> None:
-    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+    async with console(patient(server.url)) as it, other_console(server.url) as other:
         for count in (1, 2):
             await order(it)
             await ended(it, count)
@@ -99,7 +99,7 @@ async def test_one_clears_while_the_other_orders(server: RosbridgeServer) -> Non
 
 
 async def test_a_pause_from_the_other_one_is_named_as_such(server: RosbridgeServer) -> None:
-    async with console(hasty(server.url)) as it, other_console(server.url) as other:
+    async with console(patient(server.url)) as it, other_console(server.url) as other:
         other.link.submit(PauseRobot(R0))
         assert stages(await other.ended()) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         await it.shows("paused", "fleet")
