@@ -13,6 +13,7 @@ from fleet_tui.screens.audit_actions import AuditActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
+from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.screens.help import Help
@@ -27,6 +28,7 @@ class Navigation(AlarmActions, AuditActions):
     """The selection, by key, by mouse and by name."""
 
     map: "MapView"
+    fleet: RowsPane
     simple: "Simple | None" = None
     key_help: "Help"
     palette: "Palette"
@@ -37,13 +39,14 @@ class Navigation(AlarmActions, AuditActions):
         raise NotImplementedError
 
     def select(self, robot: str) -> None:
-        """Select a robot."""
-        self.selection = self.selection.on_robot(robot)
+        """Select a robot; the fleet's cursor is on the selected one."""
+        self.selection, self.fleet.cursor = self.selection.on_robot(robot), robot
         self.tick()
 
     def find_robot(self, robot: str) -> None:
         """Select a robot and bring the map to it."""
-        self.selection = self.selection.on_robot(robot).settled(self.state, follow=True)
+        self.select(robot)
+        self.selection = self.selection.settled(self.state, follow=True)
         self.tick()
         self.map.action_centre()
 
@@ -138,7 +141,8 @@ class Navigation(AlarmActions, AuditActions):
     @on(messages.RowPicked)
     def row_picked(self, event: messages.RowPicked) -> None:
         """The fleet's cursor selects."""
-        if event.pane == "fleet":
+        # The cursor may have moved on since.
+        if event.pane == "fleet" and event.key == self.fleet.cursor:
             self.select(str(event.key))
 
     @on(messages.RowChosen)

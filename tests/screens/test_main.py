@@ -42,6 +42,8 @@ async def test_robots_are_chosen_by_step_and_number(server: RosbridgeServer) -> 
         for keys, robot in (("]", "robot_1"), ("]", "robot_0"), ("[", "robot_1"), ("1", "robot_0")):
             await it.press(keys)
             await it.shows(f"Queue {robot}", "queue")
+            (marked,) = [line for line in it.pane("fleet").splitlines() if line.startswith("▸")]
+            assert robot in marked
         await it.press("9")
         assert it.app.main.selection.robot == "robot_0"
 
