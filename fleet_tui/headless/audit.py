@@ -34,6 +34,6 @@ def write_records(typed: str, as_csv: bool, demo: bool, out: TextIO) -> str:
         raise
     except OSError as problem:
         raise FleetError(f"{reading.path}: {problem.strerror}") from None
-    notes = [f"{reading.unreadable} lines are no records"] if reading.unreadable else []
+    notes = [reading.note] if reading.note else []
     notes += [] if count else ["no such record"]
     return f"{reading.path}: {', '.join(notes)}" if notes else ""

@@ -101,12 +101,12 @@ def _about(state: FleetState, record: CommandRecord) -> dict[str, Any]:
 
 
 def _where(state: FleetState, robot: Robot) -> dict[str, Any]:
-    link = state.links.get(robot.link)
-    return {
-        "floor": robot.floor or "",
-        "link": robot.link,
-        "url": without_secrets(link.url) if link else "",
-    }
+    return {"floor": robot.floor or "", **_link(state, robot.link)}
+
+
+def _link(state: FleetState, name: str) -> dict[str, Any]:
+    link = state.links.get(name)
+    return {"link": name, "url": without_secrets(link.url) if link else ""}
 
 
 def _arguments(robot: Robot | None, command: Command) -> dict[str, Any]:
@@ -145,7 +145,7 @@ def alarm_records(
 def _of_alarm(origin: Origin, state: FleetState, alarm: Alarm, change: str, wall: float) -> AuditRecord:
     condition = alarm.condition
     robot = state.robots.get(condition.source)
-    about = {"robot": robot.name, **_where(state, robot)} if robot else {"link": condition.source}
+    about = {"robot": robot.name, **_where(state, robot)} if robot else _link(state, condition.source)
     return origin.record(
         wall,
         kind="alarm",

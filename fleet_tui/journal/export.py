@@ -35,8 +35,12 @@ def write_csv(file: TextIO, records: Iterable[AuditRecord]) -> int:
 
 
 def export(path: Path, records: Iterable[AuditRecord]) -> int:
-    """Write a new file that only its owner reads. Returns how many records are in it. Raises OSError,
-    also where the file is there already."""
-    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC
-    with open(os.open(path, flags, 0o600), "w", encoding="utf-8", newline="") as file:  # noqa: PTH123  # a Path can't open a descriptor
-        return write_csv(file, records)
+    """Write a new file that only its owner reads, whole or not at all. Returns how many records are in
+    it. Raises OSError, also where the file is there already."""
+    fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o600)
+    try:
+        with open(fd, "w", encoding="utf-8", newline="") as file:  # noqa: PTH123  # a Path can't open a descriptor
+            return write_csv(file, records)
+    except OSError:
+        path.unlink(missing_ok=True)
+        raise

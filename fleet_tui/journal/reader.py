@@ -27,6 +27,13 @@ class Reading:
     path: Path
     unreadable: int = 0
 
+    @property
+    def note(self) -> str:
+        """What is to be said of the lines so far."""
+        if not self.unreadable:
+            return ""
+        return f"{self.unreadable} line{'s' * (self.unreadable != 1)} that can't be read"
+
     def newest_first(self) -> Iterator[AuditRecord]:
         """The records; nothing where there is no file. Raises OSError where one can't be read."""
         with ExitStack() as stack:

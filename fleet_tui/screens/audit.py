@@ -1,6 +1,6 @@
 """The audit log on the screen: typing filters it, Enter shows one command from the key to its end."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from datetime import datetime
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 SHOWN = 1000
 """Records that are listed; a narrower search reaches the older ones."""
-HOW = "type to filter, robot: by: outcome: since:2h   Enter one command   Ctrl-S to CSV   Esc closes"
+HOW = "type to filter, robot: by: outcome: since:2h  Enter its steps  Ctrl-S CSV"
 
 
 class Records(RowsPane, can_focus=False):
@@ -114,9 +114,10 @@ class AuditLog(Overlay):
         except OSError as failed:
             problem = f"the log can't be read: {failed.strerror}"
         note = f"the newest {SHOWN}" if len(found) > SHOWN else str(len(found))
-        if reading.unreadable:
-            note += f", {reading.unreadable} lines are no records"
-        self.app.call_from_thread(self._list, found[:SHOWN], note, problem)
+        if reading.note:
+            note += f", {reading.note}"
+        if not worker.is_cancelled:
+            self.app.call_from_thread(self._list, found[:SHOWN], note, problem)
 
     def _list(self, records: list[AuditRecord], note: str = "", empty: str = "") -> None:
         self._records = records
@@ -162,10 +163,20 @@ class AuditLog(Overlay):
         """In a thread: everything that matches, to a new file beside the log."""
         from fleet_tui.journal.export import export
 
+        worker = get_current_worker()
+
+        def wanted() -> Iterator[AuditRecord]:
+            for record in filter(search.wants, reading.newest_first()):
+                if worker.is_cancelled:
+                    raise InterruptedError
+                yield record
+
         path = reading.path.with_name(f"audit-{datetime.now():%Y%m%d-%H%M%S}.csv")
         try:
-            count = export(path, filter(search.wants, reading.newest_first()))
+            count = export(path, wanted())
             said = f"{count} record{'s' * (count != 1)} written to {path}"
+        except InterruptedError:
+            return
         except OSError as problem:
             said = f"not written: {path}: {problem.strerror}"
         self.app.call_from_thread(self._say, said)

@@ -37,7 +37,7 @@ def test_the_newest_first_and_nothing_that_acts_on_the_terminal(log: Path) -> No
     assert done.returncode == 0
     one, two = done.stdout.splitlines()
     assert one.endswith("ana robot_1 pause: refused (=␛[2Jx)") and two.endswith("robot_0 pause: sent (ok)")
-    assert done.stderr == f"{log}: 1 lines are no records\n"
+    assert done.stderr == f"{log}: 1 line that can't be read\n"
 
 
 def test_by_robot_word_and_time(log: Path) -> None:

@@ -25,7 +25,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.events import AlarmAcknowledged, CommandAdvanced, CommandIssued
 from fleet_tui.store import Store
-from tests.fleets import F0, R0, T0, WALL, battery, commanded, queue, tick
+from tests.fleets import F0, R0, T0, WALL, battery, commanded, link_lost, queue, tick
 from tests.journal.records import ANA, known_fleet, read, record, watched
 from tests.watched import config_of
 
@@ -104,6 +104,16 @@ def test_an_alarm_from_raised_to_cleared(tmp_path: Path) -> None:
     assert found[1].change == "acknowledged"
     assert found[-1].change == "returned, cleared"
     assert len(found) == 3
+
+
+def test_an_alarm_of_a_link_names_its_address(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    for fact in (link_lost(T0 + 1), tick(T0 + 1), tick(T0 + 10)):
+        store.tell(fact)
+    first = read(tmp_path)[0]
+    assert (first.kind, first.what, first.change, first.robot) == ("alarm", "link", "raised", "")
+    assert (first.link, first.url) == ("rosbridge", "ws://site:9090")
+    assert first.words.startswith("no link")
 
 
 def test_the_console_itself_and_what_it_leaves_open(tmp_path: Path) -> None:

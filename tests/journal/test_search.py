@@ -3,6 +3,7 @@
 import csv
 import io
 import stat
+from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
@@ -104,3 +105,13 @@ def test_an_export_is_for_its_owner_and_never_overwrites(tmp_path: Path) -> None
     with pytest.raises(FileExistsError):
         export(path, [])
     assert ANA.operator in path.read_text()
+
+
+def test_an_export_that_fails_leaves_no_half_file(tmp_path: Path) -> None:
+    def records() -> Iterator[AuditRecord]:
+        yield record()
+        raise OSError(28, "No space left on device")
+
+    with pytest.raises(OSError, match="No space left"):
+        export(tmp_path / "audit.csv", records())
+    assert list(tmp_path.iterdir()) == []

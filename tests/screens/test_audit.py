@@ -123,7 +123,7 @@ async def test_hostile_records_and_foreign_lines_do_not_act_on_the_screen(
     (tmp_path / FILE_NAME).write_bytes(b"rubbish\n" + odd + odd[:50])
     async with audited(server, tmp_path) as it:
         await open_log(it, "refused (␛[2J\ufffd[red]x)")
-        await it.shows("2 lines are no records")
+        await it.shows("2 lines that can't be read")
 
 
 async def test_the_console_without_a_log_says_so(server: RosbridgeServer) -> None:
