@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, ClassVar
 from textual.binding import BindingType
 from textual.theme import Theme
 
-from fleet_tui.config.check import map_path
 from fleet_tui.config.schema import Config
 from fleet_tui.keys import keymap
 from fleet_tui.model.commands import Command
@@ -105,7 +104,7 @@ class FleetApp(PaintFirst, inherit_bindings=False):
 
         for floor in self._config.floors:
             if floor.map:
-                path = map_path(self._config, floor.map)
+                path = self._config.beside(floor.map)
                 link.tell(load_floor_map(floor.name, path, self._config.profile.origin == "added"))
 
     def submit(self, command: Command) -> None:

@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 import click
 
 from fleet_tui import __version__
+from fleet_tui.config.access import access_problems, unsafe_places
 from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, load, read, user_folder
 from fleet_tui.config.schema import Config
@@ -162,7 +163,9 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     """Validate a configuration: every problem at once."""
     path = find(file or config_file)
     config, problems = read(path)
-    problems += [*missing_files(config), *_theme_problems(config)]
+    problems += [*missing_files(config), *access_problems(config), *_theme_problems(config)]
+    for line in unsafe_places(config):
+        click.echo(f"{path}: warning: {line}", err=True)
     if problems:
         raise ConfigError([f"{path}: {line}" for line in problems])
     robots, floors = len(config.robots), len(config.floors)

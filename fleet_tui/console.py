@@ -5,18 +5,20 @@ import logging
 import os
 import sys
 import time
+from collections.abc import Mapping
 from contextlib import ExitStack
 
 import msgspec
 
 from fleet_tui.app import FleetApp
+from fleet_tui.config.access import access_problems, unsafe_places
 from fleet_tui.config.load import user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import ConfigError, FleetError, did_you_mean
 from fleet_tui.log_file import log_to_file, state_folder
 from fleet_tui.store import Store
-from fleet_tui.themes import load_themes
+from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.drawing import Drawing
 
 LOG = logging.getLogger(__name__)
@@ -61,6 +63,16 @@ def _terminal(drawing: Drawing, colour: bool) -> str:
     )
 
 
+def _refuse(config: Config, themes: Mapping[str, FleetTheme]) -> None:
+    """Raise ConfigError for what would only show once the screen is open."""
+    refused = access_problems(config)
+    if config.ui.theme not in themes:
+        near = did_you_mean(config.ui.theme, themes)
+        refused.append(f"ui.theme: no theme {config.ui.theme!r}{near}")
+    if refused:
+        raise ConfigError([f"{config.path}: {line}" for line in refused])
+
+
 def open_console(
     config: Config, read_only: bool, drawing: str | None, debug: bool, demo: bool = False
 ) -> None:
@@ -68,22 +80,22 @@ def open_console(
     if not all(stream.isatty() for stream in (sys.stdin, sys.stdout, sys.stderr)):
         raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")
     themes, problems = load_themes(user_folder() / "themes")
-    if config.ui.theme not in themes:
-        near = did_you_mean(config.ui.theme, themes)
-        raise ConfigError([f"{config.path}: ui.theme: no theme {config.ui.theme!r}{near}"])
+    _refuse(config, themes)
     if read_only:
         config = msgspec.structs.replace(
             config, operator=msgspec.structs.replace(config.operator, read_only=True)
         )
-    log_to_file(debug)
+    warnings = [*unsafe_places(config), *(f"theme {problem}" for problem in problems)]
+    if log_to_file(debug) is None:
+        warnings.append(f"nothing is logged: {state_folder()} can't be written")
     store = Store(initial_state(config, time.monotonic()))
     mode, colour = _drawing(drawing or config.ui.drawing), _colour()
     app = FleetApp(config, store, themes, mode, colour)
     app.main.terminal = _terminal(mode, colour)
-    for problem in problems:
-        LOG.warning("theme %s", problem)
-    if problems:
-        app.main.said = f"theme {problems[0]}" + (f" and {len(problems) - 1} more" if problems[1:] else "")
+    for warning in warnings:
+        LOG.warning("%s", warning)
+    if warnings:
+        app.main.said = warnings[0] + (f" and {len(warnings) - 1} more" if warnings[1:] else "")
     _run(app, config, demo)
     if app.return_code:
         raise FleetError("the console ended with an error: the log file says more")

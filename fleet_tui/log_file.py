@@ -27,6 +27,8 @@ def state_folder() -> Path:
 def log_to_file(debug: bool) -> Path | None:
     """Send logging and warnings to the log file, or nowhere if there can be none."""
     logging.captureWarnings(True)
+    # A full disk costs the line. Said on stderr it would cost the screen.
+    logging.raiseExceptions = False
     root = logging.getLogger()
     root.setLevel(logging.DEBUG if debug else logging.INFO)
     path = state_folder() / "fleet-tui.log"

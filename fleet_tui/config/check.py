@@ -3,11 +3,10 @@
 import re
 from collections import Counter
 from collections.abc import Iterator
-from pathlib import Path
 from urllib.parse import urlsplit
 
 from fleet_tui.config.profile import FIELDS, FLOOR_TOPICS, SERVICES, TOPICS, Profile
-from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config
+from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config, Link, link_key
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keys import keymap
 from fleet_tui.model.alarm import Priority
@@ -20,7 +19,7 @@ PROFILES = ("oh_ressources",)
 def checked(config: Config) -> list[str]:
     """One line for each problem that only the whole configuration shows."""
     return [
-        *_urls(config),
+        *_links(config),
         *_names("floors", [floor.name for floor in config.floors]),
         *_names("robots", [robot.name for robot in config.robots]),
         *_frames(config),
@@ -37,35 +36,37 @@ def missing_files(config: Config) -> list[str]:
     return [
         f"floors[{n}].map: no such file {floor.map}"
         for n, floor in enumerate(config.floors)
-        if floor.map and not map_path(config, floor.map).is_file()
+        if floor.map and not config.beside(floor.map).is_file()
     ]
 
 
-def map_path(config: Config, name: str) -> Path:
-    """Where a floor's map file lies: relative to the config file."""
-    return config.path.parent / expanded(name)
-
-
-def expanded(name: str) -> Path:
-    """A path with ~ as the home it means; the ~ of a user who is not known stays."""
-    try:
-        return Path(name).expanduser()
-    except RuntimeError:
-        return Path(name)
-
-
-def _urls(config: Config) -> Iterator[str]:
-    links = {"rosbridge": config.rosbridge, **{f"links.{name}": link for name, link in config.links.items()}}
-    for where, link in links.items():
-        try:
-            parts = urlsplit(link.url)
-            fine = parts.scheme in ("ws", "wss") and bool(parts.hostname) and parts.port != 0
-        except ValueError:
-            fine = False
-        if not fine:
-            yield f"{where}.url: {link.url!r} is no address, it looks like ws://HOST:9090"
+def _links(config: Config) -> Iterator[str]:
     if DEFAULT_LINK in config.links:
         yield f"links.{DEFAULT_LINK}: this name stands for [rosbridge], choose another"
+    for name, link in {**config.links, DEFAULT_LINK: config.rosbridge}.items():
+        for problem in _link(link):
+            yield f"{link_key(name)}.{problem}"
+
+
+def _link(link: Link) -> Iterator[str]:
+    try:
+        parts = urlsplit(link.url)
+        fine = parts.scheme in ("ws", "wss") and bool(parts.hostname) and parts.port != 0
+    except ValueError:
+        fine = False
+    if not fine or parts.fragment:
+        yield f"url: {link.shown!r} is no address, it looks like ws://HOST:9090"
+    elif "@" in parts.netloc:
+        yield "url: no user and password here: set authorization_file to a file with `Basic ...` in it"
+    if not link.is_secure:
+        for key in ("ca_file", "client_cert", "client_key"):
+            if getattr(link, key):
+                yield f"{key}: there is no TLS with ws://, the url must begin with wss://"
+    if link.client_key and not link.client_cert:
+        yield "client_key: is of no use without client_cert"
+    for key in ("authorization", "rosauth"):
+        if getattr(link, f"{key}_env") and getattr(link, f"{key}_file"):
+            yield f"{key}_file: give the file or {key}_env, not both"
 
 
 def _names(where: str, names: list[str]) -> Iterator[str]:

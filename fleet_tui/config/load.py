@@ -11,8 +11,8 @@ from typing import Any, Literal
 import msgspec
 import platformdirs
 
-from fleet_tui.config.check import checked, expanded
-from fleet_tui.config.schema import Config
+from fleet_tui.config.check import checked
+from fleet_tui.config.schema import Config, expanded
 from fleet_tui.errors import ConfigError, did_you_mean
 
 _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "true or false"} | {

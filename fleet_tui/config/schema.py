@@ -1,5 +1,6 @@
 """The shape of config.toml. Every key has a default, so that little is enough."""
 
+import re
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -9,15 +10,53 @@ from fleet_tui.config.profile import Profile
 
 DEFAULT_LINK = "rosbridge"
 
+LINK_FILES = ("ca_file", "client_cert", "client_key", "authorization_file", "rosauth_file")
+
 Positive = Annotated[float, msgspec.Meta(gt=0, lt=1e6)]
 NotNegative = Annotated[float, msgspec.Meta(ge=0, lt=1e6)]
 Percent = Annotated[float, msgspec.Meta(ge=0, le=100)]
 
 
+def expanded(name: str) -> Path:
+    """A path with ~ as the home it means; the ~ of a user who is not known stays."""
+    try:
+        return Path(name).expanduser()
+    except RuntimeError:
+        return Path(name)
+
+
+def link_key(name: str) -> str:
+    """Where a link stands in the config."""
+    return name if name == DEFAULT_LINK else f"links.{name}"
+
+
 class Link(msgspec.Struct, frozen=True):
-    """`[rosbridge]` and `[links.NAME]`: where a bridge listens."""
+    """`[rosbridge]` and `[links.NAME]`: where a bridge listens, and what it takes to be let in.
+
+    Files are relative to the config file. What is secret stands in a file or in an environment
+    variable, never here.
+    """
 
     url: str = "ws://127.0.0.1:9090"
+    max_message_mb: Annotated[float, msgspec.Meta(gt=0, le=2000)] = 128.0
+    ca_file: str = ""
+    client_cert: str = ""
+    client_key: str = ""
+    authorization_file: str = ""
+    authorization_env: str = ""
+    rosauth_file: str = ""
+    rosauth_env: str = ""
+
+    @property
+    def shown(self) -> str:
+        """The url without what may be secret in it."""
+        without_user = re.sub(r"^(\w+://)?.*@", r"\1***@", self.url, flags=re.DOTALL)
+        return re.sub(r"\?.*", "?***", without_user, flags=re.DOTALL)
+
+    @property
+    def is_secure(self) -> bool:
+        """Whether TLS is spoken."""
+        return self.url.startswith("wss:")
 
 
 class FloorEntry(msgspec.Struct, frozen=True):
@@ -99,6 +138,17 @@ class Config(msgspec.Struct, frozen=True):
         """Every bridge some robot hangs on, by name."""
         known = {DEFAULT_LINK: self.rosbridge, **self.links}
         return {name: known[name] for name in dict.fromkeys(robot.link for robot in self.robots)}
+
+    def bridge(self, name: str) -> Link:
+        """One bridge, its files with their whole paths."""
+        link = self.bridges[name]
+        found = {key: getattr(link, key) for key in LINK_FILES}
+        whole = {key: str(self.beside(path)) for key, path in found.items() if path}
+        return msgspec.structs.replace(link, **whole)
+
+    def beside(self, name: str) -> Path:
+        """Where a file lies that the config names: relative to the config file; ~ is the home."""
+        return self.path.parent / expanded(name)
 
     def floors_of(self, robot: RobotEntry) -> list[str]:
         """The floors a robot can be on."""

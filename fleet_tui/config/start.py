@@ -17,7 +17,7 @@ def initial_state(config: Config, now: float) -> FleetState:
             )
             for number, robot in enumerate(config.robots, 1)
         },
-        links={name: LinkState(name, link.url, since=now) for name, link in config.bridges.items()},
+        links={name: LinkState(name, link.shown, since=now) for name, link in config.bridges.items()},
         limits=Limits(
             alarms.offline_after,
             alarms.obstacle_after,

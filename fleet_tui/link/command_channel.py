@@ -5,6 +5,7 @@ import logging
 import time
 from collections.abc import Callable
 
+from fleet_tui.config.schema import Link
 from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.link.calls import Call, Calls, LinkLostError, NoAnswerError
 from fleet_tui.link.transport import Connection
@@ -32,7 +33,7 @@ class CommandChannel:
     def __init__(
         self,
         link: str,
-        url: str,
+        bridge: Link,
         interface: Interface,
         writer: Writer,
         timeout: float,
@@ -49,7 +50,7 @@ class CommandChannel:
         self._heartbeat: asyncio.Task[None] | None = None
         # A task that nobody holds may be collected in the middle.
         self._under_way: set[asyncio.Task[None]] = set()
-        self.connection = Connection(url, self)
+        self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
 
     def _set_path(self, path: CommandPath, reason: str = "") -> None:
@@ -97,6 +98,10 @@ class CommandChannel:
             return
         if isinstance(operation, operations.ServiceResponse) and not self._calls.on_response(operation):
             LOG.warning("a late answer to %s: %s", operation.id, operation.values)
+
+    def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
+        """No answer to a command is that large."""
+        LOG.warning("an answer of %d bytes was passed over", size)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic), before anything else happens."""

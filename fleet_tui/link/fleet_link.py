@@ -4,7 +4,9 @@ import itertools
 import secrets
 import time
 
+from fleet_tui.config.access import access_problems
 from fleet_tui.config.schema import Config
+from fleet_tui.errors import ConfigError
 from fleet_tui.link.link import Link
 from fleet_tui.link.writer import Writer
 from fleet_tui.model.commands import Command, Stage
@@ -19,6 +21,10 @@ class FleetLink:
     """Feeds the store and takes the commands. Any thread may call."""
 
     def __init__(self, config: Config, store: Store) -> None:
+        """Raises ConfigError for a secret or a certificate that can't be used."""
+        problems = access_problems(config)
+        if problems:
+            raise ConfigError([f"{config.path}: {line}" for line in problems])
         self._store = store
         self._read_only = config.operator.read_only
         self._writer = Writer(store)

@@ -19,11 +19,11 @@ class Link:
     def __init__(self, name: str, config: Config, writer: Writer) -> None:
         self.name = name
         self._writer = writer
-        url = config.bridges[name].url
         interface = KINDS[config.profile.name](config.profile)
-        self._telemetry = Telemetry(name, url, config, interface, writer)
+        self._telemetry = Telemetry(name, config, interface, writer)
         timeout = config.alarms.no_answer_after
-        self._commands = CommandChannel(name, url, interface, writer, timeout, self._telemetry.silence)
+        bridge = config.bridge(name)
+        self._commands = CommandChannel(name, bridge, interface, writer, timeout, self._telemetry.silence)
 
     def open(self) -> None:
         """Connect, and stay connected."""

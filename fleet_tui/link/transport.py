@@ -6,9 +6,12 @@ hour, never notices a frozen server, can't read binary frames and complains on s
 
 import asyncio
 import logging
+import platform
 import random
+import secrets
 import ssl
-from typing import Any, Protocol, cast
+import time
+from typing import Any, cast
 
 import roslibpy
 from roslibpy.comm.comm_asyncio import (
@@ -17,32 +20,25 @@ from roslibpy.comm.comm_asyncio import (
     _get_shared_manager,
 )
 
-from fleet_tui.errors import LinkError
+from fleet_tui.config.access import secret
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import FleetError, LinkError
+from fleet_tui.link.listener import Listener
+from fleet_tui.link.reasons import ended, failed_handshake, refusal
+from fleet_tui.link.tls import tls_context
+from fleet_tui.rosbridge import operations
 
 LOG = logging.getLogger(__name__)
 
-FIRST_DELAY, LONGEST_DELAY, JITTER = 1.0, 5.0, 0.1
+FIRST_DELAY, LONGEST_DELAY, JITTER = 1.0, 5.0, 0.25
 # A connection that lived this long was a good one: the next loss is tried again quickly.
 SETTLED_AFTER = 5.0
 CONNECT_TIMEOUT = 5.0
 PING_INTERVAL = PING_TIMEOUT = 3.0
-MAX_MESSAGE_BYTES = 512 * 2**20
-
-
-class Listener(Protocol):
-    """Who hears of a connection. Everything is called on the network loop."""
-
-    def on_connecting(self) -> None:
-        """A try has begun."""
-
-    def on_open(self) -> None:
-        """Frames can be sent."""
-
-    def on_lost(self, reason: str, next_try_in: float) -> None:
-        """There is no connection; it is tried again in so many seconds."""
-
-    def on_frame(self, payload: bytes, is_binary: bool) -> None:
-        """A frame came."""
+# Closed sooner after it was opened, a connection was not wanted.
+AT_ONCE = 1.0
+# Of a message that is too large so much is kept: enough to see which topic it is of.
+HEAD = 1000
 
 
 def network_loop() -> asyncio.AbstractEventLoop:
@@ -53,7 +49,52 @@ def network_loop() -> asyncio.AbstractEventLoop:
 
 
 class _Protocol(AsyncioRosBridgeProtocol):  # type: ignore[misc]  # roslibpy has no types
-    """Hands whole frames to the listener instead of decoding them itself."""
+    """Hands whole messages to the listener undecoded, and passes over those that are too large."""
+
+    lost_by: Exception | None = None
+    message_data: list[bytes]
+    frame_data: list[bytes]
+    _fed = 0.0
+
+    def data_received(self, data: bytes) -> None:
+        self._fed = self.factory.manager.loop.time()
+        super().data_received(data)
+
+    def onAutoPingTimeout(self) -> None:  # noqa: N802  # autobahn's name
+        # The answer to a ping waits behind a long message: what still arrives is alive.
+        if self.factory.manager.loop.time() - self._fed > PING_TIMEOUT:
+            super().onAutoPingTimeout()
+            return
+        later = self.factory._batched_timer.call_later
+        self.autoPingTimeoutCall = later(PING_TIMEOUT, self.onAutoPingTimeout)
+
+    def onMessageBegin(self, isBinary: bool) -> None:  # noqa: N802, N803  # autobahn's names
+        super().onMessageBegin(isBinary)
+        self._head = b""
+
+    def onMessageFrameBegin(self, length: int) -> None:  # noqa: N802  # autobahn's name
+        # Not the base's: that one fails the connection, and the next one would bring the same message.
+        self.frame_length, self.frame_data = length, []
+        self.message_data_total_length += length
+
+    def onMessageFrameData(self, payload: bytes) -> None:  # noqa: N802  # autobahn's name
+        if self.message_data_total_length <= self.factory.limit:
+            super().onMessageFrameData(payload)
+        elif not self._head:
+            self._head = b"".join([*self.message_data[:1], *self.frame_data[:1], payload])[:HEAD]
+            self.message_data, self.frame_data = [], []
+
+    def onMessageEnd(self) -> None:  # noqa: N802  # autobahn's name
+        if not self._head:
+            super().onMessageEnd()
+            return
+        size = self.message_data_total_length
+        self.factory.listener.on_too_large(self._head, self.message_is_binary, size)
+
+    def _max_message_size_exceeded(self, msg_size: int, max_msg_size: int, reason: str) -> None:
+        # A compressed message can't be passed over: from the next connection on there are none.
+        self.factory.setProtocolOptions(perMessageCompressionOffers=[])
+        super()._max_message_size_exceeded(msg_size, max_msg_size, reason)
 
     def onMessage(self, payload: bytes, isBinary: bool) -> None:  # noqa: N802, N803  # autobahn's names
         try:
@@ -61,22 +102,14 @@ class _Protocol(AsyncioRosBridgeProtocol):  # type: ignore[misc]  # roslibpy has
         except Exception:
             LOG.exception("frame of %d bytes", len(payload))
 
+    def connection_lost(self, exc: Exception | None) -> None:
+        self.lost_by = exc
+        super().connection_lost(exc)
+
     def onClose(self, wasClean: bool, code: int, reason: str | None) -> None:  # noqa: N802, N803  # autobahn's names
         if self.factory is not None:
-            self.factory.reason = _plain(code, reason)
+            self.factory.reason = self.factory.why_closed(code, reason or "", self.lost_by)
         super().onClose(wasClean, code, reason)
-
-
-def _plain(code: int, reason: str | None) -> str:
-    """Why a connection ended, in plain words."""
-    text = reason or ""
-    if "upgrade failed" in text or "HTTP" in text:
-        return "the server there is no rosbridge: " + (text.partition("(")[2].rstrip(")") or text)
-    if "did not perform opening handshake" in text or "opening handshake" in text:
-        return "the server there does not answer"
-    if "ping timeout" in text or "pong" in text:
-        return "the server stopped answering"
-    return {1000: "closed by the server", 1001: "the server went away"}.get(code, "connection lost")
 
 
 class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy has no types
@@ -84,20 +117,23 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
 
     protocol = _Protocol
 
-    def __init__(self, url: str, listener: Listener) -> None:
-        super().__init__(url)
+    def __init__(self, bridge: Link, listener: Listener) -> None:
+        super().__init__(bridge.url)
+        self._bridge = bridge
+        self._rosauth = ""
         self.listener = listener
+        self.limit = int(bridge.max_message_mb * 1e6)
         self.reason = ""
         self._opened_at = 0.0
         self._reconnect_delay: float = FIRST_DELAY
         self._timer: asyncio.TimerHandle | None = None
+        self._trying: asyncio.Task[None] | None = None
         self.setProtocolOptions(
             autoPingInterval=PING_INTERVAL,
             autoPingTimeout=PING_TIMEOUT,
             openHandshakeTimeout=CONNECT_TIMEOUT,
             closeHandshakeTimeout=1,
-            maxMessagePayloadSize=MAX_MESSAGE_BYTES,
-            maxFramePayloadSize=MAX_MESSAGE_BYTES,
+            maxMessagePayloadSize=self.limit,
             tcpNoDelay=True,
             # The decoder finds bad UTF-8, without going through 54 MB of a map first.
             utf8validateIncoming=False,
@@ -105,11 +141,17 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
 
     def ready(self, proto: _Protocol) -> None:
         """The handshake is done."""
+        if self._stop:
+            proto.transport.abort()
+            return
+        # A server that accepts and drops at once must not be asked ever faster.
         delay = self._reconnect_delay
         super().ready(proto)
-        # A server that accepts and drops at once must not be asked ever faster.
         self._reconnect_delay = delay
         self._opened_at = self.manager.loop.time()
+        if self._rosauth:
+            rand, now = secrets.token_hex(16), int(time.time())
+            proto.sendMessage(operations.auth(self._rosauth, platform.node(), self.host, rand, now))
         self.listener.on_open()
 
     def connection_lost(self, proto: _Protocol) -> None:
@@ -120,24 +162,44 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
         self._opened_at = 0.0
         super().connection_lost(proto)
 
+    def why_closed(self, code: int, text: str, lost_by: Exception | None) -> str:
+        """Why a connection ended, in plain words; `text` is autobahn's."""
+        if not self._opened_at:
+            return failed_handshake(text, self._bridge, lost_by)
+        lived = self.manager.loop.time() - self._opened_at
+        if isinstance(lost_by, ssl.SSLError):
+            return refusal(lost_by, self._bridge)
+        return ended(code, text, self._bridge, lived < AT_ONCE)
+
     def stop(self) -> None:
         """Never try again. On the loop."""
         self._stop = True
-        if self._timer is not None:
-            self._timer.cancel()
+        for pending in (self._timer, self._trying):
+            if pending is not None:
+                pending.cancel()
+
+    def _open_connection(self) -> None:
+        # A task that nobody holds may be collected in the middle.
+        self._trying = asyncio.ensure_future(self._connect_async())
 
     async def _connect_async(self) -> None:
         if self._stop:
             return
         self.listener.on_connecting()
-        loop = self.manager.loop
-        secure = ssl.create_default_context() if self.isSecure else None
         try:
-            connecting = loop.create_connection(self, self.host, self.port, ssl=secure)
-            await asyncio.wait_for(connecting, CONNECT_TIMEOUT)
-        except (OSError, TimeoutError, ssl.SSLError, ValueError) as problem:
-            self.reason = _refusal(problem)
+            async with asyncio.timeout(CONNECT_TIMEOUT):
+                secure = await self._be_let_in()
+                await self.manager.loop.create_connection(self, self.host, self.port, ssl=secure)
+        except (OSError, ValueError, FleetError) as problem:
+            self.reason = refusal(problem, self._bridge)
             self._schedule_reconnect()
+
+    async def _be_let_in(self) -> ssl.SSLContext | None:
+        """Read secrets and certificates anew: they may have been renewed."""
+        authorization = secret(self._bridge, "authorization")
+        self.headers = {"Authorization": authorization} if authorization else {}
+        self._rosauth = secret(self._bridge, "rosauth")
+        return await asyncio.to_thread(tls_context, self._bridge) if self._bridge.is_secure else None
 
     def _schedule_reconnect(self) -> None:
         if self._stop:
@@ -149,28 +211,13 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
         self._timer = self.manager.loop.call_later(wait, self._open_connection)
 
 
-def _refusal(problem: Exception) -> str:
-    """Why no connection was made, in plain words."""
-    match problem:
-        case ConnectionRefusedError():
-            return "nothing listens there"
-        case TimeoutError():
-            return "no answer from that address"
-        case ssl.SSLError():
-            return f"TLS: {problem.reason or problem}".lower()
-        case OSError(errno=errno) if errno is not None and errno < 0:
-            return "no such host"
-        case _:
-            return str(problem) or type(problem).__name__
-
-
 class Connection(roslibpy.Ros):  # type: ignore[misc]  # roslibpy has no types
     """One WebSocket to a bridge that sends now or not at all."""
 
-    def __init__(self, url: str, listener: Listener) -> None:
+    def __init__(self, bridge: Link, listener: Listener) -> None:
         # Not the base's: that one picks the factory itself and connects at once.
         self._id_counter = 0
-        self.factory = _Factory(url, listener)
+        self.factory = _Factory(bridge, listener)
         self.is_connecting = False
 
     def send(self, payload: bytes) -> None:

@@ -3,6 +3,7 @@
 Written from what a real rosbridge_server 0.11 sends: see the transcripts in tests/wire.
 """
 
+import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -122,3 +123,19 @@ def unsubscribe(topic: str) -> bytes:
 def call_service(call_id: str, service: str, args: Mapping[str, object]) -> bytes:
     """The frame that calls a service. `args` must be complete: a bridge fills gaps with zeros."""
     return _encoder.encode({"op": "call_service", "id": call_id, "service": service, "args": args})
+
+
+# Seconds for which we ask to be let in. rosauth looks at it only once, when the connection begins.
+SESSION = 86_400
+
+
+def auth(secret: str, client: str, dest: str, rand: str, now: int) -> bytes:
+    """The frame that shows a rosauth server, at Unix second `now`, that we know its secret.
+
+    Source: ROSBRIDGE_PROTOCOL.md (auth) and rosauth's ros_mac_authentication: SHA-512 over the
+    secret and the fields as they are sent.
+    """
+    level, end = "operator", now + SESSION
+    mac = hashlib.sha512(f"{secret}{client}{dest}{rand}{now}{level}{end}".encode()).hexdigest()
+    fields = {"mac": mac, "client": client, "dest": dest, "rand": rand, "t": now, "level": level, "end": end}
+    return _encoder.encode({"op": "auth", **fields})

@@ -55,6 +55,8 @@ class RosbridgeServer(ServiceDesk):
         """Topics that are not published."""
         self.deliveries: dict[str, Callable[[Session, Frame], None]] = {}
         """How the answers of a service are brought to the client, where not at once."""
+        self.orphaned: set[str] = set()
+        """Topics that come no more, as after a restart of roscore, until nobody holds them."""
         self._host, self._port, self._rate = host, port, rate
         self._subscribed: dict[str, set[Session]] = {}
         self._sessions: set[Session] = set()
@@ -144,6 +146,7 @@ class RosbridgeServer(ServiceDesk):
         self._subscribed[topic].discard(session)
         if not self._subscribed[topic]:
             del self._subscribed[topic]
+            self.orphaned.discard(topic)
 
     async def _attend(self, connection: ServerConnection) -> None:
         session = Session(connection, self)
@@ -180,7 +183,7 @@ class RosbridgeServer(ServiceDesk):
 
     def _publish(self, name: str) -> None:
         sessions = self._subscribed.get(name)
-        if not sessions or name in self.muted:
+        if not sessions or name in self.muted or name in self.orphaned:
             return
         publication = Publication(name, self._topics[name].payload(time.time()))
         for session in sessions:

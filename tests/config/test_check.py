@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.config.check import checked, map_path, missing_files
+from fleet_tui.config.check import checked, missing_files
 from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import Alarms, Config, FloorEntry, Link, RobotEntry
 from fleet_tui.errors import did_you_mean
@@ -146,8 +146,8 @@ def test_a_map_file_that_is_not_there_is_named(tmp_path: Path) -> None:
         "floors[1].map: no such file gone.yaml",
         "floors[2].map: no such file ~no-such-user-x/y",
     ]
-    assert map_path(config, "there.yaml") == tmp_path / "there.yaml"
-    assert map_path(config, str(tmp_path / "abs.png")) == tmp_path / "abs.png"
+    assert config.beside("there.yaml") == tmp_path / "there.yaml"
+    assert config.beside(str(tmp_path / "abs.png")) == tmp_path / "abs.png"
 
 
 def test_only_a_near_name_is_suggested() -> None:

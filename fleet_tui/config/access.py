@@ -1,0 +1,92 @@
+"""Secrets and certificates of a bridge: read from where they lie, and only if they lie safely."""
+
+import os
+import re
+import stat
+from collections.abc import Callable, Iterator
+from functools import partial
+
+from fleet_tui.config.schema import LINK_FILES, Config, Link, link_key
+from fleet_tui.errors import ConfigError
+
+SECRETS = ("authorization", "rosauth")
+SECRET_FILES = ("authorization_file", "rosauth_file")
+PUBLIC = ("ca_file", "client_cert")
+LONGEST = 16_384  # bytes of a header that servers take
+
+
+def access_problems(config: Config) -> list[str]:
+    """One line for each secret and certificate that can't be used. No line holds a secret."""
+    problems: list[str] = []
+    for name in config.bridges:
+        bridge = config.bridge(name)
+        looks: list[Callable[[], object]] = [
+            partial(_content, bridge, key) for key in LINK_FILES if key not in SECRET_FILES
+        ]
+        looks += [partial(secret, bridge, key) for key in SECRETS]
+        for look in looks:
+            try:
+                look()
+            except ConfigError as problem:
+                problems.append(f"{link_key(name)}.{problem}")
+    return problems
+
+
+def secret(bridge: Link, key: str) -> str:
+    """What stands for `authorization` or `rosauth`, "" where nothing is set. Raises ConfigError."""
+    variable, where = getattr(bridge, f"{key}_env"), f"{key}_file"
+    if variable:
+        where, found = f"{key}_env", os.environ.get(variable, "")
+        if not found:
+            # Without its name: it may be the secret itself, put where its name belongs.
+            raise ConfigError([f"{where}: there is no environment variable of that name"])
+    else:
+        found = _content(bridge, where).decode("ascii", errors="replace").rstrip("\r\n")
+    if found and (len(found) > LONGEST or not re.fullmatch(r"[\x20-\x7e]+", found)):
+        raise ConfigError([f"{where}: must be one line of plain ASCII"])
+    return found
+
+
+def _content(bridge: Link, key: str) -> bytes:
+    """The beginning of a file that the config names. Raises ConfigError if it can't be used."""
+    name = getattr(bridge, key)
+    if not name:
+        return b""
+    try:
+        # A pipe must not keep us waiting.
+        with os.fdopen(os.open(name, os.O_RDONLY | os.O_NONBLOCK), "rb") as opened:
+            problem = _exposure(os.fstat(opened.fileno()), key not in PUBLIC)
+            content = b"" if problem else opened.read(LONGEST + 1)
+    except (OSError, ValueError) as error:
+        # Its name is not said: where a path belongs, the secret itself may have been written.
+        problem = f"can't be read: {getattr(error, 'strerror', '') or 'no path'}"
+    if not problem and not content:
+        problem = "is empty"
+    if problem:
+        raise ConfigError([f"{key}: {problem}"])
+    return content
+
+
+def _exposure(found: os.stat_result, is_private: bool) -> str:
+    """Why a file can't be used, "" if it can."""
+    if not stat.S_ISREG(found.st_mode):
+        return "is no file"
+    mode = stat.S_IMODE(found.st_mode)
+    if is_private and mode & (stat.S_IRWXG | stat.S_IRWXO):
+        return f"others can read it (mode {mode:o}): chmod 600 it"
+    if is_private and found.st_uid not in (os.geteuid(), 0):
+        return "belongs to another user: chown it"
+    return ""
+
+
+def unsafe_places(config: Config) -> Iterator[str]:
+    """One line for each place through which any user of this machine could change the config."""
+    path = config.path
+    for place in (path, *path.resolve().parents):
+        try:
+            mode = place.stat().st_mode
+        except OSError:
+            continue
+        # In a folder like /tmp nobody can replace what belongs to others.
+        if mode & stat.S_IWOTH and not (stat.S_ISDIR(mode) and mode & stat.S_ISVTX):
+            yield f"any user of this machine can change {place}: chmod o-w {place}"

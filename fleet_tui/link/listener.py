@@ -1,0 +1,22 @@
+"""What a connection tells, and to whom."""
+
+from typing import Protocol
+
+
+class Listener(Protocol):
+    """Who hears of a connection. Everything is called on the network loop."""
+
+    def on_connecting(self) -> None:
+        """A try has begun."""
+
+    def on_open(self) -> None:
+        """Frames can be sent."""
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """There is no connection; it is tried again in so many seconds."""
+
+    def on_frame(self, payload: bytes, is_binary: bool) -> None:
+        """A frame came."""
+
+    def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
+        """A message of `size` bytes was passed over; `head` is how it begins."""

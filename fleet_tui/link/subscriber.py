@@ -1,0 +1,167 @@
+"""What a bridge is asked for: everything on each connection, the map that is shown, and again
+whatever stays away. Everything runs on the network loop."""
+
+import asyncio
+import logging
+import random
+from collections.abc import Callable, Collection, Mapping
+
+from fleet_tui.config.profile import Profile
+from fleet_tui.errors import LinkError
+from fleet_tui.link.calls import Calls
+from fleet_tui.link.reading import Reading
+from fleet_tui.link.subscriptions import Wanted, type_problem
+from fleet_tui.link.transport import Connection
+from fleet_tui.model import events
+from fleet_tui.rosbridge import operations
+
+LOG = logging.getLogger(__name__)
+
+ROSAPI_TIMEOUT = 2.0
+# A bridge too old for CBOR says nothing: after this many seconds the map is asked for as JSON.
+CBOR_PATIENCE = 20.0
+# A bridge behind which roscore was restarted stays silent until it is asked anew. A robot that is only
+# switched off is asked for again and again, each time after twice as long. Seconds; a real bridge takes
+# 20 ms for each topic, and has not finished before that.
+FIRST_AGAIN, FOR_EACH_TOPIC, LONGEST_AGAIN = 8.0, 0.03, 64.0
+# The bridge asks ROS anew only when nobody holds the topic. Consoles notice a silence at about
+# the same time: for so many seconds all of them let go.
+LET_GO = 1.0
+
+
+class Subscriber:
+    """Subscribes on one connection, and again for robots that stay silent."""
+
+    def __init__(
+        self,
+        connection: Connection,
+        calls: Calls,
+        wanted: Mapping[str, Wanted],
+        profile: Profile,
+        reading: Reading,
+        tell: Callable[[events.Event], None],
+    ) -> None:
+        self._connection, self._calls, self._reading, self._tell = connection, calls, reading, tell
+        self._wanted, self._profile = wanted, profile
+        self._robots = {one.robot for one in wanted.values()}
+        self._first_again = FIRST_AGAIN + FOR_EACH_TOPIC * len(wanted)
+        self._types: dict[str, str] = {}
+        self._refused: set[str] = set()
+        self._map: Wanted | None = None
+        self._asked: dict[str, float] = {}
+        self._patience: dict[str, float] = {}
+        self._task: asyncio.Task[None] | None = None
+
+    def start(self, now: float) -> None:
+        """Subscribe to everything: the bridge remembers nothing of us. `now` is monotonic, in seconds."""
+        self._reading.maps_heard.clear()
+        self._refused.clear()
+        self._patience.clear()
+        self._asked = dict.fromkeys(self._robots, now)
+        self._task = asyncio.ensure_future(self._subscribe_to(self._robots))
+
+    def stop(self) -> None:
+        """There is nobody to ask any more."""
+        if self._task is not None:
+            self._task.cancel()
+
+    def look(self, now: float, spoke: Mapping[str, float]) -> None:
+        """Ask again for robots that are silent for long; `spoke` says when each did (monotonic)."""
+        if self._task is None or not self._task.done() or not self._connection.is_connected:
+            return
+        silent = {robot for robot in self._robots if self._is_silent(robot, now, spoke.get(robot, 0.0))}
+        if not silent:
+            return
+        LOG.info("silent, and so asked for again: %s", " ".join(sorted(silent)))
+        for robot in silent:
+            self._asked[robot] = now
+            # Chance parts consoles that would for ever hold a topic in turns.
+            longer = self._patience.get(robot, self._first_again) * random.uniform(1.8, 2.2)
+            self._patience[robot] = min(longer, LONGEST_AGAIN)
+        self._task = asyncio.ensure_future(self._renew(silent))
+
+    def _is_silent(self, robot: str, now: float, spoke: float) -> bool:
+        asked = self._asked[robot]
+        if spoke > asked:
+            self._patience.pop(robot, None)
+        return now - max(spoke, asked) > self._patience.get(robot, self._first_again)
+
+    async def _renew(self, robots: Collection[str]) -> None:
+        for wanted in self._of(robots):
+            self._unsubscribe(wanted)
+        await asyncio.sleep(LET_GO)
+        await self._subscribe_to(robots)
+
+    def _of(self, robots: Collection[str]) -> list[Wanted]:
+        return [
+            one
+            for one in self._wanted.values()
+            if one.robot in robots and (not one.kind.heavy or one is self._map)
+        ]
+
+    async def _subscribe_to(self, robots: Collection[str]) -> None:
+        self._types = await self._ask_types()
+        for wanted in self._of(robots):
+            self._subscribe(wanted)
+
+    async def _ask_types(self) -> dict[str, str]:
+        """Type by topic, as rosapi tells; empty where it doesn't."""
+        try:
+            response = await self._calls.call("/rosapi/topics", {}, ROSAPI_TIMEOUT)
+        except LinkError as problem:
+            LOG.info("types are not checked: %s", problem)
+            return {}
+        values = response.values
+        if not response.result or not isinstance(values, dict):
+            LOG.info("types are not checked: %s", values)
+            return {}
+        topics, types = values.get("topics"), values.get("types")
+        if not isinstance(topics, list) or not isinstance(types, list):
+            return {}
+        return {str(topic): str(type_) for topic, type_ in zip(topics, types, strict=False)}
+
+    def _subscribe(self, wanted: Wanted, compression: str = "") -> None:
+        problem = type_problem(wanted, self._types, self._profile)
+        if problem:
+            if wanted.subscription.topic not in self._refused:
+                self._refused.add(wanted.subscription.topic)
+                self._tell(events.MessageRejected(wanted.robot, problem))
+            return
+        asked = wanted.subscription
+        # ROS 2 writes the same type with a middle part: the bridge wants its own spelling back.
+        asked = operations.Subscription(
+            asked.topic,
+            self._types.get(asked.topic, asked.type),
+            asked.throttle_rate,
+            compression or asked.compression,
+        )
+        try:
+            self._connection.send(operations.subscribe(asked))
+        except LinkError:
+            return
+        # Where rosapi answers it says whether there is a map at all.
+        if asked.compression == "cbor" and (asked.topic in self._types or not self._types):
+            asyncio.get_running_loop().call_later(CBOR_PATIENCE, self._ask_plainly, wanted)
+
+    def _ask_plainly(self, wanted: Wanted) -> None:
+        if self._map is wanted and wanted.subscription.topic not in self._reading.maps_heard:
+            self._unsubscribe(wanted)
+            self._subscribe(wanted, "none")
+
+    def _unsubscribe(self, wanted: Wanted) -> None:
+        try:
+            self._connection.send(operations.unsubscribe(wanted.subscription.topic))
+        except LinkError:
+            return
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Ask for one robot's live map of a floor, and no longer for the one before; "" for none."""
+        topic = self._profile.topic("map", robot, floor) if robot else ""
+        wanted = self._wanted.get(topic)
+        if wanted is self._map:
+            return
+        if self._map is not None:
+            self._unsubscribe(self._map)
+        self._map = wanted
+        if wanted is not None and self._connection.is_connected:
+            self._subscribe(wanted)

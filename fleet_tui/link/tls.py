@@ -1,0 +1,34 @@
+"""How a bridge is reached over TLS: always verified, by the system's authorities or one's own."""
+
+import ssl
+
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import LinkError
+
+
+def tls_context(bridge: Link) -> ssl.SSLContext | None:
+    """What verifies the bridge and shows our certificate; None for ws://. Reads files.
+
+    Raises LinkError that names the key of the file which is of no use.
+    """
+    if not bridge.is_secure:
+        return None
+    try:
+        context = ssl.create_default_context(cafile=bridge.ca_file or None)
+    except (OSError, ValueError) as problem:
+        raise LinkError(f"ca_file: {_words(problem)}") from None
+    if bridge.client_cert:
+        try:
+            # A passphrase would be asked for on the terminal: an empty one is wrong instead.
+            context.load_cert_chain(bridge.client_cert, bridge.client_key or None, password="")
+        except (OSError, ValueError) as problem:
+            raise LinkError(f"client_cert or client_key: {_words(problem)}") from None
+    return context
+
+
+def _words(problem: Exception) -> str:
+    if isinstance(problem, FileNotFoundError):
+        return "no such file"
+    if isinstance(problem, ssl.SSLError):
+        return "no PEM file, or encrypted, or they do not belong together"
+    return getattr(problem, "strerror", "") or type(problem).__name__

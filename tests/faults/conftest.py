@@ -1,0 +1,24 @@
+"""The short form of the faults, as `make test` runs them: the same, only sooner."""
+
+import os
+
+import pytest
+
+from fleet_tui.link import command_channel, subscriber, transport
+
+SHORT = (
+    # Autobahn cuts its times down to whole seconds of the clock: 2 is 1 to 2.
+    (transport, {"PING_INTERVAL": 1.0, "PING_TIMEOUT": 2.0, "CONNECT_TIMEOUT": 2.0}),
+    (transport, {"FIRST_DELAY": 0.2, "LONGEST_DELAY": 1.0}),
+    (command_channel, {"HEARTBEAT_EVERY": 1.0, "HEARTBEAT_TIMEOUT": 1.0}),
+    (subscriber, {"FIRST_AGAIN": 1.5, "LET_GO": 0.2}),
+)
+
+
+@pytest.fixture(autouse=True)
+def hurry(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Shorter delays, unless it is the true ones that are to be measured."""
+    if "FLEET_TUI_FAULTS" not in os.environ:
+        for module, delays in SHORT:
+            for name, seconds in delays.items():
+                monkeypatch.setattr(module, name, seconds)

@@ -1,0 +1,57 @@
+"""A console's link that goes through a fault proxy, and a stopwatch."""
+
+import time
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+
+from fleet_tui.link.fleet_link import FleetLink
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.faults.proxy import FaultProxy, before
+from tests.linked import linked, ready
+from tests.watched import WatchedStore, config_of
+
+Holds = Callable[[FleetState], object]
+
+
+class Stopwatch:
+    """Seconds until a state is as wanted."""
+
+    def __init__(self, store: WatchedStore) -> None:
+        self._store, self._began = store, time.monotonic()
+
+    def start(self) -> None:
+        self._began = time.monotonic()
+
+    async def until(self, holds: Holds, within: float = 30.0) -> float:
+        await self._store.until(holds, within)
+        return time.monotonic() - self._began
+
+
+@asynccontextmanager
+async def through(
+    server: RosbridgeServer, robots: int = 2
+) -> AsyncIterator[tuple[FaultProxy, FleetLink, WatchedStore, Stopwatch]]:
+    """A link through a proxy, when all telemetry has come."""
+    async with before(server.url) as proxy, linked(config_of(proxy.url, robots)) as (link, store):
+        await store.until(ready)
+        yield proxy, link, store, Stopwatch(store)
+
+
+def lost(reason: str = "") -> Holds:
+    """There is no link, for this reason."""
+    return lambda state: (
+        state.links["rosbridge"].phase is Phase.WAITING and reason in state.links["rosbridge"].reason
+    )
+
+
+def fresh(robots: int = 2) -> Holds:
+    """There is a link, commands would get through, and every robot has spoken since it is back."""
+
+    def holds(state: FleetState) -> bool:
+        link = state.links["rosbridge"]
+        spoke = sum((robot.heard or 0.0) > link.since for robot in state.robots.values())
+        return ready(state) and link.phase is Phase.UP and spoke >= robots
+
+    return holds

@@ -1,0 +1,52 @@
+"""The whole link without a screen, for tests against a real loopback server."""
+
+import time
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.link.fleet_link import FleetLink
+from fleet_tui.model.commands import Command, CommandRecord
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath, Phase
+from tests.watched import WatchedStore
+
+
+@asynccontextmanager
+async def linked(config: Config) -> AsyncIterator[tuple[FleetLink, WatchedStore]]:
+    store = WatchedStore(initial_state(config, time.monotonic()))
+    link = FleetLink(config, store)
+    link.open()
+    try:
+        yield link, store
+    finally:
+        link.close()
+
+
+def phase(wanted: Phase) -> Callable[[FleetState], bool]:
+    return lambda state: state.links["rosbridge"].phase is wanted
+
+
+def path(wanted: CommandPath) -> Callable[[FleetState], bool]:
+    return lambda state: state.links["rosbridge"].command_path is wanted
+
+
+def ready(state: FleetState) -> bool:
+    """All telemetry has come and commands get through."""
+    readings = [
+        (robot.pose, robot.queue, robot.battery, robot.cargo, robot.obstacle, robot.paused)
+        for robot in state.robots.values()
+    ]
+    charts = [chart for robot in state.robots.values() for chart in robot.charts.values()]
+    heard = all(None not in reading for reading in readings)
+    known = all(chart.graph and chart.frame and chart.labels for chart in charts)
+    return heard and known and path(CommandPath.ALIVE)(state)
+
+
+async def finished(link: FleetLink, store: WatchedStore, command: Command) -> CommandRecord:
+    command_id = link.submit(command)
+    state = await store.until(
+        lambda state: any(record.id == command_id and record.ended for record in state.commands)
+    )
+    return next(record for record in state.commands if record.id == command_id)
