@@ -218,6 +218,21 @@ def test_two_robots_in_each_others_way_are_said_to_be() -> None:
     assert found.keys == ("robot_2",)
 
 
+def test_poses_that_come_late_are_told_from_poses_that_stay_away() -> None:
+    """A clogged way: each pose is ten seconds old when it arrives, everything else is fresh."""
+    fresh = [pose(T0 + n / 10, stamp=n / 10) for n in range(20)]
+    late = [pose(T0 + 12 + n / 10, stamp=2 + n / 10) for n in range(20)]
+    state = told(fleet(), link_up(T0), *fresh, *late, battery(T0 + 14), queue(T0 + 14), tick(T0 + 14))
+    found = reasons(state, state.robots[R0])[0]
+    assert (found.name, found.evidence) == ("pose 10 s old", "poses come, but late: its stamps lag behind")
+
+
+def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:
+    planted = driving("battery:robot_0", ClearOrders(R0), quiet=False).run(120)
+    names = [reason.name for reason in reasons(planted.state, planted.robot)]
+    assert names == ["no orders", "charging at Charger", "battery 8 %"]
+
+
 def test_one_correction_of_the_pose_is_no_jumping() -> None:
     state = told(fleet(), link_up(T0), pose(T0), pose(T0 + 0.1, x=30.0), queue(T0), tick(T0 + 2))
     assert [reason.name for reason in reasons(state, state.robots[R0])] == ["no orders"]
