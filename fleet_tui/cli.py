@@ -4,9 +4,7 @@ What needs the screen or the simulator is imported where it is used: `check` ans
 """
 
 import gc
-import sys
-from collections.abc import Callable
-from functools import wraps
+from collections.abc import Callable, MutableMapping
 from typing import Any, TypeVar
 
 import click
@@ -17,34 +15,35 @@ from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, load, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
+from fleet_tui.options import common, merged, screen
 from fleet_tui.simulator.faults import FAULTS, parse_faults
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 
 class Commands(click.Group):
-    """Names the nearest command where there is none, and keeps tracebacks to `--debug`."""
+    """Names the nearest command where there is none. The headless ones are imported when one is asked for."""
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """A command by its name."""
+        return super().get_command(ctx, cmd_name) or self._headless().get(cmd_name)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Every command's name."""
+        return sorted([*self.commands, *self._headless()])
+
+    def _headless(self) -> MutableMapping[str, click.Command]:
+        from fleet_tui.headless.commands import headless
+
+        return headless.commands
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Find the command, or say which one was meant."""
         if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
-            ctx.fail(f"no such command {args[0]!r}{did_you_mean(args[0], self.commands)}")
+            ctx.fail(f"no such command {args[0]!r}{did_you_mean(args[0], self.list_commands(ctx))}")
         return super().resolve_command(ctx, args)
-
-
-def _common(command: F) -> F:
-    """`--config` and `--debug` work before and after a command's name."""
-    command = click.option("--config", "config_file", metavar="FILE", help="Use this configuration.")(command)
-    return click.option("--debug", is_flag=True, help="Show tracebacks, log everything.")(command)
-
-
-def _screen(command: F) -> F:
-    """What the console can be told."""
-    modes = click.Choice(["auto", "braille", "half-block", "ascii"])
-    command = click.option("--drawing", type=modes, help="How the map is drawn.")(command)
-    return click.option("--read-only", is_flag=True, help="Watch only: no command leaves.")(command)
 
 
 FAULT_LIST = "\b\nFaults:\n" + "\n".join(f"  {name:<10}{text}" for name, (text, _) in FAULTS.items())
@@ -60,27 +59,12 @@ def _faults(command: F) -> F:
     )(command)
 
 
-def _merged(run: Callable[..., None]) -> Callable[..., None]:
-    """What was said before the command's name stands, unless it is said again after it."""
-
-    @wraps(run)
-    @click.pass_context
-    def merged(ctx: click.Context, /, **options: Any) -> None:
-        before = ctx.parent.params if ctx.parent else {}
-        for name, value in before.items():
-            if value and name not in options:
-                ctx.fail(f"--{name.replace('_', '-')} means nothing to {ctx.command.name}")
-        run(**{name: value or before.get(name, value) for name, value in options.items()})
-
-    return merged
-
-
 @click.group(
     cls=Commands, invoke_without_command=True, context_settings={"help_option_names": ["-h", "--help"]}
 )
 @click.version_option(__version__, prog_name="fleet-tui")
-@_screen
-@_common
+@screen
+@common
 @click.pass_context
 def commands(
     ctx: click.Context, config_file: str | None, debug: bool, read_only: bool, drawing: str | None
@@ -100,9 +84,9 @@ def commands(
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
 @_faults
-@_screen
-@_common
-@_merged
+@screen
+@common
+@merged
 def demo(
     config_file: str | None,
     debug: bool,
@@ -136,8 +120,8 @@ def demo(
 @click.option("--seed", type=int, default=1, show_default=True)
 @click.option("--stop-with-stdin", is_flag=True, hidden=True)
 @_faults
-@_common
-@_merged
+@common
+@merged
 def sim(
     config_file: str | None,
     debug: bool,
@@ -157,8 +141,8 @@ def sim(
 
 @commands.command()
 @click.argument("file", required=False)
-@_common
-@_merged
+@common
+@merged
 def check(config_file: str | None, debug: bool, file: str | None) -> None:
     """Validate a configuration: every problem at once."""
     path = find(file or config_file)
@@ -170,53 +154,6 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
         raise ConfigError([f"{path}: {line}" for line in problems])
     robots, floors = len(config.robots), len(config.floors)
     click.echo(f"{path}: fine: {robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}")
-
-
-@commands.command()
-@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/status.md tells the schema.")
-@click.option("--watch", is_flag=True, help="Go on, and say what changes (as JSON Lines with --json).")
-@click.option("--oneline", is_flag=True, help="One line, for a status bar.")
-@click.option("--timeout", type=click.FloatRange(0.1, 3600), default=5.0, show_default=True)
-@_common
-@_merged
-def status(
-    config_file: str | None, debug: bool, as_json: bool, watch: bool, oneline: bool, timeout: float
-) -> None:
-    """The fleet as a table or JSON, without a screen. Exit code 0: all well, 1: something needs attention,
-    3: no link."""
-    from fleet_tui.headless.status import status as run
-    from fleet_tui.log_file import log_to_file
-
-    config = load(find(config_file))
-    log_to_file(debug)
-    sys.exit(run(config, timeout, as_json, oneline, watch, click.echo))
-
-
-@commands.command()
-@click.argument("words", nargs=-1)
-@click.option("--robot", default="", help="Only of this robot.")
-@click.option("--since", default="", metavar="TIME", help="30m, 2h, 7d, 12:00 or 2024-05-31T12:00.")
-@click.option("--csv", "as_csv", is_flag=True, help="For a spreadsheet.")
-@click.option("--demo", is_flag=True, help="What the demo wrote, instead of what real fleets did.")
-@_common
-@_merged
-def audit(
-    config_file: str | None,
-    debug: bool,
-    words: tuple[str, ...],
-    robot: str,
-    since: str,
-    as_csv: bool,
-    demo: bool,
-) -> None:
-    """What was commanded and how it went on, newest first; WORDS as in the console's audit log."""
-    from fleet_tui.headless.audit import write_records
-
-    named = {"robot": robot, "since": since}
-    typed = [*words, *(f"{name}:{value}" for name, value in named.items() if value)]
-    said = write_records(" ".join(typed), as_csv, demo, sys.stdout)
-    if said:
-        click.echo(said, err=True)
 
 
 def _theme_problems(config: Config) -> list[str]:

@@ -1,0 +1,60 @@
+"""The commands that need no screen. The command line imports this module when one of them is asked for."""
+
+import sys
+
+import click
+
+from fleet_tui.config.load import find, load
+from fleet_tui.options import common, merged, timeout
+
+
+@click.group()
+def headless() -> None:
+    """Holds the commands; the command line shows them as its own."""
+
+
+@headless.command()
+@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/status.md tells the schema.")
+@click.option("--watch", is_flag=True, help="Go on, and say what changes (as JSON Lines with --json).")
+@click.option("--oneline", is_flag=True, help="One line, for a status bar.")
+@timeout(5.0)
+@common
+@merged
+def status(
+    config_file: str | None, debug: bool, as_json: bool, watch: bool, oneline: bool, timeout: float
+) -> None:
+    """The fleet as a table or JSON, without a screen. Exit code 0: all well, 1: something needs attention,
+    3: no link."""
+    from fleet_tui.headless.status import status as run
+    from fleet_tui.log_file import log_to_file
+
+    config = load(find(config_file))
+    log_to_file(debug)
+    sys.exit(run(config, timeout, as_json, oneline, watch, click.echo))
+
+
+@headless.command()
+@click.argument("words", nargs=-1)
+@click.option("--robot", default="", help="Only of this robot.")
+@click.option("--since", default="", metavar="TIME", help="30m, 2h, 7d, 12:00 or 2024-05-31T12:00.")
+@click.option("--csv", "as_csv", is_flag=True, help="For a spreadsheet.")
+@click.option("--demo", is_flag=True, help="What the demo wrote, instead of what real fleets did.")
+@common
+@merged
+def audit(
+    config_file: str | None,
+    debug: bool,
+    words: tuple[str, ...],
+    robot: str,
+    since: str,
+    as_csv: bool,
+    demo: bool,
+) -> None:
+    """What was commanded and how it went on, newest first; WORDS as in the console's audit log."""
+    from fleet_tui.headless.audit import write_records
+
+    named = {"robot": robot, "since": since}
+    typed = [*words, *(f"{name}:{value}" for name, value in named.items() if value)]
+    said = write_records(" ".join(typed), as_csv, demo, sys.stdout)
+    if said:
+        click.echo(said, err=True)

@@ -1,0 +1,43 @@
+"""What every command of the command line shares: options that stand before or after its name."""
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar
+
+import click
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def common(command: F) -> F:
+    """`--config` and `--debug` work before and after a command's name."""
+    command = click.option("--config", "config_file", metavar="FILE", help="Use this configuration.")(command)
+    return click.option("--debug", is_flag=True, help="Show tracebacks, log everything.")(command)
+
+
+def screen(command: F) -> F:
+    """What the console can be told."""
+    modes = click.Choice(["auto", "braille", "half-block", "ascii"])
+    command = click.option("--drawing", type=modes, help="How the map is drawn.")(command)
+    return click.option("--read-only", is_flag=True, help="Watch only: no command leaves.")(command)
+
+
+def timeout(seconds: float) -> Callable[[F], F]:
+    """For how long a command waits at most."""
+    limits = click.FloatRange(0.1, 3600)
+    return click.option("--timeout", type=limits, default=seconds, show_default=True, help="Seconds.")
+
+
+def merged(run: Callable[..., None]) -> Callable[..., None]:
+    """What was said before the command's name stands, unless it is said again after it."""
+
+    @wraps(run)
+    @click.pass_context
+    def run_merged(ctx: click.Context, /, **options: Any) -> None:
+        before = ctx.find_root().params
+        for name, value in before.items():
+            if value and name not in options:
+                ctx.fail(f"--{name.replace('_', '-')} means nothing to {ctx.command.name}")
+        run(**{name: value or before.get(name, value) for name, value in options.items()})
+
+    return run_merged
