@@ -9,6 +9,9 @@ from textual.theme import Theme
 
 from fleet_tui.terminal.lean_app import LeanApp
 
+YOUNG = 10_000
+"""New objects between two looks for garbage. A tick of a large fleet makes thousands, and no cycles."""
+
 
 class PaintFirst(LeanApp):
     """The first picture, then `furnish`, then the keys that came meanwhile, in their order."""
@@ -53,6 +56,7 @@ class PaintFirst(LeanApp):
         if not gc.isenabled():
             gc.freeze()
             gc.enable()
+        gc.set_threshold(YOUNG)
         await self.furnish()
 
     async def on_event(self, event: events.Event) -> None:

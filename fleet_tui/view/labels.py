@@ -76,6 +76,23 @@ class Room:
         start, end = max(x - 1, 0), min(x + cells + 1, self._width)
         return self.free(x, y, cells) and self.free(start, y, end - start)
 
+    def keep_tag(self, x: int, y: int, glyph: int, cells: int, dx: int, dy: int) -> bool:
+        """Take the place of a tag at (dx, dy) from its glyph, if it is free and touches nothing else."""
+        if cells > LONGEST:
+            return False
+        bit = self._bit(x + dx, y + dy)
+        touched = (1 << cells + 2) - 1
+        if dy == 0 and dx == glyph:
+            touched -= 1  # the glyph itself
+        elif dy == 0 and dx == -cells:
+            touched >>= 1
+        if (self._taken | self._texts) >> bit - 1 & touched:
+            return False
+        tag = (1 << cells) - 1 << bit
+        self._taken |= tag
+        self._tags |= tag
+        return True
+
     def tag_spot(self, x: int, y: int, glyph: int, cells: int) -> tuple[int, int] | None:
         """The place for a robot's tag beside its glyph of `glyph` cells at (x, y); now taken.
 

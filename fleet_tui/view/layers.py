@@ -82,8 +82,16 @@ def _rank(vertex: SceneVertex, targets: tuple[int, ...], look: Look) -> tuple[bo
     return vertex.id not in targets, vertex.id != look.pointed, vertex.role is Role.PLAIN, vertex.id
 
 
-def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
-    """Every robot as an arrow with its number beside it; the selected one on top and placed first."""
+Tags = dict[int, Place]
+"""Where the number of each robot stands, from its arrow, by number."""
+
+
+def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look, tags: Tags | None = None) -> None:
+    """Every robot as an arrow with its number beside it; the selected one on top and placed first.
+
+    `tags` remembers from picture to picture where the numbers stand: they stay there while there is room.
+    """
+    tags = {} if tags is None else tags
     placed = seen_robots(scene, camera)
     owners = {at: robot for robot, at in reversed(placed)}  # of robots in one cell the first one is seen
     plain, turned = look.plain, scene.frame.origin.yaw
@@ -92,18 +100,31 @@ def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     for (x, y), glyph in glyphs.items():
         room.take(x, y, len(glyph))
     texts: list[tuple[int, int, str, Ink]] = []
-    for robot, (x, y) in placed:
-        glyph, tag = glyphs[x, y], robot_tag(robot, plain)
+    for robot, at in placed:
         glyph_ink, tag_ink = robot_inks(robot)
-        spot = room.tag_spot(x, y, len(glyph), len(tag))
-        if spot is None:
-            tag = str(robot.number)
-            spot = room.tag_spot(x, y, len(glyph), len(tag))
-        if owners[x, y] is robot:
-            texts.append((x, y, glyph, glyph_ink))
+        if owners[at] is robot:
+            texts.append((*at, glyphs[at], glyph_ink))
+        spot, tag = _tag(robot, at, len(glyphs[at]), plain, room, tags)
         if spot:
             texts.append((*spot, tag, tag_ink))
     cells.write_all(texts)
+
+
+def _tag(
+    robot: SceneRobot, at: Place, glyph: int, plain: bool, room: Room, tags: Tags
+) -> tuple[Place | None, str]:
+    """A robot's number and where it goes: where it stood, else the nearest place with room."""
+    (x, y), tag = at, robot_tag(robot, plain)
+    stood = tags.get(robot.number)
+    if stood and room.keep_tag(x, y, glyph, len(tag), *stood):
+        return (x + stood[0], y + stood[1]), tag
+    spot = room.tag_spot(x, y, glyph, len(tag))
+    if spot is None:
+        tag = str(robot.number)
+        spot = room.tag_spot(x, y, glyph, len(tag))
+    if spot:
+        tags[robot.number] = spot[0] - x, spot[1] - y
+    return spot, tag
 
 
 def _robot_glyph(

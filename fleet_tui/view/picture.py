@@ -6,6 +6,7 @@ from fleet_tui.view.camera import Camera
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.layers import (
     Look,
+    Tags,
     draw_cursor,
     draw_ground,
     draw_labels,
@@ -21,8 +22,8 @@ Layer = Callable[[Cells, Scene, Camera, Look], None]
 STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices, draw_labels)
 """Drawn again only when the map, the graph, the mission, the camera or the look changes."""
 
-MOVING: tuple[Layer, ...] = (draw_trails, draw_approach, draw_robots, draw_cursor)
-"""Drawn at every tick."""
+MOVING: tuple[Layer, ...] = (draw_trails, draw_approach)
+"""Drawn at every tick; then the robots, and the cursor on top."""
 
 
 def backdrop(scene: Scene, camera: Camera, look: Look) -> Cells:
@@ -33,9 +34,11 @@ def backdrop(scene: Scene, camera: Camera, look: Look) -> Cells:
     return cells
 
 
-def picture(behind: Cells, scene: Scene, camera: Camera, look: Look) -> Cells:
-    """What moves, drawn over a copy of `behind` (made by `backdrop`)."""
+def picture(behind: Cells, scene: Scene, camera: Camera, look: Look, tags: Tags | None = None) -> Cells:
+    """What moves, drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`."""
     cells = behind.copy()
     for draw in MOVING:
         draw(cells, scene, camera, look)
+    draw_robots(cells, scene, camera, look, tags)
+    draw_cursor(cells, scene, camera, look)
     return cells

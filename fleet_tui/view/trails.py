@@ -12,6 +12,8 @@ STEP = 0.5
 """Metres between two points of a robot's trail."""
 POINTS = 128
 """The most points that one robot keeps."""
+EVERY = 0.25
+"""Seconds between two looks: at 2 m/s a robot is seen every STEP."""
 
 
 class Trails:
@@ -19,9 +21,14 @@ class Trails:
 
     def __init__(self) -> None:
         self._rings: dict[tuple[str, str], _Ring] = {}
+        self._looked: tuple[str, float] = ("", -math.inf)
 
     def note(self, scene: Scene) -> None:
         """Remember where the robots of the scene are."""
+        floor, at = self._looked
+        if floor == scene.floor and 0.0 <= scene.at - at < EVERY:
+            return
+        self._looked = scene.floor, scene.at
         for robot in scene.robots:
             x, y = robot.pose.x, robot.pose.y
             if robot.online and math.isfinite(x) and math.isfinite(y):

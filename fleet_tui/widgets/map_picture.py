@@ -10,7 +10,7 @@ from textual import events
 from fleet_tui.view.camera import ZOOM_STEP, Camera
 from fleet_tui.view.caption import Caption, caption_row
 from fleet_tui.view.cells import Cells
-from fleet_tui.view.layers import Look
+from fleet_tui.view.layers import Look, Tags
 from fleet_tui.view.picture import backdrop, picture
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Scene, SceneRobot
@@ -31,6 +31,8 @@ class MapPicture(CellsView, can_focus=True):
         self.viewport = Viewport()
         self.scene: Scene | None = None
         self._trails = Trails()
+        self._tags: Tags = {}
+        self._tags_of: tuple[Camera, Look] | None = None
         self._behind: Cells | None = None
         self._behind_of: tuple[Scene, Camera, Look] | None = None
         self._drag: tuple[int, int] | None = None
@@ -52,7 +54,9 @@ class MapPicture(CellsView, can_focus=True):
         if self.look.trails:
             scene = replace(scene, trail=self._trails.of(scene))
         head = caption_row(self._caption(scene, camera))
-        body = picture(self._backdrop(scene, camera), scene, camera, self.look)
+        if self._tags_of != (camera, self.look):
+            self._tags, self._tags_of = {}, (camera, self.look)
+        body = picture(self._backdrop(scene, camera), scene, camera, self.look, self._tags)
         self.paint(Cells(np.vstack((head.codes, body.codes)), np.vstack((head.inks, body.inks))))
 
     def _caption(self, scene: Scene, camera: Camera) -> Caption:

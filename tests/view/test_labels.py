@@ -184,3 +184,50 @@ def test_a_number_rather_touches_a_label_than_that_it_goes_far_from_its_robot() 
     below = np.full((HEIGHT, WIDTH), Ink.FLOOR, np.uint8)
     below[4, :9] = below[4, 11:] = Ink.LABEL
     assert Room(WIDTH, HEIGHT, below).tag_spot(9, 4, 1, 1) == (10, 4)
+
+
+def taken_cells(room: Room) -> set[tuple[int, int]]:
+    return {(x, y) for y in range(HEIGHT) for x in range(WIDTH) if not room.free(x, y, 1)}
+
+
+@given(
+    st.sets(places, max_size=WIDTH * HEIGHT // 2),
+    places,
+    st.integers(1, 2),
+    st.integers(1, 4),
+    st.integers(-6, 6),
+    st.integers(-3, 3),
+)
+def test_a_tag_stays_only_where_it_covers_and_touches_nothing(
+    others: set[tuple[int, int]], at: tuple[int, int], glyph: int, cells: int, dx: int, dy: int
+) -> None:
+    room = Room(WIDTH, HEIGHT)
+    (x, y), own = at, {(at[0] + n, at[1]) for n in range(glyph)}
+    for place in others - own:
+        room.take(*place, 1)
+    for place in own:
+        room.take(*place, 1)
+    before = taken_cells(room)
+    stays = room.keep_tag(x, y, glyph, cells, dx, dy)
+    tag = {(x + dx + n, y + dy) for n in range(cells)}
+    if stays:
+        ends = {(x + dx - 1, y + dy), (x + dx + cells, y + dy)}
+        assert not tag & before
+        assert not (ends - own) & before
+        assert taken_cells(room) == before | tag
+    else:
+        assert taken_cells(room) == before
+
+
+def test_a_number_stays_beside_its_robot_while_there_is_room_though_a_better_place_came_free() -> None:
+    near, far = SceneRobot("r", 1, Pose(10.0, 5.0)), SceneRobot("s", 2, Pose(10.15, 5.0))
+    crowded, alone = replace(EMPTY, robots=(near, far)), replace(EMPTY, robots=(far,))
+    camera, tags = CAMERA.zoomed(1.0, (200, 100)), dict[int, tuple[int, int]]()
+
+    def drawn(scene: Scene, remembered: dict[int, tuple[int, int]]) -> str:
+        return picture(backdrop(scene, camera, Look()), scene, camera, Look(), remembered).text()
+
+    drawn(crowded, tags)
+    stood = tags[2]
+    assert drawn(alone, tags) != drawn(alone, {})  # beside it there would be room now
+    assert tags[2] == stood

@@ -22,10 +22,10 @@ def told(*scenes: Scene) -> Trails:
     return trails
 
 
-def test_a_point_for_every_half_metre_with_its_age() -> None:
+def test_a_point_for_every_half_metre_or_little_more_with_its_age() -> None:
     trails = told(*(at(n / 10, n / 10) for n in range(51)))  # five metres in five seconds
     points = trails.of(at(6.0, 5.0))
-    assert len(points) in (10, 11)
+    assert 8 <= len(points) <= 11
     assert points[:, 2].max() == 6.0
     gaps = sorted(points[:, 0])
     assert all(b - a >= STEP for a, b in pairwise(gaps))
@@ -45,8 +45,8 @@ def test_each_floor_has_its_own() -> None:
 
 
 def test_however_it_jumps_a_robot_keeps_a_bounded_number_of_points() -> None:
-    trails = told(*(at(n / 100, n * 7.0) for n in range(3 * POINTS)))
-    points = trails.of(at(4.0, 0.0))
+    trails = told(*(at(n / 4, n * 7.0) for n in range(3 * POINTS)))
+    points = trails.of(at(3 * POINTS / 4, 0.0))
     assert len(points) == POINTS
     assert points[:, 0].max() == (3 * POINTS - 1) * 7.0
 
