@@ -33,6 +33,8 @@ class MapError(FleetError):
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """`, did you mean NAME?` where a known name is near."""
-    near = get_close_matches(word, sorted(known), n=1, cutoff=0.5)
-    return f", did you mean {near[0]}?" if near else ""
+    """`, did you mean NAME?` where a known name is near, whatever the case."""
+    names = {name.casefold(): name for name in sorted(known)}
+    # Looking for what is near takes time with the square of the length.
+    near = get_close_matches(word[:80].casefold(), names, n=1, cutoff=0.5)
+    return f", did you mean {names[near[0]]}?" if near else ""

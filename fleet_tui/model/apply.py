@@ -154,6 +154,12 @@ def _apply_to_link(
             assert_never(event)
 
 
+def _is_in_queue(state: FleetState, record: CommandRecord) -> bool:
+    """Whether the order it placed is still there: who gave it must be known as long."""
+    robot = state.robots.get(record.command.robot)
+    return robot is not None and any(order.id == record.order_id for order in robot.orders.orders)
+
+
 def _issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
     if any(record.id == event.id for record in state.commands):
         return state
@@ -167,10 +173,10 @@ def _issue_command(state: FleetState, event: events.CommandIssued) -> FleetState
         Before() if robot is None else before(robot, event.at),
     )
     commands = (*state.commands, record)
-    # What is under way stays, however much there is: its end must find it.
+    # What is under way, or in a queue, stays, however much there is.
     surplus = len(commands) - COMMANDS_KEPT
     if surplus > 0:
-        old = [one.id for one in commands if one.ended][:surplus]
+        old = [one.id for one in commands if one.ended and not _is_in_queue(state, one)][:surplus]
         commands = tuple(one for one in commands if one.id not in old)
     return replace(state, commands=commands)
 

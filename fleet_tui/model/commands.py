@@ -1,8 +1,9 @@
 """What an operator may ask of a robot, and the life of each wish, from the key to its one end."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from enum import Enum
+from itertools import pairwise
 
 INT32_MAX = 2**31 - 1
 
@@ -54,6 +55,22 @@ class ResumeRobot:
 
 
 Command = PlaceOrder | PlaceOrderWithCargo | CancelOrder | ClearOrders | PauseRobot | ResumeRobot
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What an operator asks in one go: commands in sequence. `floors`: the floor of each vertex that
+    was chosen by name, since the wire knows only ids, and floors may have the same ones."""
+
+    commands: tuple[Command, ...]
+    floors: Mapping[int, str] = field(default_factory=dict)
+
+
+def chain(robot: str, vertices: Sequence[int], with_cargo: bool = False) -> tuple[Command, ...]:
+    """Orders that visit the vertices one after the other: A, B, C is A -> B and B -> C. `with_cargo`:
+    what is on board goes to the first one."""
+    first = [PlaceOrderWithCargo(robot, vertices[0])] if with_cargo else []
+    return (*first, *(PlaceOrder(robot, start, end) for start, end in pairwise(vertices)))
 
 
 class Stage(Enum):

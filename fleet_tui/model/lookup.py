@@ -1,7 +1,10 @@
 """Finding a vertex by what an operator types: part of a label, or an id."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+from fleet_tui.model.commands import PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 
 
@@ -25,10 +28,22 @@ def places(robot: Robot) -> list[Place]:
     return sorted(found, key=lambda place: (place.floor != robot.floor, place.name.casefold()))
 
 
-def matches(robot: Robot, typed: str) -> list[Place]:
-    """The places that what was typed can mean, the best first: whole label, id, start, part."""
+def recent_ends(state: FleetState, robot: Robot) -> list[int]:
+    """Where the robot was last sent, the newest first: by this console, and by its queue."""
+    given = [
+        record.command.end
+        for record in reversed(state.commands)
+        if isinstance(record.command, PlaceOrder | PlaceOrderWithCargo) and record.command.robot == robot.name
+    ]
+    return list(dict.fromkeys([*given, *(order.end for order in reversed(robot.orders.orders))]))
+
+
+def matches(robot: Robot, typed: str, recent: Sequence[int] = ()) -> list[Place]:
+    """The places that what was typed can mean, the best first: whole label, id, start, part; among
+    equals the `recent` ones."""
     wanted = typed.strip().casefold()
-    everything = places(robot)
+    rank = {vertex: place for place, vertex in enumerate(recent)}
+    everything = sorted(places(robot), key=lambda place: rank.get(place.vertex, len(rank)))
     if not wanted:
         return everything
     whole = [place for place in everything if place.name.casefold() == wanted]
@@ -46,6 +61,13 @@ def _by_id(robot: Robot, typed: str) -> list[Place]:
         for floor, chart in robot.charts.items()
         if chart.graph is not None and vertex in chart.graph.vertices
     ]
+
+
+def called(robot: Robot, word: str) -> list[Place]:
+    """The places with exactly this label; only where there is none, those that differ in case."""
+    everything = places(robot)
+    same = [place for place in everything if place.name == word]
+    return same or [place for place in everything if place.name.casefold() == word.casefold()]
 
 
 def destination_only(robot: Robot) -> bool:

@@ -1,6 +1,6 @@
-"""Asks once before something is lost. Only `y` does it."""
+"""Asks once before something is lost or sent against a warning. Only `y` does it."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import ClassVar
 
 from textual import on
@@ -11,9 +11,11 @@ from textual.widgets import Button, Static
 
 from fleet_tui.screens.overlay import MouseButton, Overlay
 
+ASK_AGAIN_EVERY = 0.5
+
 
 class Confirm(Overlay, can_focus=True):
-    """A question with what will be lost; the default is No."""
+    """A question with what will be lost; the default is No. What it says stays true while it waits."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("y", "confirm", "Do it"),
@@ -27,11 +29,22 @@ class Confirm(Overlay, can_focus=True):
             yield MouseButton("y  yes", id="yes", compact=True)
             yield MouseButton("n  no", id="no", compact=True)
 
-    def ask(self, lines: Iterable[str], then: Callable[[], None]) -> None:
+    def on_mount(self) -> None:
+        """The question is put anew while it waits."""
+        self._timer = self.set_interval(ASK_AGAIN_EVERY, self._put, pause=True)
+
+    def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
         """Ask, and call `then` only after a yes."""
-        self._then = then
-        self.query_one("#question", Static).update("\n".join(lines))
+        self._question, self._then = question, then
+        self.query_one("#question", Static).update(question())
+        self._timer.resume()
         self.open(self)
+
+    def _put(self) -> None:
+        if self.is_open:
+            self.query_one("#question", Static).update(self._question())
+        else:
+            self._timer.pause()
 
     @on(Button.Pressed, "#yes")
     def action_confirm(self) -> None:

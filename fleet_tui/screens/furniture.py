@@ -8,6 +8,7 @@ from fleet_tui.screens.help import Help
 from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
+from fleet_tui.screens.typed import typed
 from fleet_tui.screens.why import Why
 from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.layers import Look
@@ -21,9 +22,12 @@ async def furnish(screen: "MainScreen", drawing: Drawing) -> None:
     """Put everything in its place; the focus is on the map. The audit log begins before there is a link."""
     screen.map = MapView(id="map")
     screen.map.look = Look(drawing=drawing)
-    screen.order_form = OrderForm(lambda: screen.state, screen.submit)
+    screen.order_form = OrderForm(lambda: screen.state, screen.give)
     screen.confirm, screen.menu = Confirm(id="confirm"), Menu(id="menu")
-    screen.key_help, screen.palette = Help(screen.keys), Palette(screen.wishes)
+    screen.key_help = Help(screen.keys)
+    screen.palette = Palette(
+        screen.wishes, lambda line: typed(line, screen.state, screen.selection.robot, screen.do)
+    )
     screen.why = Why(lambda: (screen.state, screen.selection.robot), screen.keys)
     screen.audit_log = AuditLog(lambda: screen.audit)
     opens = (screen.order_form, screen.confirm, screen.menu, screen.key_help, screen.palette, screen.why)

@@ -20,7 +20,13 @@ SECTIONS = {
 }
 
 NOTES = """\
-Order form: typing filters the labels, Enter takes the marked one and goes on; Enter in To sends.
+Order form: typing filters the labels, Enter takes the marked one and goes on; Enter in To sends; > after \
+a label adds a leg (A > B > C). Where the robot was sent last comes first in To.
+Typed commands (: then Tab completes, Enter sends): robot_0 Base > Store, robot_0 A > B > C, robot_0 > B \
+(cargo on board to B), order robot_0 Base Store, cancel 12, cancel robot_0 12, clear robot_0, pause all, \
+pause robot_0, resume robot_0, resume all. A robot is its name or number, a place its label or id; \
+id=7 is always the id.
+Enter on an order: again, return trip, who gave it. The same order again within 1 s is not sent.
 Questions: y does it; n, Esc and Enter don't.
 Mouse: wheel zooms at the pointer, drag pans, click picks; buttons click. To select text with the \
 terminal, hold Shift.

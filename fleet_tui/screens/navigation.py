@@ -17,8 +17,9 @@ from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.screens.help import Help
-    from fleet_tui.screens.palette import Entry, Palette
+    from fleet_tui.screens.palette import Palette
     from fleet_tui.screens.simple import Simple
+    from fleet_tui.screens.typed import Entry
     from fleet_tui.widgets.map_view import MapView
 
 NOT_WISHED = {"palette", "back", "next_pane", "previous_pane"}
@@ -80,7 +81,7 @@ class Navigation(AlarmActions, AuditActions):
 
         panes = self.query_one("#panes")
         if self.simple is None:
-            self.simple = Simple(lambda: self.state, lambda: self.selection.robot, self.select, self.submit)
+            self.simple = Simple(lambda: self.state, lambda: self.selection.robot, self.select, self.give)
             await panes.mount(self.simple, before=self.map)
         if panes.toggle_class("-simple").has_class("-simple"):
             self.simple.start()

@@ -1,4 +1,5 @@
-"""The order form: robot, from, to. Typing filters the labels, Enter goes on, the last Enter sends."""
+"""The order form: robot, from, to. Typing filters the labels, Enter goes on, the last Enter sends; `>`
+after a label adds a leg: A > B > C."""
 
 from collections.abc import Callable
 from functools import partial
@@ -9,36 +10,41 @@ from textual.containers import Horizontal
 from textual.widget import Widget
 from textual.widgets import Button, Input, Static
 
-from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.commands import Wish
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.lookup import Place, destination_only, matches
+from fleet_tui.model.lookup import Place, destination_only
 from fleet_tui.model.robot import Robot
+from fleet_tui.screens.choices import Choices, choices, is_in_label, line, missing, order
+from fleet_tui.screens.legs import SIGN, LegField, Legs
 from fleet_tui.screens.overlay import MouseButton, Overlay
 from fleet_tui.view.text import visible
-from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.widgets.field import Keys
 from fleet_tui.widgets.matches import Matches
 
 FIELDS = ("robot", "from", "to")
-SHOWN = 8
 
 
 class OrderForm(Overlay):
-    """`start` opens it for a robot; a complete order goes to `send`."""
+    """`start` opens it for a robot. What is complete goes to `give`, which returns what is wrong with
+    it, and calls back when it was sent."""
 
-    def __init__(self, state: Callable[[], FleetState], send: Callable[[Command], None]) -> None:
+    def __init__(
+        self, state: Callable[[], FleetState], give: Callable[[Wish, Callable[[], None]], str]
+    ) -> None:
         super().__init__(id="order-form")
         self._state = state
-        self._send = send
-        self._found: list[Place] | list[str] = []
+        self._give = give
+        self._found: Choices = []
         self._chosen: dict[str, Place] = {}
         self._picked: Place | None = None
-        self._whose = ""
+        self._whose, self._said_of = "", list[str]()
         self._matches = Matches(id="matches")
 
     def compose(self) -> ComposeResult:
         """Three fields, the matches of the one that is being filled, and what is missing."""
         keys: Keys = {
             "enter": self._enter,
+            "greater_than_sign": self._add_leg,
             "escape": self.action_close,
             "tab": partial(self.action_step, 1),
             "shift+tab": partial(self.action_step, -1),
@@ -48,13 +54,13 @@ class OrderForm(Overlay):
         for field in FIELDS:
             with Horizontal(classes="field"):
                 yield Static(field.capitalize(), classes="name")
-                yield Field(keys, id=field)
+                yield LegField(keys, id=field)
         yield self._matches
         yield Static(id="missing", markup=False)
         yield MouseButton("Enter  send", id="send", compact=True)
 
-    def _input(self, field: str) -> Input:
-        return self.query_one(f"#{field}", Input)
+    def _input(self, field: str) -> LegField:
+        return self.query_one(f"#{field}", LegField)
 
     def _robot(self) -> Robot | None:
         return self._state().robots.get(self._input("robot").value.strip())
@@ -66,23 +72,20 @@ class OrderForm(Overlay):
         """
         self._chosen, self._picked, self._whose = {}, picked, robot
         for field in FIELDS:
-            self._set(field, robot if field == "robot" else "")
+            self._input(field).put(robot if field == "robot" else "", Legs())
         self._say("")
         self._arrange()
         to_fill = "from" if self._input("from").display and "from" not in self._chosen else "to"
         self.open(self._input(to_fill))
         self._list()
 
-    def _set(self, field: str, text: str) -> None:
-        # Without its Changed message: that would arrive after what is typed next.
-        with self._input(field).prevent(Input.Changed):
-            self._input(field).value = text
-
     def _forget_other_robots(self) -> None:
         """Ids are those of one robot's graph: for another robot everything is chosen anew."""
         if (robot := self._robot()) is not None and robot.name != self._whose:
             self._whose = robot.name
             self._chosen.clear()
+            if self._input("to").legs.places:
+                self._input("to").put("", Legs())
 
     def _arrange(self) -> None:
         """With cargo on board and no orders there is only a destination."""
@@ -96,11 +99,12 @@ class OrderForm(Overlay):
             place, field = self._picked, "from" if has_start else "to"
             self._picked = None
             self._chosen[field] = place
-            self._set(field, visible(place.name))
+            self._input(field).put(visible(place.name))
         self.border_title = "Order" if has_start else "Come here: cargo is on board"
 
     def _say(self, text: str, field: str = "") -> None:
         """Say what is wrong, and go to the field where it is."""
+        self._said_of = [box.value for box in self.query(LegField)]
         self.query_one("#missing", Static).update(text)
         if field:
             self.screen.set_focus(self._input(field))
@@ -110,37 +114,30 @@ class OrderForm(Overlay):
         focused = self.screen.focused
         return focused.id if isinstance(focused, Input) and focused.id in FIELDS else "to"
 
-    def _find(self) -> list[Place] | list[str]:
+    def _find(self) -> Choices:
         """What the field with the cursor can mean."""
-        field, robot = self._field(), self._robot()
-        typed = self._input(field).value
-        if field == "robot":
-            wanted = typed.strip().casefold()
-            return [name for name in self._state().robots if wanted in name.casefold()][:SHOWN]
-        found = matches(robot, typed)[:SHOWN] if robot else []
-        chosen = self._chosen.get(field)
-        if chosen is None or visible(chosen.name) != typed:
-            return found
-        # Floors may have the same label: what was chosen stays what Enter takes.
-        return [chosen, *(place for place in found if place != chosen)]
+        field = self._field()
+        typed = self._input(field).typed
+        return choices(self._state(), self._robot(), field, typed, self._chosen.get(field))
 
     def _list(self) -> None:
         """The matches of what was typed, the first one marked."""
         self._found = self._find()
-        self._matches.show(map(_line, self._found))
+        self._matches.show(map(line, self._found), mark=bool(self._input(self._field()).typed.strip()))
 
     @on(Input.Changed)
     def filter(self, event: Input.Changed) -> None:
         """What is typed names something else now."""
         event.stop()
-        field, value = event.input.id or "", event.input.value
+        field = event.input.id or ""
         # The message may be about letters that were typed before the choice was made.
-        if field in self._chosen and visible(self._chosen[field].name) != value:
+        if field in self._chosen and visible(self._chosen[field].name) != self._input(field).typed:
             del self._chosen[field]
         self._forget_other_robots()
-        if event.input.id == "robot":
+        if field == "robot":
             self._arrange()
-        self._say("")
+        if [box.value for box in self.query(LegField)] != self._said_of:
+            self._say("")
         self._list()
 
     def on_descendant_focus(self) -> None:
@@ -164,28 +161,40 @@ class OrderForm(Overlay):
     @on(Button.Pressed, "#send")
     def _enter(self) -> None:
         """Take the marked match and go on; in the last field send."""
-        # What was typed last may not have been listed yet: look again before choosing.
-        found = self._find()
-        marked = self._matches.marked
-        self._found, marked = found, marked if found == self._found else 0
-        self._accept(marked)
+        if (choice := self._choice()) is not None:
+            self._take(self._field(), choice)
 
-    def _accept(self, index: int) -> None:
+    def _add_leg(self) -> None:
+        """Take the marked match as one place of several, unless a label goes on with the sign."""
         field = self._field()
-        typed = self._input(field).value.strip()
-        if not typed and index == 0:
-            self._say(_missing(field))
-        elif index >= len(self._found):
-            self._say(f"{field.capitalize()}: nothing is called {typed!r}")
-        else:
-            self._take(field, self._found[index])
+        box = self._input(field)
+        if field == "robot" or is_in_label(self._robot(), box.typed + SIGN):
+            box.insert_text_at_cursor(SIGN)
+        elif field == "from":
+            self._enter()
+        elif isinstance(choice := self._choice(), Place):
+            box.put("", Legs((*box.legs.places, choice)))
+            self._list()
+
+    def _choice(self) -> Place | str | None:
+        """What Enter takes, None after saying why there is nothing."""
+        # What was typed last may not have been listed yet: look again before choosing.
+        found, field = self._find(), self._field()
+        marked = self._matches.highlighted if found == self._found else None
+        self._found = found
+        typed = self._input(field).typed.strip()
+        if found and (typed or marked is not None):
+            return found[marked or 0]
+        self._say(f"{field.capitalize()}: nothing is called {typed!r}" if typed else missing(field))
+        return None
 
     def _take(self, field: str, choice: Place | str) -> None:
         """Fill the field and go on to the next one; after the last one send."""
-        self._set(field, choice if isinstance(choice, str) else visible(choice.name))
         if isinstance(choice, str):
+            self._input(field).put(choice)
             self._arrange()
         else:
+            self._input(field).put(visible(choice.name))
             self._chosen[field] = choice
         if field == "to":
             self._finish()
@@ -207,28 +216,10 @@ class OrderForm(Overlay):
             return
         for field in ("to",) if only_to else ("from", "to"):
             if field not in self._chosen:
-                self._say(_missing(field, self._input(field).value), field)
+                self._say(missing(field, self._input(field).typed), field)
                 return
-        start, end = self._chosen.get("from"), self._chosen["to"]
-        if start is not None and start.vertex == end.vertex:
-            self._say("From and To are the same place", "to")
-            return
-        command = (
-            PlaceOrderWithCargo(robot.name, end.vertex)
-            if only_to or start is None
-            else PlaceOrder(robot.name, start.vertex, end.vertex)
-        )
-        # Closing restyles the screen; the command does not wait for that.
-        self._send(command)
-        self.action_close()
-
-
-def _missing(field: str, typed: str = "") -> str:
-    if typed.strip():
-        return f"{field.capitalize()}: Enter takes the marked place of this robot"
-    remedy = "its name" if field == "robot" else "a label or a vertex id"
-    return f"{field.capitalize()} is missing: type {remedy}"
-
-
-def _line(choice: Place | str) -> str:
-    return choice if isinstance(choice, str) else f"{visible(choice.name)}  ({choice.vertex}, {choice.floor})"
+        visited = [*self._input("to").legs.places, self._chosen["to"]]
+        if not only_to:
+            visited.insert(0, self._chosen["from"])
+        if problem := self._give(order(robot, visited, only_to), self.action_close):
+            self._say(problem, "to")

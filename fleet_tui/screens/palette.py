@@ -1,4 +1,4 @@
-"""The command palette: every action of the keys table, and "go to" for all that has a name."""
+"""The command palette: typed commands, every action of the keys table, "go to" for all that has a name."""
 
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -9,20 +9,22 @@ from textual.fuzzy import Matcher
 from textual.widgets import Input
 
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.typed import Entry, Typed
+from fleet_tui.view.text import visible
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.matches import Matches
 
-Entry = tuple[str, Callable[[], object]]
 SHOWN = 40
 
 
 class Palette(Overlay):
-    """Typing searches, Enter does the marked entry."""
+    """Typing searches, Enter does the marked entry, Tab completes a command."""
 
-    def __init__(self, entries: Callable[[], Iterable[Entry]]) -> None:
+    def __init__(self, entries: Callable[[], Iterable[Entry]], typed: Callable[[str], Typed]) -> None:
         super().__init__(id="palette")
-        self._entries = entries
+        self._entries, self._typed_as = entries, typed
         self._found: list[Entry] = []
+        self._turn: list[str] = []
         self._matches = Matches(id="wishes")
 
     def compose(self) -> ComposeResult:
@@ -30,20 +32,27 @@ class Palette(Overlay):
         keys: Keys = {
             "enter": self._do,
             "escape": self.action_close,
+            "tab": self._complete,
             "up": partial(self._matches.step, -1),
             "down": partial(self._matches.step, 1),
             "ctrl+p": self.action_close,
         }
-        yield Field(keys, id="wish", placeholder="what to do, or where to go")
+        yield Field(keys, id="wish", placeholder="what to do, where to go, or: robot_0 Base > Store")
         yield self._matches
 
     def show(self) -> None:
         """Open with everything there is."""
+        self._fill("")
+        self.open(self.query_one(Field))
+
+    def _fill(self, line: str) -> None:
+        """Put a line into the field, and list what it can mean."""
         field = self.query_one(Field)
+        # Without its Changed message: that would arrive after what is typed next.
         with field.prevent(Input.Changed):
-            field.value = ""
+            field.value = line
+        field.cursor_position = len(line)
         self._list()
-        self.open(field)
 
     @on(Input.Changed, "#wish")
     def _typed(self, event: Input.Changed) -> None:
@@ -51,15 +60,37 @@ class Palette(Overlay):
         self._list()
 
     def _list(self) -> None:
-        """What matches, the best first; without a wish everything in its own sequence."""
-        typed = self.query_one(Field).value.strip()
+        """A command first, then what matches, the best first; without a wish everything in its own
+        sequence. Enter on a line that a command can become goes on typing."""
+        line = self.query_one(Field).value
+        typed, command = line.strip(), self._typed_as(line)
         matcher = Matcher(typed)
         scored = [
             (matcher.match(text) if typed else 1.0, entry) for entry in self._entries() for text in entry[:1]
         ]
         scored.sort(key=lambda pair: -pair[0])
-        self._found = [entry for score, entry in scored if score > 0][:SHOWN]
-        self._matches.show(text for text, _ in self._found)
+        found = [*command.entries, *(entry for score, entry in scored if score > 0)][:SHOWN]
+        if command.is_command:
+            lines = [one for one in command.completed if one.strip() != typed]
+            found += [(visible(one), partial(self._go_on, one)) for one in lines[:SHOWN]]
+        if not found and command.problem:
+            found = [(command.problem, partial(self._go_on, line))]
+        self._found = found
+        self._matches.show(text for text, _ in found)
+
+    def _complete(self) -> None:
+        """The next of the lines that the last word can become."""
+        field = self.query_one(Field)
+        if len(self._turn) > 1 and field.value == self._turn[0]:
+            self._turn = [*self._turn[1:], self._turn[0]]
+        else:
+            self._turn = list(self._typed_as(field.value).completed)
+        if self._turn:
+            self._fill(self._turn[0])
+
+    def _go_on(self, line: str) -> None:
+        self.open(self.query_one(Field))
+        self._fill(line)
 
     def _do(self) -> None:
         # What was typed last may not have been listed yet.

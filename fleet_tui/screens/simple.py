@@ -10,10 +10,11 @@ from textual.containers import Vertical
 from textual.content import Content
 from textual.widgets import Button, OptionList, Static
 
-from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.commands import Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.lookup import Place, destination_only, places
 from fleet_tui.model.robot import Robot
+from fleet_tui.screens.choices import order
 from fleet_tui.view.text import visible
 
 
@@ -32,10 +33,10 @@ class Simple(Vertical):
         state: Callable[[], FleetState],
         selected: Callable[[], str],
         select: Callable[[str], None],
-        send: Callable[[Command], None],
+        give: Callable[[Wish, Callable[[], None]], str],
     ) -> None:
         super().__init__(id="simple")
-        self._state, self._selected, self._select, self._send = state, selected, select, send
+        self._state, self._selected, self._select, self._give = state, selected, select, give
         self._chosen: dict[str, Place] = {}
         self._whose = ""
         self._choosing = ""
@@ -165,14 +166,11 @@ class Simple(Vertical):
             self._say(f"{missing.capitalize()} is missing: choose where {_PURPOSE[missing]}")
             self.screen.set_focus(self._button(missing))
             return
-        start, end = self._chosen.get("from"), self._chosen["to"]
-        if destination_only(robot) or start is None:
-            self._send(PlaceOrderWithCargo(robot.name, end.vertex))
-        elif start.vertex == end.vertex:
-            self._say("From and To are the same place")
-            return
-        else:
-            self._send(PlaceOrder(robot.name, start.vertex, end.vertex))
+        only_to = destination_only(robot)
+        visited = [self._chosen[field] for field in (("to",) if only_to else ("from", "to"))]
+        self._say(self._give(order(robot, visited, only_to), self._sent))
+
+    def _sent(self) -> None:
         self._chosen.clear()
         self.start()
 

@@ -11,11 +11,11 @@ class Matches(OptionList, can_focus=False):
     def __init__(self, *, id: str) -> None:
         super().__init__(id=id, markup=False)
 
-    def show(self, texts: Iterable[str]) -> None:
-        """List these, the first one marked."""
+    def show(self, texts: Iterable[str], mark: bool = True) -> None:
+        """List these, the first one marked unless nothing is to be taken yet."""
         self.clear_options()
         self.add_options(list(texts))
-        self.highlighted = 0 if self.option_count else None
+        self.highlighted = 0 if mark and self.option_count else None
 
     def step(self, rows: int) -> None:
         """Mark another one."""

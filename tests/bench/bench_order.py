@@ -21,6 +21,10 @@ from tests.console_pilot import Console
 from tests.watched import WatchedStore
 
 ORDERS = 60
+# The same order given again within a second is not sent.
+STARTS = ["Base", "Receiving"]
+ENDS = ["Consumidores", "Store", "Packing", "Dispatch", "Charger", "Lift"]
+TRIPS = [(start, end) for start in STARTS for end in ENDS]
 TARGETS = {1: 5.0, 100: 15.0}
 
 
@@ -51,7 +55,8 @@ async def orders(it: Console) -> list[float]:
     taken = []
     with wiretap("Execute_order", sent):
         for n in range(ORDERS):
-            for name in ["o", *"Base", "enter", *"Consumidores"]:
+            start, end = TRIPS[n % len(TRIPS)]
+            for name in ["o", *start, "enter", *end]:
                 key(it.app, name)
             # Let the typing settle: the measure is Enter alone, at any moment of the tick.
             await asyncio.sleep(0.1 + n % 10 * 0.011)

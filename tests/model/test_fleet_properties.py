@@ -79,7 +79,7 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     ),
     events.CommandIssued: st.builds(events.CommandIssued, COMMAND_IDS, COMMANDS, AT, AT),
     events.CommandAdvanced: st.builds(
-        events.CommandAdvanced, COMMAND_IDS, st.sampled_from(Stage), st.text(max_size=9)
+        events.CommandAdvanced, COMMAND_IDS, st.sampled_from(Stage), AT, st.text(max_size=9)
     ),
     events.AlarmAcknowledged: st.builds(
         events.AlarmAcknowledged,

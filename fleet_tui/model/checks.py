@@ -1,0 +1,156 @@
+"""What is looked at before a command leaves: one function for each check, each with its name.
+
+The same for keys, menus, forms, typed lines and the command line. A pause is never held back.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+
+from fleet_tui.errors import did_you_mean
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+    Wish,
+)
+from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.order import OPEN_STATUSES
+from fleet_tui.model.problem import Problem, Rights
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.route_checks import (
+    ends_of,
+    floor_mismatch,
+    mistakable,
+    no_path,
+    no_way_there,
+    same_place,
+    unknown_vertex,
+)
+
+SAME_WITHIN = 1.0
+"""Seconds within which the same orders given again are a slip of the finger."""
+
+
+Check = Callable[[FleetState, Robot, Command], Iterator[Problem]]
+
+
+def rights(allowed: Rights) -> Iterator[Problem]:
+    """This console may send commands."""
+    if allowed.read_only:
+        yield Problem("read-only", "this console is read-only")
+    elif not allowed.armed:
+        yield Problem("not armed", "this console is not armed, : Arm lets commands leave")
+
+
+def unknown_robot(state: FleetState, name: str) -> Problem:
+    """There is no such robot."""
+    return Problem("unknown robot", f"no robot is called {name}{did_you_mean(name, state.robots)}")
+
+
+def no_link(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Commands would get through."""
+    link = state.links[robot.link]
+    if link.phase is not Phase.UP:
+        reason = link.reason or "not connected yet"
+        yield Problem("no link", f"{robot.name} could not be reached: {reason}")
+    elif link.command_path is CommandPath.DEAD:
+        yield Problem("no link", f"commands to {robot.name} did not get through: {link.command_reason}")
+
+
+def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Somebody is there to obey."""
+    if isinstance(command, ResumeRobot):
+        return
+    if robot.heard is None:
+        yield Problem("never seen", f"{robot.name} was never seen", blocks=False)
+    elif not state.is_online(robot):
+        yield Problem("offline", f"{robot.name} is offline {age(state.now - robot.heard)}", blocks=False)
+
+
+def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """An order would be driven now."""
+    if ends_of(command) and state.is_paused(robot):
+        ours = "" if robot.paused is not None else " (by us)"
+        yield Problem("paused", f"{robot.name} is paused{ours}", blocks=False)
+
+
+def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """What is to be cancelled is there."""
+    if not isinstance(command, CancelOrder):
+        return
+    if command.order_id <= 0:
+        text = f"order id {command.order_id} would mean all orders to the robot: use clear for that"
+        yield Problem("id means all", text)
+    elif all(order.id != command.order_id for order in robot.orders.orders):
+        old = robot.queue is None or state.is_old(robot.queue)
+        text = f"order {command.order_id} is not in the queue of {robot.name}"
+        yield Problem("not in the queue", text + (" as last heard" if old else ""), blocks=not old)
+
+
+def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """There is an order to lose."""
+    if isinstance(command, ClearOrders) and not robot.orders.orders:
+        old = robot.queue is None or state.is_old(robot.queue)
+        text = f"{robot.name} had no orders when last heard" if old else f"{robot.name} has no orders"
+        yield Problem("nothing to clear", text, blocks=not old)
+
+
+def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """With cargo on board and nothing to do there is only a destination; without cargo there is none."""
+    waiting = sum(order.status in OPEN_STATUSES for order in robot.orders.orders)
+    if isinstance(command, PlaceOrder) and robot.has_cargo and not robot.orders.orders:
+        text = f"{robot.name} has cargo on board and no orders: it needs only a destination"
+        yield Problem("cargo on board", text, blocks=False)
+    elif isinstance(command, PlaceOrderWithCargo) and not robot.has_cargo:
+        sure = robot.cargo is not None and not state.is_old(robot.cargo)
+        text = f"{robot.name} has no cargo on board: an order needs From and To"
+        yield Problem("no cargo", text if sure else f"{robot.name} does not say that it has cargo", sure)
+    elif isinstance(command, PlaceOrderWithCargo) and waiting:
+        text = f"{robot.name} has cargo on board, and {waiting} order{'s' * (waiting > 1)} pending"
+        yield Problem("cargo on board", text, blocks=False)
+
+
+CHECKS: tuple[Check, ...] = (
+    no_link,
+    unknown_vertex,
+    same_place,
+    no_path,
+    not_in_queue,
+    nothing_to_clear,
+    silent,
+    paused,
+    floor_mismatch,
+)
+FIRST: tuple[Check, ...] = (no_way_there, cargo)
+"""What is asked only of the first command to a robot: the others come after it."""
+
+
+def problems(state: FleetState, wish: Wish, allowed: Rights) -> list[Problem]:
+    """All that speaks against a wish, errors first; the only place where it is asked."""
+    if all(isinstance(command, PauseRobot) for command in wish.commands):
+        return []
+    found = list(rights(allowed))
+    asked: set[str] = set()
+    for command in wish.commands:
+        robot = state.robots.get(command.robot)
+        if robot is None:
+            found.append(unknown_robot(state, command.robot))
+            continue
+        for check in CHECKS if robot.name in asked else CHECKS + FIRST:
+            found += check(state, robot, command)
+        if robot.name not in asked:
+            found += mistakable(robot, wish.floors)
+        asked.add(robot.name)
+    return sorted(dict.fromkeys(found), key=lambda problem: not problem.blocks)
+
+
+def repeated(wish: Wish, given: Mapping[tuple[Command, ...], float], now: float) -> list[Problem]:
+    """The same orders given again at once are a slip of the finger. `given`: when each was (monotonic)."""
+    at = given.get(wish.commands)
+    if at is None or now - at >= SAME_WITHIN or not any(map(ends_of, wish.commands)):
+        return []
+    return [Problem("repeated", f"the same order was given {now - at:.1f} s ago")]

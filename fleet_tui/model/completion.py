@@ -1,0 +1,87 @@
+"""What can come next in a typed command."""
+
+from collections.abc import Iterable, Sequence
+
+from fleet_tui.errors import CommandError
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.grammar import ALL, USAGE, Token, find_robot, tokens
+from fleet_tui.model.lookup import places, recent_ends
+from fleet_tui.model.robot import Robot
+
+
+def is_command(line: str, state: FleetState) -> bool:
+    """Whether a line begins as a command: with a verb or a robot, and more after it."""
+    found = tokens(line)
+    if not found or (len(found) == 1 and not line[-1:].isspace()):
+        return False
+    return found[0].text.casefold() in USAGE or _robot(found[0], state) is not None
+
+
+def complete(line: str, state: FleetState, selected: str = "") -> list[str]:
+    """The lines that the last word of this one can become, the likeliest first."""
+    done = tokens(line)
+    start = len(line)
+    if done and not done[-1].separates and not line[-1].isspace():
+        start = done.pop().start
+    if not done:
+        return _lines(line, start, [*USAGE, *state.robots]) if line else []
+    verb = done[0].text.casefold() if done[0].text.casefold() in USAGE else ""
+    named = done[1:] if verb else done
+    if verb in ("", "order"):
+        return _order(line, named, start, verb, state)
+    if verb == "cancel":
+        return _cancel(line, named, start, state, selected)
+    if named:
+        return []
+    return _lines(line, start, state.robots if verb == "clear" else [ALL, *state.robots], last=True)
+
+
+def _robot(token: Token, state: FleetState) -> Robot | None:
+    try:
+        return find_robot(token.text, state)
+    except CommandError:
+        return None
+
+
+def _lines(line: str, start: int, words: Iterable[str], last: bool = False) -> list[str]:
+    """The line with its last part, from `start`, become each of the words that begin with it, else
+    contain it."""
+    typed = line[start:].strip("\"' ").casefold()
+    words = list(words)
+    found = [word for word in words if word.strip("\"'").casefold().startswith(typed)]
+    found = found or [word for word in words if typed in word.casefold()]
+    return [line[:start] + word + ("" if last else " ") for word in found]
+
+
+def _cancel(line: str, named: Sequence[Token], start: int, state: FleetState, selected: str) -> list[str]:
+    robot = _robot(named[0], state) if named else state.robots.get(selected)
+    if len(named) > 1:
+        return []
+    ids = [str(order.id) for order in robot.orders.in_sequence()] if robot else []
+    found = _lines(line, start, ids, last=True)
+    return found if named else [*found, *_lines(line, start, state.robots)]
+
+
+def _order(line: str, named: Sequence[Token], start: int, verb: str, state: FleetState) -> list[str]:
+    robot = _robot(named[0], state) if named else None
+    if robot is None:
+        return [] if named else _lines(line, start, state.robots)
+    known = places(robot)
+    rank = {vertex: place for place, vertex in enumerate(recent_ends(state, robot))}
+    known.sort(key=lambda place: rank.get(place.vertex, len(rank)))
+    names = list(dict.fromkeys(place.name for place in known))
+    # Between two `>` spaces belong to the label; with `order` and no `>` a word ends at one.
+    separators = [token.end for token in named if token.separates]
+    if verb and not separators:
+        return _lines(line, start, [_quoted(name) if " " in name else name for name in names])
+    begin = separators[-1] if separators else named[0].end
+    typed = line[begin:].strip("\"' ")
+    if typed and line[-1].isspace() and typed.casefold() in {name.casefold() for name in names}:
+        return [line + "> "]
+    begin += len(line[begin:]) - len(line[begin:].lstrip())
+    lead = line[:begin] if line[:begin][-1:].isspace() else line[:begin] + " "
+    return _lines(lead + line[begin:], len(lead), [_quoted(name) if ">" in name else name for name in names])
+
+
+def _quoted(name: str) -> str:
+    return f"'{name}'" if '"' in name else f'"{name}"'

@@ -1,0 +1,230 @@
+"""The command language: what an operator types, in the palette, in a file or after `fleet-tui`.
+
+    robot_0 Base > Consumidores          robot_0 Base > A > B: Base -> A, then A -> B
+    robot_0 > B                          the cargo on board to B
+    order robot_0 Base Consumidores      the same without `>`; labels with spaces in quotes
+    cancel 12, cancel robot_0 12         clear robot_0
+    pause robot_0, pause all             resume robot_0, resume all
+
+A robot is its name or its number, a place its label or its vertex id; `id=7` is always the id.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from fleet_tui.errors import CommandError, did_you_mean
+from fleet_tui.model.commands import (
+    INT32_MAX,
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+    Wish,
+    chain,
+)
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.lookup import called, places
+from fleet_tui.model.robot import Robot
+
+USAGE = {
+    "order": "order ROBOT FROM TO, or ROBOT FROM > TO",
+    "cancel": "cancel ROBOT ID",
+    "clear": "clear ROBOT",
+    "pause": "pause ROBOT, or pause all",
+    "resume": "resume ROBOT, or resume all",
+}
+ALL = "all"
+
+# A `-` belongs to the `>` after it only where it stands apart: labels may end with one.
+_TOKEN = re.compile(
+    r"""(?P<to>(?<![^\s>])->|>)|"(?P<two>[^"]*)"(?=[\s>]|$)|'(?P<one>[^']*)'(?=[\s>]|$)|[^\s>]+"""
+)
+_NUMBER = re.compile(r"-?[0-9]{1,10}", re.ASCII)
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A word of a line, without its quotes, from `start` to `end`; `>` separates places."""
+
+    text: str
+    start: int
+    end: int
+    separates: bool = False
+
+
+def tokens(line: str) -> list[Token]:
+    """The words of a line. A quote that is never closed is a letter like others."""
+    found = []
+    for match in _TOKEN.finditer(line):
+        quoted = match["two"] if match["two"] is not None else match["one"]
+        text = match[0] if quoted is None else quoted
+        found.append(Token(text, match.start(), match.end(), match["to"] is not None))
+    return found
+
+
+def parse(line: str, state: FleetState, selected: str = "") -> Wish:
+    """What a line asks; `selected` is the robot where `cancel` names none. CommandError names the
+    word that is wrong, and the nearest right one."""
+    found = tokens(line)
+    if any(token.separates for token in found):
+        return _route(line, found, state)
+    return parse_words([token.text for token in found], state, selected)
+
+
+def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> Wish:
+    """The same for words that are apart already, as a shell hands them over."""
+    if not words:
+        raise CommandError("a command is missing: " + "; ".join(USAGE.values()))
+    verb, *rest = words[0].casefold(), *words[1:]
+    match verb, rest:
+        case "order", [name, *named] if named:
+            return _order(find_robot(name, state), named)
+        case "cancel", [number] if selected in state.robots:
+            return Wish((CancelOrder(selected, _order_id(number)),))
+        case "cancel", [name, number]:
+            return Wish((CancelOrder(find_robot(name, state).name, _order_id(number)),))
+        case "clear", [name]:
+            return Wish((ClearOrders(find_robot(name, state).name),))
+        case "pause", [name]:
+            return Wish(tuple(map(PauseRobot, _robots(name, state))))
+        case "resume", [name]:
+            return Wish(tuple(map(ResumeRobot, _robots(name, state))))
+    if verb in USAGE:
+        raise CommandError(f"{verb} is written: {USAGE[verb]}")
+    name = find_robot(words[0], state, [*state.robots, *USAGE]).name
+    raise CommandError(f"what {name} is to do is written: {name} FROM > TO")
+
+
+def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot:
+    """A robot by its name, whatever the case where that is clear, or by its number."""
+    same = [name for name in state.robots if name.casefold() == word.casefold()]
+    for name in [word] if word in state.robots else same if len(same) == 1 else []:
+        return state.robots[name]
+    number = _number(word)
+    for robot in state.robots.values():
+        if robot.number == number:
+            return robot
+    near = did_you_mean(word, known or state.robots)
+    raise CommandError(f"no robot{' or command' if known else ''} is called {_said(word)}{near}")
+
+
+def _robots(word: str, state: FleetState) -> list[str]:
+    if word.casefold() == ALL:
+        return list(state.robots)
+    return [find_robot(word, state).name]
+
+
+def _number(word: str) -> int | None:
+    number = int(word) if _NUMBER.fullmatch(word) else None
+    return number if number is not None and abs(number) <= INT32_MAX else None
+
+
+def _order_id(word: str) -> int:
+    number = _number(word)
+    if number is None:
+        raise CommandError(f"{_said(word)} is no order id: a number as the queue shows it")
+    return number
+
+
+def _said(word: str) -> str:
+    return repr(word if len(word) <= 40 else word[:39] + "…")
+
+
+def _vertex(robot: Robot, word: str) -> tuple[int, str]:
+    """The vertex that a word means, and its floor where it was called by its label."""
+    number = _number(word.removeprefix("id="))
+    if word.startswith("id=") and number is not None:
+        return number, ""
+    found = {place.vertex: place for place in called(robot, word)}
+    if not found and number is not None and number >= 0:
+        return number, ""
+    if number is not None and number >= 0 and robot.name_of(number) is not None:
+        found.setdefault(number, next(iter(found.values())))
+    if not found:
+        near = did_you_mean(word, [place.name for place in places(robot)])
+        raise CommandError(f"{robot.name} knows no place called {_said(word)}{near}")
+    if len(found) > 1:
+        ids = " or ".join(f"id={vertex}" for vertex in sorted(found))
+        raise CommandError(f"{_said(word)} can mean several places of {robot.name}: write {ids}")
+    ((vertex, place),) = found.items()
+    return vertex, place.floor
+
+
+def _order(robot: Robot, named: Sequence[str], only_to: bool = False) -> Wish:
+    """A single place is where the cargo on board goes."""
+    found = [_vertex(robot, word) for word in named]
+    vertices = [vertex for vertex, _ in found]
+    floors = {vertex: floor for vertex, floor in found if floor}
+    return Wish(chain(robot.name, vertices, with_cargo=only_to or len(named) == 1), floors)
+
+
+def _route(line: str, found: list[Token], state: FleetState) -> Wish:
+    """`ROBOT FROM > TO > ...`, with or without `order` before it."""
+    if found[0].text.casefold() == "order" and not found[0].separates:
+        found = found[1:]
+    if not found or found[0].separates:
+        raise CommandError(f"a robot is missing before >: {USAGE['order']}")
+    robot = find_robot(found[0].text, state)
+    legs = [_label(line, leg) for leg in _legs(found[1:])]
+    only_to = not legs[0]
+    if only_to:
+        legs = legs[1:]
+    if not all(legs):
+        raise CommandError(f"a place is missing beside >: {USAGE['order']}")
+    return _order(robot, legs, only_to)
+
+
+def _legs(found: Iterable[Token]) -> list[list[Token]]:
+    legs: list[list[Token]] = [[]]
+    for token in found:
+        if token.separates:
+            legs.append([])
+        else:
+            legs[-1].append(token)
+    return legs
+
+
+def _label(line: str, leg: list[Token]) -> str:
+    """Between two `>` spaces belong to the label."""
+    if len(leg) == 1:
+        return leg[0].text
+    return line[leg[0].start : leg[-1].end] if leg else ""
+
+
+def written(command: Command, state: FleetState) -> str:
+    """A command as a line that `parse` reads back."""
+    match command:
+        case PlaceOrder(name, start, end):
+            robot = state.robots[name]
+            return f"order {name} {_word(robot, start)} {_word(robot, end)}"
+        case PlaceOrderWithCargo(name, end):
+            return f"order {name} {_word(state.robots[name], end)}"
+        case CancelOrder(name, order_id):
+            return f"cancel {name} {order_id}"
+        case ClearOrders(name):
+            return f"clear {name}"
+        case PauseRobot(name):
+            return f"pause {name}"
+        case ResumeRobot(name):
+            return f"resume {name}"
+
+
+def _word(robot: Robot, vertex: int) -> str:
+    """The label in quotes where it needs them, else the id."""
+    return next(iter(_words(robot, vertex)), f"id={vertex}")
+
+
+def _words(robot: Robot, vertex: int) -> Iterator[str]:
+    name = robot.name_of(vertex)
+    for word in [] if name is None else [name, f'"{name}"', f"'{name}'"]:
+        found = tokens(word)
+        if len(found) == 1 and found[0].text == name and not found[0].separates and found[0].end == len(word):
+            try:
+                if _vertex(robot, name)[0] == vertex:
+                    yield word
+            except CommandError:
+                return

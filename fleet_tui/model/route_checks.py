@@ -1,0 +1,125 @@
+"""Checks of an order against the robot's graphs and floors. A graph that has not come proves nothing."""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import pairwise
+
+from fleet_tui.errors import did_you_mean
+from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import Role, RouteGraph
+from fleet_tui.model.problem import Problem
+from fleet_tui.model.robot import Robot
+
+
+def _name(robot: Robot, vertex: int) -> str:
+    return robot.name_of(vertex) or str(vertex)
+
+
+def ends_of(command: Command) -> tuple[int, ...]:
+    """The vertices that an order names."""
+    match command:
+        case PlaceOrder(_, start, end):
+            return start, end
+        case PlaceOrderWithCargo(_, end):
+            return (end,)
+    return ()
+
+
+def unknown_vertex(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """The robot's graphs have the vertices. A graph that has not come proves nothing."""
+    missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
+    for vertex in ends_of(command):
+        if robot.name_of(vertex) is not None:
+            continue
+        if missing:
+            waits = f"vertex {vertex} is unknown as long as the graph of {', '.join(missing)} has not come"
+            yield Problem("unknown vertex", f"{robot.name}: {waits}", blocks=False)
+        else:
+            known = [str(id_) for graph in _graphs(robot).values() for id_ in graph.vertices]
+            text = f"{robot.name} knows no vertex {vertex}{did_you_mean(str(vertex), known)}"
+            yield Problem("unknown vertex", text)
+
+
+def same_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """There is a way to drive."""
+    if isinstance(command, PlaceOrder) and command.start == command.end:
+        yield Problem("same place", f"From and To are the same place: {_name(robot, command.end)}")
+
+
+def _graphs(robot: Robot) -> Mapping[str, RouteGraph]:
+    return {floor: chart.graph for floor, chart in robot.charts.items() if chart.graph is not None}
+
+
+def _floors(robot: Robot, vertex: int) -> set[str]:
+    """The floors that have such a vertex. Ids of different floors may be the same."""
+    return {floor for floor, graph in _graphs(robot).items() if vertex in graph.vertices}
+
+
+def _lifts(graph: RouteGraph) -> list[int]:
+    return [vertex.id for vertex in graph.vertices.values() if vertex.role is Role.ELEVATOR]
+
+
+def _are_joined(graphs: Mapping[str, RouteGraph], start: int, end: int) -> bool:
+    """Whether a way is known, on one floor or by elevators, which are all taken to meet."""
+    if any(graph.path(start, end) for graph in graphs.values()):
+        return True
+    lifts = [(graph, lift) for graph in graphs.values() for lift in _lifts(graph)] if len(graphs) > 1 else []
+    ways_up = any(graph.path(start, lift) for graph, lift in lifts)
+    return ways_up and any(graph.path(lift, end) for graph, lift in lifts)
+
+
+def _lack_lifts(robot: Robot, floors: Iterable[str]) -> bool:
+    """Whether one of these floors names no elevator: how it is left is not in its graph."""
+    return any(not _lifts(_graphs(robot)[floor]) for floor in floors)
+
+
+def no_path(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """The graph leads from one to the other."""
+    if not isinstance(command, PlaceOrder) or not robot.knows_all_graphs():
+        return
+    starts, ends = _floors(robot, command.start), _floors(robot, command.end)
+    if not starts or not ends or (not starts & ends and _lack_lifts(robot, starts | ends)):
+        return
+    if not _are_joined(_graphs(robot), command.start, command.end):
+        names = f"{_name(robot, command.start)} to {_name(robot, command.end)}"
+        yield Problem("no path", f"{robot.name} knows no path from {names}")
+
+
+def no_way_there(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """The graph leads from where the robot is to where the order begins."""
+    graphs, floor = _graphs(robot), robot.floor or ""
+    here = graphs.get(floor)
+    if robot.pose is None or not here or not here.vertices or not robot.knows_all_graphs():
+        return
+    pose = robot.pose.value
+    near = min(here.vertices.values(), key=lambda one: math.dist((one.x, one.y), (pose.x, pose.y)))
+    for vertex in ends_of(command)[:1]:
+        floors = _floors(robot, vertex)
+        unknown = not floors or (floor not in floors and _lack_lifts(robot, {floor, *floors}))
+        if not unknown and not _are_joined(graphs, near.id, vertex):
+            text = f"{robot.name} knows no path from where it is to {_name(robot, vertex)}"
+            yield Problem("no path", text, blocks=False)
+
+
+def floor_mismatch(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """The robot and both places are on one floor, or an elevator is known. A floor that is not known
+    proves nothing."""
+    stops = [(robot.name, {floor for floor in _graphs(robot) if floor == robot.floor})]
+    stops += [(_name(robot, vertex), _floors(robot, vertex)) for vertex in ends_of(command)]
+    for (one, here), (other, there) in pairwise(stops):
+        if here and there and not here & there and _lack_lifts(robot, here | there):
+            text = f"{one} is on {min(here)}, {other} on {min(there)}, and no elevator is known"
+            yield Problem("floor mismatch", text, blocks=False)
+
+
+def mistakable(robot: Robot, floors: Mapping[int, str]) -> Iterator[Problem]:
+    """The wire knows only ids: one that was chosen on another floor may be another place on this one."""
+    here = robot.charts.get(robot.floor or "")
+    for vertex, floor in floors.items():
+        if here is None or floor not in robot.charts or floor == robot.floor:
+            continue
+        meant, taken = robot.charts[floor].name_of(vertex), here.name_of(vertex)
+        if meant is not None and taken is not None and meant != taken:
+            text = f"{meant} of {floor} has the id of {taken} of {robot.floor}, where {robot.name} is"
+            yield Problem("floor mismatch", text, blocks=False)

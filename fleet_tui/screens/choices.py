@@ -1,0 +1,53 @@
+"""What a field of the order form can mean, and what is said of it."""
+
+from collections.abc import Sequence
+
+from fleet_tui.model.commands import Wish, chain
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.lookup import Place, matches, places, recent_ends
+from fleet_tui.model.robot import Robot
+from fleet_tui.view.text import visible
+
+SHOWN = 8
+
+Choices = list[Place] | list[str]
+
+
+def choices(
+    state: FleetState, robot: Robot | None, field: str, typed: str, chosen: Place | None = None
+) -> Choices:
+    """The likeliest first; where the robot was sent last comes first in `to`."""
+    if field == "robot":
+        wanted = typed.strip().casefold()
+        return [name for name in state.robots if wanted in name.casefold()][:SHOWN]
+    if robot is None:
+        return []
+    found = matches(robot, typed, recent_ends(state, robot) if field == "to" else ())[:SHOWN]
+    if chosen is None or visible(chosen.name) != typed:
+        return found
+    # Floors may have the same label: what was chosen stays what Enter takes.
+    return [chosen, *(place for place in found if place != chosen)]
+
+
+def is_in_label(robot: Robot | None, typed: str) -> bool:
+    """Whether a label of the robot has this in it."""
+    return robot is not None and any(typed.casefold() in place.name.casefold() for place in places(robot))
+
+
+def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Wish:
+    """Orders that visit the places one after the other; `only_to`: the cargo on board to the first."""
+    floors = {place.vertex: place.floor for place in visited}
+    return Wish(chain(robot.name, [place.vertex for place in visited], only_to), floors)
+
+
+def missing(field: str, typed: str = "") -> str:
+    """What a field still needs."""
+    if typed.strip():
+        return f"{field.capitalize()}: Enter takes the marked place of this robot"
+    remedy = "its name" if field == "robot" else "a label or a vertex id"
+    return f"{field.capitalize()} is missing: type {remedy}"
+
+
+def line(choice: Place | str) -> str:
+    """One of them as it is listed."""
+    return choice if isinstance(choice, str) else f"{visible(choice.name)}  ({choice.vertex}, {choice.floor})"

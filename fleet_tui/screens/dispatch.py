@@ -1,0 +1,81 @@
+"""The one way from a wish to the robots: checked, asked where something speaks against it, sent."""
+
+import time
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from textual.screen import Screen
+
+from fleet_tui.model.checks import problems, repeated
+from fleet_tui.model.commands import Command, Wish
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.problem import Problem, Rights
+from fleet_tui.store import Store
+from fleet_tui.view.questions import losses, question
+from fleet_tui.view.text import visible
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.confirm import Confirm
+
+
+class Dispatch(Screen[None], inherit_bindings=False):
+    """What destroys asks once; a pause never asks."""
+
+    store: Store
+    submit: Callable[[Command], None]
+    read_only: bool
+    armed: bool
+    confirm: "Confirm"
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._given: dict[tuple[Command, ...], float] = {}
+
+    @property
+    def state(self) -> FleetState:
+        """The newest picture of the fleet."""
+        return self.store.state
+
+    def _problems(self, wish: Wish) -> list[Problem]:
+        found = problems(self.state, wish, Rights(self.read_only, self.armed))
+        return [*repeated(wish, self._given, time.monotonic()), *found]
+
+    def give(self, wish: Wish, sent: Callable[[], None] = lambda: None) -> str:
+        """Send a wish, after asking where something is lost or was warned of; `sent` is called when it
+        has left. Returns why it is not sent, empty where it is or where that is asked."""
+        found = self._problems(wish)
+        for problem in found:
+            if problem.blocks:
+                return f"not sent: {visible(problem.text)}"
+        if found or any(losses(self.state, wish)):
+            self.confirm.ask(
+                lambda: question(self.state, wish, self._problems(wish)),
+                partial(self._send_after_all, wish, sent),
+            )
+        else:
+            self._send(wish, sent)
+        return ""
+
+    def _send_after_all(self, wish: Wish, sent: Callable[[], None]) -> None:
+        """While it was asked, the fleet went on: what must not be sent now is not."""
+        wrong = [problem.text for problem in self._problems(wish) if problem.blocks]
+        if wrong:
+            self.say(f"not sent: {visible(wrong[0])}")
+        else:
+            self._send(wish, sent)
+
+    def _send(self, wish: Wish, sent: Callable[[], None]) -> None:
+        for command in wish.commands:
+            self.submit(command)
+        self._given[wish.commands] = time.monotonic()
+        sent()
+
+    def do(self, wish: Wish) -> None:
+        """Send a wish, or say why not."""
+        if problem := self.give(wish):
+            self.say(problem)
+
+    def say(self, text: str) -> None:
+        """Tell the operator why nothing happened."""
+        raise NotImplementedError

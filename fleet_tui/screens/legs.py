@@ -1,0 +1,54 @@
+"""A chain of orders while it is typed: `A > B > `, and what comes next."""
+
+from dataclasses import dataclass
+
+from textual.widgets import Input
+
+from fleet_tui.model.lookup import Place
+from fleet_tui.view.text import visible
+from fleet_tui.widgets.field import Field
+
+SIGN = ">"
+
+
+@dataclass(frozen=True, slots=True)
+class Legs:
+    """The places that stand already at the start of a field's text."""
+
+    places: tuple[Place, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """What the field begins with."""
+        return "".join(f"{visible(place.name)} {SIGN} " for place in self.places)
+
+    def kept(self, typed: str) -> "Legs":
+        """Those that still stand in what is typed."""
+        legs = self
+        while not typed.startswith(legs.text):
+            legs = Legs(legs.places[:-1])
+        return legs
+
+    def rest(self, typed: str) -> str:
+        """What is typed after them, without the sign that stays when a leg is taken back."""
+        return typed[len(self.text) :].removesuffix(f" {SIGN}")
+
+
+class LegField(Field):
+    """A field that may hold several places, one after the other."""
+
+    legs = Legs()
+
+    @property
+    def typed(self) -> str:
+        """What is typed after the legs that still stand."""
+        self.legs = self.legs.kept(self.value)
+        return self.legs.rest(self.value)
+
+    def put(self, text: str, legs: Legs | None = None) -> None:
+        """Put a text after the legs."""
+        self.legs = self.legs if legs is None else legs
+        # Without its Changed message: that would arrive after what is typed next.
+        with self.prevent(Input.Changed):
+            self.value = self.legs.text + text
+        self.cursor_position = len(self.value)

@@ -1,0 +1,79 @@
+"""What can be done with orders: place, cancel, clear, again, the way back."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Wish
+from fleet_tui.model.lookup import Place
+from fleet_tui.screens.dispatch import Dispatch
+from fleet_tui.view.fleet_rows import mission, place
+from fleet_tui.view.order_story import origin
+from fleet_tui.view.selection import Selection
+from fleet_tui.widgets.rows_pane import RowsPane
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.menu import Entry, Menu
+    from fleet_tui.screens.order_form import OrderForm
+
+
+class OrderActions(Dispatch, inherit_bindings=False):
+    """From a key or a row to a wish."""
+
+    selection: Selection
+    queue: RowsPane
+    clock: Callable[[float], str]
+    order_form: "OrderForm"
+    menu: "Menu"
+
+    def action_order(self) -> None:
+        """Open the order form for the selected robot."""
+        self.order_form.start(self.selection.robot)
+
+    def order_at(self, vertex: int, floor: str) -> None:
+        """Open the order form for a vertex chosen on the map, if it is one of the robot's own graph."""
+        robot = self.state.robots[self.selection.robot]
+        chart = robot.charts.get(floor)
+        name = chart.name_of(vertex) if chart else None
+        if name is None:
+            self.say(f"{robot.name} knows no vertex {vertex} on {floor}")
+        else:
+            self.order_form.start(robot.name, Place(vertex, name, floor))
+
+    def action_cancel(self) -> None:
+        """Cancel the order under the queue's cursor, after asking."""
+        match self.queue.cursor:
+            case (str(robot), int(order_id), _):
+                self.ask_cancel(robot, order_id)
+            case _:
+                self.say("there is no order to cancel")
+
+    def ask_cancel(self, robot: str, order_id: int) -> None:
+        """Cancel one order, after asking."""
+        self.do(Wish((CancelOrder(robot, order_id),)))
+
+    def action_clear(self) -> None:
+        """Clear all orders of the selected robot, after asking."""
+        self.do(Wish((ClearOrders(self.selection.robot),)))
+
+    def queue_menu(self, name: str, order_id: int) -> None:
+        """Where an order comes from, and what can be done with it."""
+        robot = self.state.robots[name]
+        order = next((order for order in robot.orders.orders if order.id == order_id), None)
+        if order is None:
+            self.say(f"order {order_id} is gone already")
+            return
+        ends = place(robot, order.start), place(robot, order.end)
+        entries: list[Entry] = [
+            ("Cancel this order", lambda: self.ask_cancel(name, order_id)),
+            (
+                f"Again: {ends[0]} -> {ends[1]}",
+                lambda: self.do(Wish((PlaceOrder(name, order.start, order.end),))),
+            ),
+            (
+                f"Return trip: {ends[1]} -> {ends[0]}",
+                lambda: self.do(Wish((PlaceOrder(name, order.end, order.start),))),
+            ),
+            (f"Clear all orders of {name}", lambda: self.do(Wish((ClearOrders(name),)))),
+        ]
+        told = origin(self.state, name, order, self.clock)
+        self.menu.show(f"Order {order_id} of {name}: {mission(robot, order)}\n{told}", entries)

@@ -1,0 +1,41 @@
+"""A line of the palette as a command."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from fleet_tui.errors import CommandError
+from fleet_tui.model.commands import Wish
+from fleet_tui.model.completion import complete, is_command
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.grammar import parse
+from fleet_tui.view.questions import wish_text
+from fleet_tui.view.text import visible
+
+Entry = tuple[str, Callable[[], object]]
+
+
+@dataclass(frozen=True)
+class Typed:
+    """What Enter does, the lines it can become, what is wrong with it so far."""
+
+    entries: Sequence[Entry] = ()
+    completed: Sequence[str] = ()
+    problem: str = ""
+
+    @property
+    def is_command(self) -> bool:
+        """Whether it is one, or one that is not complete."""
+        return bool(self.entries or self.problem)
+
+
+def typed(line: str, state: FleetState, selected: str, do: Callable[[Wish], None]) -> Typed:
+    """What a line means, where it is one that `do` can do."""
+    completed = complete(line, state, selected)
+    if not is_command(line, state):
+        return Typed(completed=completed)
+    try:
+        wish = parse(line, state, selected)
+    except CommandError as problem:
+        return Typed(completed=completed, problem=visible(str(problem)))
+    return Typed([(wish_text(state, wish), partial(do, wish))], completed)

@@ -1,0 +1,43 @@
+"""Where an order in a queue comes from, as far as this console knows."""
+
+from collections.abc import Callable
+
+from fleet_tui.model.commands import CommandRecord, PlaceOrder, PlaceOrderWithCargo, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import Order
+
+NEVER_THERE = frozenset({Stage.CHECKED, Stage.NOT_SENT, Stage.REFUSED})
+
+
+def _told(record: CommandRecord) -> str:
+    """What became of a command, stage by stage."""
+    stages = [step.stage.value for step in record.steps if step.stage not in (Stage.CHECKED, Stage.SENT)]
+    return ", ".join(stages or ["sent"])
+
+
+def _may_be(record: CommandRecord, order: Order) -> bool:
+    """Whether a command whose order was never recognised could have placed this one."""
+    if record.order_id is not None or record.stage in NEVER_THERE:
+        return False
+    last = record.before.last_order_id
+    if last is not None and order.id <= last:
+        return False
+    match record.command:
+        case PlaceOrder(_, start, end):
+            return (start, end) == (order.start, order.end)
+        case PlaceOrderWithCargo(_, end):
+            return end == order.end
+    return False
+
+
+def origin(state: FleetState, robot: str, order: Order, clock: Callable[[float], str]) -> str:
+    """`given here at 12:04:31, accepted, confirmed`, or that this console did not give it."""
+    ours = [record for record in state.commands if record.command.robot == robot]
+    placed = (PlaceOrder, PlaceOrderWithCargo)
+    for record in ours:
+        if record.order_id == order.id and isinstance(record.command, placed):
+            return f"given here at {clock(record.wall)}, {_told(record)}"
+    for record in ours:
+        if _may_be(record, order):
+            return f"perhaps given here at {clock(record.wall)}, {_told(record)}"
+    return "not given by this console"

@@ -1,0 +1,48 @@
+"""What is asked before a wish is sent that loses something, or that was warned of."""
+
+from collections.abc import Iterator, Sequence
+
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Wish
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.problem import Problem
+from fleet_tui.view.command_line import command_text
+from fleet_tui.view.fleet_rows import mission
+from fleet_tui.view.text import visible
+
+SHOWN = 6
+
+
+def losses(state: FleetState, wish: Wish) -> Iterator[str]:
+    """What will be lost, one line each; none where nothing is."""
+    for command in wish.commands:
+        robot = state.robots[command.robot]
+        orders = robot.orders.in_sequence()
+        match command:
+            case CancelOrder(name, order_id):
+                yield f"Cancel order {order_id} of {name}?"
+                yield from (mission(robot, order) for order in orders if order.id == order_id)
+            case ClearOrders(name):
+                yield f"Clear all {len(orders)} orders of {name}?"
+                yield from (f"  {order.id}  {mission(robot, order)}" for order in orders[:SHOWN])
+                if len(orders) > SHOWN:
+                    yield f"  and {len(orders) - SHOWN} more"
+
+
+def wish_text(state: FleetState, wish: Wish) -> str:
+    """A wish in one line."""
+    first = command_text(state, wish.commands[0])
+    if len({command.robot for command in wish.commands}) > 1:
+        return f"{first} and {len(wish.commands) - 1} more like it"
+    robot = wish.commands[0].robot
+    rest = (command_text(state, command).removeprefix(f"{robot} order ") for command in wish.commands[1:])
+    return ", ".join([first, *rest])
+
+
+def question(state: FleetState, wish: Wish, found: Sequence[Problem]) -> str:
+    """What is asked, with what speaks against it."""
+    against = [visible(problem.text) for problem in found]
+    lost = list(losses(state, wish))
+    if lost:
+        return "\n".join([*lost, *against])
+    ask = [f"{', '.join(against)}: send anyway?"] if against else ["Send it?"]
+    return "\n".join([*ask, wish_text(state, wish)])

@@ -1,0 +1,201 @@
+"""The command language: what each line asks, what is said of one that asks nothing."""
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from fleet_tui.errors import CommandError
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+)
+from fleet_tui.model.completion import complete, is_command
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.grammar import parse, parse_words, written
+from tests.fleets import R0, fleet, graph, labels, queue, told
+
+NAMED = {1: "Base", 2: "Consumidores", 3: "Dock 7", 4: "Lab > base", 5: "Joe's", 6: "x-"}
+R1 = "robot_1"
+
+
+def known(named: dict[int, str] | None = None) -> FleetState:
+    ids = sorted({*range(1, 10), *(named or ())})
+    facts = (graph(*ids, robot=name) for name in (R0, R1))
+    words = (labels(named or NAMED, robot=name) for name in (R0, R1))
+    return told(fleet(2), *facts, *words, queue(1000.0, (12, 1, 2, "W"), (13, 2, 1, "Q")))
+
+
+ASKED: list[tuple[str, tuple[Command, ...]]] = [
+    ("robot_0 Base > Consumidores", (PlaceOrder(R0, 1, 2),)),
+    ("  ROBOT_0   base>CONSUMIDORES ", (PlaceOrder(R0, 1, 2),)),
+    ("robot_0 Base -> Consumidores", (PlaceOrder(R0, 1, 2),)),
+    ("robot_0 x->Base", (PlaceOrder(R0, 6, 1),)),
+    ("robot_0 x- -> Base", (PlaceOrder(R0, 6, 1),)),
+    ("order robot_0 Base > Consumidores", (PlaceOrder(R0, 1, 2),)),
+    ("order robot_0 Base Consumidores", (PlaceOrder(R0, 1, 2),)),
+    ("2 Base > 2", (PlaceOrder(R1, 1, 2),)),
+    ("robot_0 Base > 9 > Base", (PlaceOrder(R0, 1, 9), PlaceOrder(R0, 9, 1))),
+    ("order robot_0 1 2 3", (PlaceOrder(R0, 1, 2), PlaceOrder(R0, 2, 3))),
+    ("robot_0 Dock 7 > Joe's", (PlaceOrder(R0, 3, 5),)),
+    ("robot_0 'Lab > base' > Joe's", (PlaceOrder(R0, 4, 5),)),
+    ("order robot_0 'Dock 7' \"Joe's\"", (PlaceOrder(R0, 3, 5),)),
+    ("robot_0 77 > Base", (PlaceOrder(R0, 77, 1),)),  # the checks say that there is none
+    ("robot_0 > Base", (PlaceOrderWithCargo(R0, 1),)),
+    ("robot_0 > Base > 2", (PlaceOrderWithCargo(R0, 1), PlaceOrder(R0, 1, 2))),
+    ("order robot_0 Base", (PlaceOrderWithCargo(R0, 1),)),
+    ("cancel 12", (CancelOrder(R0, 12),)),
+    ("cancel robot_1 12", (CancelOrder(R1, 12),)),
+    ("Cancel 2 0", (CancelOrder(R1, 0),)),
+    ("clear robot_0", (ClearOrders(R0),)),
+    ("pause robot_0", (PauseRobot(R0),)),
+    ("pause all", (PauseRobot(R0), PauseRobot(R1))),
+    ("resume robot_0", (ResumeRobot(R0),)),
+    ("RESUME ALL", (ResumeRobot(R0), ResumeRobot(R1))),
+]
+
+
+@pytest.mark.parametrize(("line", "asked"), ASKED, ids=[line for line, _ in ASKED])
+def test_what_a_line_asks(line: str, asked: tuple[Command, ...]) -> None:
+    assert parse(line, known(), R0).commands == asked
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("robot_9 Base > 2", "no robot is called 'robot_9', did you mean robot_1?"),
+        ("oder robot_0 Base 2", "no robot or command is called 'oder', did you mean order?"),
+        ("robot_0 Bse > 2", "robot_0 knows no place called 'Bse', did you mean Base?"),
+        ("robot_0 Base > Dok 7", "robot_0 knows no place called 'Dok 7', did you mean Dock 7?"),
+        ("robot_0 Base", "what robot_0 is to do is written: robot_0 FROM > TO"),
+        ("robot_0 Base >", "a place is missing beside >: order ROBOT FROM TO, or ROBOT FROM > TO"),
+        ("> Base", "a robot is missing before >: order ROBOT FROM TO, or ROBOT FROM > TO"),
+        ("order robot_0", "order is written: order ROBOT FROM TO, or ROBOT FROM > TO"),
+        ("cancel", "cancel is written: cancel ROBOT ID"),
+        ("cancel robot_0 twelve", "'twelve' is no order id: a number as the queue shows it"),
+        ("cancel 99999999999", "'99999999999' is no order id: a number as the queue shows it"),
+        ("pause", "pause is written: pause ROBOT, or pause all"),
+    ],
+)
+def test_what_is_wrong_is_named_with_the_nearest_right_word(line: str, said: str) -> None:
+    with pytest.raises(CommandError) as caught:
+        parse(line, known(), R0)
+    assert str(caught.value) == said
+
+
+def test_a_word_that_can_mean_two_vertices_means_none_until_it_is_clear() -> None:
+    state = known({1: "Base", 2: "BASE", 3: "7", 4: "Lift", 5: "Lift"})
+    assert parse("robot_0 Base > BASE", state).commands == (PlaceOrder(R0, 1, 2),)
+    for word, ids in (("base", "id=1 or id=2"), ("7", "id=3 or id=7"), ("Lift", "id=4 or id=5")):
+        with pytest.raises(CommandError, match=f"several places of robot_0: write {ids}"):
+            parse(f"robot_0 {word} > 9", state)
+    assert parse("robot_0 id=7 > id=3", state).commands == (PlaceOrder(R0, 7, 3),)
+
+
+def test_cancel_without_a_robot_needs_a_selected_one() -> None:
+    with pytest.raises(CommandError, match="cancel is written: cancel ROBOT ID"):
+        parse("cancel 12", known())
+
+
+def test_words_from_a_shell_need_no_quotes() -> None:
+    asked = parse_words(["order", R0, "Lab > base", "Dock 7"], known())
+    assert asked.commands == (PlaceOrder(R0, 4, 3),)
+    assert asked.floors == {4: "floor_0", 3: "floor_0"}
+
+
+ids = st.integers(min_value=-(2**31), max_value=2**31 - 1)
+vertices = st.one_of(st.integers(1, 12), st.integers(0, 2**31 - 1))
+robots = st.sampled_from([R0, R1])
+commands: st.SearchStrategy[Command] = st.one_of(
+    st.builds(PlaceOrder, robots, vertices, vertices),
+    st.builds(PlaceOrderWithCargo, robots, vertices),
+    st.builds(CancelOrder, robots, ids),
+    st.builds(ClearOrders, robots),
+    st.builds(PauseRobot, robots),
+    st.builds(ResumeRobot, robots),
+)
+hard_words = st.text("ab7=d'\" >-i\n", max_size=6)
+odd_words = st.sampled_from(["Base", "base", "ǅ", "ﬀ", "İ", "ß", "\u202e", "٣", "\x1b[2J", "9" * 5000])
+any_labels = st.dictionaries(st.integers(1, 9), st.one_of(hard_words, odd_words), max_size=6)
+
+
+@given(commands, any_labels)
+@example(PlaceOrder(R0, 7, 1), {1: "7", 2: "id=7"})
+def test_a_written_command_is_read_back(command: Command, named: dict[int, str]) -> None:
+    state = known(named)
+    assert parse(written(command, state), state).commands == (command,)
+
+
+pieces = [*"'\"> ", "->", R0, "order", "cancel", "pause", "all", "Base", "Dock 7", "9" * 5000]
+lines = st.one_of(st.text(), st.lists(st.sampled_from(pieces)).map(" ".join))
+
+
+@given(lines, any_labels)
+def test_no_text_is_more_than_refused(line: str, named: dict[int, str]) -> None:
+    state = known(named)
+    try:
+        assert parse(line, state, R0).commands
+    except CommandError as problem:
+        assert str(problem)
+    complete(line, state, R0)
+    is_command(line, state)
+
+
+@pytest.mark.parametrize(
+    ("line", "completed"),
+    [
+        ("", []),
+        ("ro", ["robot_0 ", "robot_1 "]),
+        ("cl", ["clear "]),
+        ("pause ", ["pause all", "pause robot_0", "pause robot_1"]),
+        ("clear r", ["clear robot_0", "clear robot_1"]),
+        ("cancel ", ["cancel 12", "cancel 13", "cancel robot_0 ", "cancel robot_1 "]),
+        ("cancel 2 ", []),
+        ("cancel robot_0 1", ["cancel robot_0 12", "cancel robot_0 13"]),
+        ("cancel robot_0 12 ", []),
+        ("robot_0 cons", ["robot_0 Consumidores "]),
+        ("robot_0 Consumidores ", ["robot_0 Consumidores > "]),
+        ("robot_0 Dock", ["robot_0 Dock 7 "]),
+        ("robot_0 Dock 7", ["robot_0 Dock 7 "]),
+        ("robot_0 Base > Dock ", ["robot_0 Base > Dock 7 "]),
+        ("robot_0 Base >lab", ['robot_0 Base > "Lab > base" ']),
+        ("robot_0 Base > sumi", ["robot_0 Base > Consumidores "]),
+        ("order ro", ["order robot_0 ", "order robot_1 "]),
+        ("order robot_0 Do", ['order robot_0 "Dock 7" ']),
+        ('order robot_0 "Do', ['order robot_0 "Dock 7" ']),
+        ("order robot_0 Base > Do", ["order robot_0 Base > Dock 7 "]),
+        ("nobody Ba", []),
+        ("order nobody Ba", []),
+    ],
+)
+def test_what_a_line_can_become(line: str, completed: list[str]) -> None:
+    assert complete(line, known(), R0) == completed
+
+
+def test_completed_lines_lead_to_an_order_without_typing_a_label() -> None:
+    """The last destinations first."""
+    line = "robot_0 "
+    for _ in range(3):
+        line = complete(line, known(), R0)[0]
+    assert line == "robot_0 Base > Base "
+    assert complete("robot_0 Base > ", known(), R0)[:2] == [
+        "robot_0 Base > Base ",
+        "robot_0 Base > Consumidores ",
+    ]
+
+
+def test_a_line_begins_as_a_command_or_is_a_search() -> None:
+    state = known()
+    assert [
+        line
+        for line in ("pause", "pause ", "robot_0 B", "zoom in", "1 x", "", " ")
+        if is_command(line, state)
+    ] == [
+        "pause ",
+        "robot_0 B",
+        "1 x",
+    ]
