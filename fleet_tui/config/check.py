@@ -105,6 +105,7 @@ def _profile(profile: Profile) -> Iterator[str]:
     for table, given, known in (
         *tables,
         ("services", profile.services, SERVICES),
+        ("service_types", profile.service_types, SERVICES),
         ("fields", profile.fields, FIELDS),
     ):
         for key in given:

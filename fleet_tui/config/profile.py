@@ -25,14 +25,17 @@ TOPICS: Mapping[str, tuple[str, str]] = MappingProxyType(
 )
 FLOOR_TOPICS = frozenset({"map_metadata", "graph", "labels", "map"})
 
-SERVICES: Mapping[str, str] = MappingProxyType(
+SERVICES: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
-        "order": "/{robot}/Application_layout/Execute_order",
-        "order_with_cargo": "/{robot}/Application_layout/Execute_order_with_cargo",
-        "cancel": "/{robot}/Application_layout/Cancel_order",
-        "clear": "/{robot}/Application_layout/Clear_orders",
-        "pause": "/{robot}/Application_layout/Pause",
-        "resume": "/{robot}/Application_layout/Resume",
+        "order": ("/{robot}/Application_layout/Execute_order", "OH_ressources/Execute_manual_order"),
+        "order_with_cargo": (
+            "/{robot}/Application_layout/Execute_order_with_cargo",
+            "OH_ressources/Execute_manual_order_with_cargo",
+        ),
+        "cancel": ("/{robot}/Application_layout/Cancel_order", "OH_ressources/Cancel_order"),
+        "clear": ("/{robot}/Application_layout/Clear_orders", "OH_ressources/Clear_orders"),
+        "pause": ("/{robot}/Application_layout/Pause", "std_srvs/Trigger"),
+        "resume": ("/{robot}/Application_layout/Resume", "std_srvs/Trigger"),
     }
 )
 
@@ -70,6 +73,7 @@ class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     topics: dict[str, str] = {}
     types: dict[str, str] = {}
     services: dict[str, str] = {}
+    service_types: dict[str, str] = {}
     fields: dict[str, str] = {}
     refusals: tuple[str, ...] = REFUSALS
     vertex_types: dict[str, Literal["plain", "elevator", "docking"]] = msgspec.field(
@@ -89,7 +93,11 @@ class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     def service(self, key: str, robot: str) -> str:
         """The name of a service."""
-        return self.services.get(key, SERVICES[key]).replace("{robot}", robot)
+        return self.services.get(key, SERVICES[key][0]).replace("{robot}", robot)
+
+    def service_type(self, key: str) -> str:
+        """The ROS type of a service. Calls don't name it: only the doctor looks."""
+        return self.service_types.get(key, SERVICES[key][1])
 
     def names(self, message: str) -> dict[str, str]:
         """Our field names to the wire's, for one message of FIELDS, overridden ones only."""

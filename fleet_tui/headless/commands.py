@@ -34,6 +34,22 @@ def status(
 
 
 @headless.command()
+@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/doctor.md tells the schema.")
+@timeout(20.0)
+@common
+@merged
+def doctor(config_file: str | None, debug: bool, as_json: bool, timeout: float) -> None:
+    """What is wrong between here and the robots, outside in, each with a remedy. Commands nothing. Exit
+    code 0: all well, 1: something is wrong, 3: no link."""
+    from fleet_tui.headless.doctor.run import doctor as run
+    from fleet_tui.log_file import log_to_file
+
+    config = load(find(config_file))
+    log_to_file(debug)
+    sys.exit(run(config, timeout, as_json, click.echo))
+
+
+@headless.command()
 @click.argument("words", nargs=-1)
 @click.option("--robot", default="", help="Only of this robot.")
 @click.option("--since", default="", metavar="TIME", help="30m, 2h, 7d, 12:00 or 2024-05-31T12:00.")

@@ -43,11 +43,13 @@ class RosbridgeServer(ServiceDesk):
         rate: float = 10.0,
         subscribe_delay: float = 0.0,
     ) -> None:
-        self._topics = {topic.name: topic for topic in topics_of(world, time.time())}
-        self._topics["/rosout"] = Topic("/rosout", "rosgraph_msgs/Log", lambda _now: Payload({}))
-        self._topics[COUNT] = Topic(COUNT, "std_msgs/Int32", self._client_count, latched=True)
-        types = {topic.name: topic.type for topic in self._topics.values()}
-        super().__init__(world, types, lambda topic: self.subscribers(topic) > 0)
+        self.topics = {topic.name: topic for topic in topics_of(world, time.time())}
+        """What is published, by name."""
+        self.topics["/rosout"] = Topic("/rosout", "rosgraph_msgs/Log", lambda _now: Payload({}))
+        self.topics[COUNT] = Topic(COUNT, "std_msgs/Int32", self._client_count, latched=True)
+        self.types = {topic.name: topic.type for topic in self.topics.values()}
+        """What rosapi tells of the topics."""
+        super().__init__(world, self.types, lambda topic: self.subscribers(topic) > 0)
         self.subscribe_delay = subscribe_delay
         self.received: deque[Operation] = deque(maxlen=REMEMBERED)
         """Every operation that arrived; the newest last."""
@@ -131,13 +133,13 @@ class RosbridgeServer(ServiceDesk):
 
     def admit(self, topic: str, type_: str | None) -> bool:
         """Whether a topic may be subscribed to: with its type or none; one that is to come, with a type."""
-        known = self._topics.get(topic)
+        known = self.topics.get(topic)
         return type_ is not None if known is None else type_ in (None, known.type)
 
     def welcome(self, session: Session, topic: str) -> None:
         """Tell a subscriber the topic's latched value."""
         self._subscribed.setdefault(topic, set()).add(session)
-        known = self._topics.get(topic)
+        known = self.topics.get(topic)
         if known is not None and known.latched and topic not in self.muted:
             session.offer(topic, Publication(topic, known.payload(time.time())))
 
@@ -174,7 +176,7 @@ class RosbridgeServer(ServiceDesk):
     def _publish_telemetry(self, tick: int) -> None:
         every = max(1, round(self._rate / SLOW_RATE))
         for name in self._subscribed:
-            topic = self._topics.get(name)
+            topic = self.topics.get(name)
             if topic is None or topic.robot is None or topic.robot.silence > 0.0:
                 continue
             # Robots take turns, so that their slow topics do not all fall into one tick.
@@ -185,7 +187,7 @@ class RosbridgeServer(ServiceDesk):
         sessions = self._subscribed.get(name)
         if not sessions or name in self.muted or name in self.orphaned:
             return
-        publication = Publication(name, self._topics[name].payload(time.time()))
+        publication = Publication(name, self.topics[name].payload(time.time()))
         for session in sessions:
             session.offer(name, publication)
 

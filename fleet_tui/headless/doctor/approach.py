@@ -1,0 +1,137 @@
+"""The way to a bridge, step by step: name, TCP, TLS, WebSocket, an answer of rosbridge."""
+
+import asyncio
+import ipaddress
+import socket
+import ssl
+import time
+from collections.abc import AsyncIterator
+from contextlib import suppress
+from urllib.parse import urlsplit
+
+from fleet_tui.config.schema import Link, link_key
+from fleet_tui.errors import FleetError, LinkError
+from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
+from fleet_tui.headless.doctor.wire import Wire
+from fleet_tui.link.reasons import refusal
+from fleet_tui.link.tls import tls_context
+
+STEPS = ("name", "tcp", "tls", "websocket", "rosbridge")
+PATIENCE = 4.0  # seconds for each step
+START_IT = "start rosbridge there (roslaunch rosbridge_server rosbridge_websocket.launch), or correct"
+
+
+class Approach:
+    """Walks to one bridge. Everything runs on the network loop."""
+
+    def __init__(self, name: str, bridge: Link, wire: Wire) -> None:
+        self._name, self._bridge, self._wire = name, bridge, wire
+        parts = urlsplit(bridge.url)
+        self._host = parts.hostname or ""
+        self._port = parts.port or (443 if bridge.is_secure else 80)
+        self._key = f"{link_key(name)}.url"
+
+    async def walk(self) -> AsyncIterator[Finding]:
+        """One finding for each step; the first failure is the last that was tried."""
+        walks = {
+            "name": self._look_up,
+            "tcp": self._reach,
+            "tls": self._shake_hands,
+            "websocket": self._open,
+            "rosbridge": self._ask,
+        }
+        broken = ""
+        for step in STEPS:
+            if step == "tls" and not self._bridge.is_secure:
+                continue
+            if broken:
+                yield Finding(self._name, step, Verdict.SKIPPED, f"{broken} comes first")
+                continue
+            began = time.monotonic()
+            failed = await walks[step]()
+            took = time.monotonic() - began
+            if isinstance(failed, str):
+                yield Finding(self._name, step, Verdict.OK, failed, values={"seconds": round(took, 4)})
+            else:
+                broken = step
+                yield Finding(self._name, step, Verdict.FAIL, *failed)
+
+    async def _look_up(self) -> str | tuple[str, str]:
+        with suppress(ValueError):
+            return f"{ipaddress.ip_address(self._host)} is an address"
+        began = time.monotonic()
+        try:
+            async with asyncio.timeout(PATIENCE):
+                found = await asyncio.get_running_loop().getaddrinfo(
+                    self._host, self._port, type=socket.SOCK_STREAM
+                )
+        except (OSError, TimeoutError, UnicodeError) as problem:
+            reason = "DNS does not answer" if isinstance(problem, TimeoutError) else self._why(problem)
+            return f"{self._host}: {reason}", f"correct {self._key}, or the name in DNS or /etc/hosts"
+        addresses = ", ".join(dict.fromkeys(str(entry[4][0]) for entry in found))
+        return f"{self._host} is {addresses}, in {milliseconds(time.monotonic() - began)}"
+
+    def _why(self, problem: Exception) -> str:
+        return refusal(problem, self._bridge)
+
+    async def _reach(self) -> str | tuple[str, str]:
+        began = time.monotonic()
+        try:
+            async with asyncio.timeout(PATIENCE):
+                _, writer = await asyncio.open_connection(self._host, self._port)
+        except (OSError, TimeoutError) as problem:
+            there = f"{self._host} port {self._port}"
+            if isinstance(problem, TimeoutError):
+                return f"{there}: {self._why(problem)}", "is the machine on, is a firewall or VPN between?"
+            return f"{there}: {self._why(problem)}", f"{START_IT} {self._key}"
+        took = time.monotonic() - began
+        writer.close()
+        return f"port {self._port} takes the connection in {milliseconds(took)}"
+
+    async def _shake_hands(self) -> str | tuple[str, str]:
+        try:
+            async with asyncio.timeout(PATIENCE):
+                context = await asyncio.to_thread(tls_context, self._bridge)
+                _, writer = await asyncio.open_connection(self._host, self._port, ssl=context)
+        except (OSError, TimeoutError, FleetError) as problem:
+            return self._why(problem), f"correct the certificate, or what {link_key(self._name)} says of it"
+        certificate = writer.get_extra_info("peercert") or {}
+        version = writer.get_extra_info("ssl_object").version()
+        writer.close()
+        return f"{version}, the certificate is trusted until {certificate.get('notAfter', 'no given day')}"
+
+    async def _speaks_tls(self) -> bool:
+        """Whether TLS is spoken at a port where we speak none."""
+        anyone = ssl.create_default_context()
+        anyone.check_hostname, anyone.verify_mode = False, ssl.CERT_NONE
+        try:
+            async with asyncio.timeout(PATIENCE):
+                _, writer = await asyncio.open_connection(self._host, self._port, ssl=anyone)
+        except (OSError, TimeoutError):
+            return False
+        writer.close()
+        return True
+
+    async def _open(self) -> str | tuple[str, str]:
+        began = time.monotonic()
+        reason = await self._wire.connect(PATIENCE + 1)
+        if not reason:
+            return f"opens in {milliseconds(time.monotonic() - began)}"
+        if not self._bridge.is_secure and await self._speaks_tls():
+            return f"{reason} (TLS is spoken there)", f"{self._key} must begin with wss://"
+        return reason, f"correct host, port and path in {self._key}: rosbridge usually listens on 9090"
+
+    async def _ask(self) -> str | tuple[str, str]:
+        began = time.monotonic()
+        try:
+            answer = await self._wire.call("get_time", {}, PATIENCE)
+        except LinkError:
+            if self._wire.lost:
+                return self._wire.lost, "see the log of rosbridge"
+            return (
+                f"takes the connection, but does not answer a call in {PATIENCE:g} s",
+                "if it is rosbridge, it hangs: restart it; if not, correct " + self._key,
+            )
+        if isinstance(answer, str) and "unable to communicate" in answer.lower():
+            return f"the ROS master is gone ({answer})", "start roscore, then the nodes of the robots"
+        return f"answers a call in {milliseconds(time.monotonic() - began)}"

@@ -1,0 +1,65 @@
+"""What the robots say of a floor, and what a map holds at a place. Pure."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from fleet_tui.headless.doctor.facts import TopicFacts
+from fleet_tui.model.events import FrameReceived, GraphReceived, GridReceived, LabelsReceived
+from fleet_tui.model.geometry import MapFrame
+from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.grid import OccupancyGrid
+
+OFF_MAP = 255
+
+
+@dataclass(frozen=True)
+class Chart:
+    """What the robots say of a floor; robots that say the same share one."""
+
+    graph: RouteGraph | None = None
+    labels: Mapping[int, str] | None = None
+    frame: MapFrame | None = None
+
+    def name_of(self, vertex: int) -> str:
+        """A vertex as a person knows it."""
+        label = (self.labels or {}).get(vertex)
+        return f"{vertex} ({label})" if label else str(vertex)
+
+
+def charts_of(floor: str, topics: list[TopicFacts]) -> list[tuple[Chart, list[str]]]:
+    """Every different chart of a floor, with the robots that gave it."""
+    found = dict[str, Chart]()
+    for facts in topics:
+        if facts.wanted.floor != floor:
+            continue
+        chart = found.get(facts.wanted.robot, Chart())
+        match facts.event:
+            case GraphReceived():
+                chart = replace(chart, graph=facts.event.graph)
+            case LabelsReceived():
+                chart = replace(chart, labels=facts.event.labels)
+            case FrameReceived():
+                chart = replace(chart, frame=facts.event.frame)
+        found[facts.wanted.robot] = chart
+    charts = list[tuple[Chart, list[str]]]()
+    for robot, chart in found.items():
+        owners = next((robots for other, robots in charts if other == chart), None)
+        if owners is None:
+            charts.append((chart, [robot]))
+        else:
+            owners.append(robot)
+    return charts
+
+
+def live_grid(floor: str, topics: list[TopicFacts]) -> OccupancyGrid | None:
+    """A live map of a floor, if one came."""
+    events = (facts.event for facts in topics if facts.wanted.floor == floor)
+    return next((event.grid for event in events if isinstance(event, GridReceived)), None)
+
+
+def class_at(grid: OccupancyGrid, x: float, y: float) -> int:
+    """What a map holds at a place in metres, OFF_MAP beside it."""
+    column, row = grid.frame.to_pixel(x, y)
+    if not (0 <= column < grid.frame.width and 0 <= row < grid.frame.height):
+        return OFF_MAP
+    return int(grid.levels[0][int(row), int(column)])

@@ -1,0 +1,56 @@
+"""What is said of time: round trips, and how the robots' clocks go. Pure."""
+
+import statistics
+from collections.abc import Iterator
+
+from fleet_tui.headless.doctor.facts import BridgeFacts
+from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
+
+SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
+WRONG = 1.0  # seconds by which a clock may be off
+LONG_AGO = 1e8  # a robot that says 1973 or earlier counts from the start of a simulation
+
+
+def round_trip_finding(facts: BridgeFacts) -> Finding:
+    """How long a call and its answer take."""
+    if not facts.round_trips:
+        return Finding(facts.name, "round trip", Verdict.SKIPPED, "no call was answered")
+    median = statistics.median(facts.round_trips)
+    jitter = max(facts.round_trips) - min(facts.round_trips)
+    measured = (
+        f"{milliseconds(median)} and back, jitter {milliseconds(jitter)} ({len(facts.round_trips)} calls)"
+    )
+    values = {"median_s": round(median, 4), "jitter_s": round(jitter, 4), "calls": len(facts.round_trips)}
+    if median > SLOW or jitter > UNEVEN:
+        remedy = "the network or the bridge is slow: cable instead of WLAN, fewer consoles, less maps"
+        return Finding(facts.name, "round trip", Verdict.WARN, measured, remedy, values)
+    return Finding(facts.name, "round trip", Verdict.OK, measured, values=values)
+
+
+def clock_findings(facts: BridgeFacts) -> Iterator[Finding]:
+    """The bridge's clock and each robot's, against ours."""
+    if facts.ahead is not None:
+        yield _clock(facts.name, facts.ahead, "rosapi's time")
+    for topic in facts.topics:
+        if topic.lag is not None:
+            yield _clock(topic.wanted.robot, -topic.lag, "the stamp of its poses")
+
+
+def _clock(subject: str, ahead: float, by: str) -> Finding:
+    values = {"ahead_s": round(ahead, 3)}
+    way = "ahead of" if ahead > 0 else "behind"
+    measured = f"{_span(abs(ahead))} {way} ours by {by}"
+    if abs(ahead) <= WRONG:
+        return Finding(subject, "clock", Verdict.OK, measured, values=values)
+    remedy = "set it by NTP (chrony): ages here stay right, times in logs don't agree"
+    if ahead < -LONG_AGO:
+        remedy = "it counts from the start of a simulation: is /use_sim_time left on?"
+    return Finding(subject, "clock", Verdict.WARN, measured, remedy, values)
+
+
+def _span(seconds: float) -> str:
+    if seconds < 1:
+        return milliseconds(seconds)
+    if seconds < 600:
+        return f"{seconds:.1f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 36_000 else f"{seconds / 3600:.0f} h"

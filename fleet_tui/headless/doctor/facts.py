@@ -1,0 +1,62 @@
+"""What was found out about one bridge, before anything is made of it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from fleet_tui.link.subscriptions import Wanted
+from fleet_tui.model.events import Event
+
+
+@dataclass(frozen=True, slots=True)
+class Rosapi:
+    """What rosapi tells: types by topic, types by service ("" where it was not asked), nodes, and how
+    many publish a topic. `problem` is why it tells nothing."""
+
+    topics: Mapping[str, str] = field(default_factory=dict)
+    services: Mapping[str, str] = field(default_factory=dict)
+    nodes: tuple[str, ...] = ()
+    publishers: Mapping[str, int] = field(default_factory=dict)
+    problem: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class TopicFacts:
+    """What came on one topic. Seconds: `waited` for it, `first_after` the subscribe, `age` of the last.
+
+    `event` is the last message that could be read, `problem` why another could not. `lag`: the least
+    of arrival by our clock minus the robot's stamp.
+    """
+
+    wanted: Wanted
+    subscribed: bool = False
+    waited: float = 0.0
+    count: int = 0
+    faults: int = 0
+    rate: float | None = None
+    first_after: float | None = None
+    age: float | None = None
+    event: Event | None = None
+    problem: str = ""
+    lag: float | None = None
+
+    @property
+    def topic(self) -> str:
+        """Its name on the wire."""
+        return self.wanted.subscription.topic
+
+
+@dataclass(frozen=True, slots=True)
+class BridgeFacts:
+    """Everything about one bridge that answers. `round_trips` in seconds; `ahead`: by how many seconds
+    its clock is ahead of ours, None where it does not say; `lost`: why the link ended meanwhile."""
+
+    name: str
+    rosapi: Rosapi
+    topics: tuple[TopicFacts, ...] = ()
+    round_trips: tuple[float, ...] = ()
+    ahead: float | None = None
+    lost: str = ""
+
+    def of(self, robot: str) -> list[TopicFacts]:
+        """A robot's topics."""
+        return [facts for facts in self.topics if facts.wanted.robot == robot]

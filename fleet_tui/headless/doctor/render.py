@@ -1,0 +1,67 @@
+"""Findings as text and as JSON. The schema is in docs/doctor.md."""
+
+import textwrap
+from collections import Counter
+from collections.abc import Sequence
+from typing import Any
+
+from fleet_tui.headless.doctor.finding import Finding, Verdict
+from fleet_tui.view.text import visible
+
+VERSION = 1
+GLYPHS = {Verdict.OK: "✓", Verdict.WARN: "!", Verdict.FAIL: "✗", Verdict.SKIPPED: "-"}
+PLAIN = {**GLYPHS, Verdict.OK: "+", Verdict.FAIL: "x"}
+COLOURS = {Verdict.OK: "32", Verdict.WARN: "33", Verdict.FAIL: "1;31", Verdict.SKIPPED: "2"}
+_INDENT = " " * 10
+
+
+def line(finding: Finding, plain: bool, colour: bool, width: int = 0) -> str:
+    """One finding: verdict, glyph, what, measured, remedy. `width` 0: all on one line."""
+    verdict = f"{finding.verdict.value:>7} {(PLAIN if plain else GLYPHS)[finding.verdict]}"
+    words = f"{finding.subject} {finding.check}: {finding.measured}"
+    words = visible(f"{words} -> {finding.remedy}" if finding.remedy else words)
+    if plain:
+        words = words.encode("ascii", "replace").decode()
+    if width:
+        wrapped = textwrap.wrap(words, max(width - len(_INDENT), 20), break_on_hyphens=False)
+        words = f"\n{_INDENT}".join(wrapped)
+    if colour:
+        verdict = f"\x1b[{COLOURS[finding.verdict]}m{verdict}\x1b[m"
+    return f"{verdict} {words}"
+
+
+def summary(findings: Sequence[Finding]) -> str:
+    """The last line: how many of each, and what to look at first."""
+    counts = Counter(finding.verdict for finding in findings)
+    text = ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict])
+    first = next((finding for finding in findings if finding.is_failure), None)
+    if first is None:
+        return text
+    return visible(f"{text}. Begin with {first.subject} {first.check}: {first.measured}")
+
+
+def as_values(findings: Sequence[Finding], wall: float, code: int) -> dict[str, Any]:
+    """Everything that `doctor --json` prints."""
+    first = next((finding for finding in findings if finding.is_failure), None)
+    return {
+        "version": VERSION,
+        "time": wall,
+        "exit_code": code,
+        "counts": {
+            verdict.value.lower(): sum(finding.verdict is verdict for finding in findings)
+            for verdict in Verdict
+        },
+        "first": None if first is None else _values(first),
+        "findings": [_values(finding) for finding in findings],
+    }
+
+
+def _values(finding: Finding) -> dict[str, Any]:
+    return {
+        "subject": finding.subject,
+        "check": finding.check,
+        "verdict": finding.verdict.value.lower(),
+        "measured": finding.measured,
+        "remedy": finding.remedy or None,
+        "values": dict(finding.values),
+    }

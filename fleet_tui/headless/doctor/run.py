@@ -1,0 +1,141 @@
+"""`fleet-tui doctor`: every bridge one by one, then floors, clocks and the terminal."""
+
+import asyncio
+import json
+import os
+import shutil
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+
+from fleet_tui.config.access import unsafe_places
+from fleet_tui.config.schema import Config
+from fleet_tui.headless.doctor.approach import Approach
+from fleet_tui.headless.doctor.charts import live_grid
+from fleet_tui.headless.doctor.clocks import clock_findings, round_trip_finding
+from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
+from fleet_tui.headless.doctor.finding import Finding, Verdict
+from fleet_tui.headless.doctor.floors import floor_findings, place_finding
+from fleet_tui.headless.doctor.gather import gather
+from fleet_tui.headless.doctor.render import as_values, line, summary
+from fleet_tui.headless.doctor.services import service_findings
+from fleet_tui.headless.doctor.terminal import terminal_findings
+from fleet_tui.headless.doctor.topics import robot_findings, rosapi_finding
+from fleet_tui.headless.doctor.wire import Wire
+from fleet_tui.link.transport import network_loop
+from fleet_tui.map_files import load_floor_map
+from fleet_tui.model.events import FloorMapLoaded, PoseReported
+
+FINE, BROKEN, NO_LINK = 0, 1, 3
+SPARE = 1.5  # seconds kept for what comes after the bridges, at most a quarter of all
+
+Take = Callable[[Finding], None]
+Loaded = dict[str, "Future[FloorMapLoaded]"]
+
+
+async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFacts | None:
+    """One bridge from outside in; None where there is no way to it."""
+    bridge = config.bridge(name)
+    wire = Wire(bridge)
+    try:
+        is_up = True
+        async with asyncio.timeout_at(asyncio.get_running_loop().time() + max(0.1, until - time.monotonic())):
+            async for finding in Approach(name, bridge, wire).walk():
+                take(finding)
+                is_up = is_up and finding.verdict is Verdict.OK
+        return await gather(config, name, wire, until) if is_up else None
+    except TimeoutError:
+        take(
+            Finding(name, "time", Verdict.FAIL, "the time was over before it answered", "a longer --timeout")
+        )
+        return None
+    finally:
+        wire.close()
+
+
+def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
+    """What one bridge that answers is judged by."""
+    yield round_trip_finding(facts)
+    yield rosapi_finding(facts)
+    if facts.lost:
+        remedy = "see the log of rosbridge: the rest was measured on what came before"
+        yield Finding(facts.name, "link", Verdict.FAIL, f"it broke while measuring: {facts.lost}", remedy)
+    robots = [robot for robot in config.robots if robot.link == facts.name]
+    for robot in robots:
+        yield from robot_findings(config, robot, facts)
+    for robot in robots:
+        yield from service_findings(config.profile, robot.name, facts)
+
+
+def building_findings(
+    config: Config, loaded: dict[str, FloorMapLoaded], topics: list[TopicFacts]
+) -> Iterator[Finding]:
+    """What floors, maps and places are judged by, over all bridges."""
+    grids = {}
+    for floor in config.floors:
+        yield from floor_findings(config, floor, loaded.get(floor.name), topics)
+        file = loaded.get(floor.name)
+        # A plain image lies where map_metadata says: places are looked up on what is tied.
+        grids[floor.name] = (file.grid if file.tied else None) if file else live_grid(floor.name, topics)
+    floors_of = {robot.name: config.floors_of(robot) for robot in config.robots}
+    for facts in topics:
+        if isinstance(facts.event, PoseReported):
+            yield place_finding(config, facts.event, grids, floors_of[facts.wanted.robot])
+
+
+def _all(config: Config, timeout: float, take: Take) -> int:
+    """Everything in its order, each finding handed over at once; how many bridges could be reached."""
+    until = time.monotonic() + timeout - min(SPARE, timeout / 4)
+    for line_ in unsafe_places(config):
+        take(Finding("config", "safety", Verdict.WARN, line_))
+    added = config.profile.origin == "added"
+    with ThreadPoolExecutor(1) as pool:
+        loading: Loaded = {
+            floor.name: pool.submit(load_floor_map, floor.name, config.beside(floor.map), added)
+            for floor in config.floors
+            if floor.map
+        }
+        reached = list[BridgeFacts]()
+        names = list(config.bridges)
+        for n, name in enumerate(names):
+            now = time.monotonic()
+            share = now + (until - now) / (len(names) - n)
+            walking = asyncio.run_coroutine_threadsafe(_walk(config, name, share, take), network_loop())
+            facts = walking.result()
+            if facts is not None:
+                reached.append(facts)
+                _hand_over(bridge_findings(config, facts), take)
+        loaded = {floor: future.result() for floor, future in loading.items()}
+    topics = [facts for bridge in reached for facts in bridge.topics]
+    if reached or loaded:
+        _hand_over(building_findings(config, loaded, topics), take)
+    for bridge in reached:
+        _hand_over(clock_findings(bridge), take)
+    _hand_over(terminal_findings(), take)
+    return len(reached)
+
+
+def _hand_over(findings: Iterable[Finding], take: Take) -> None:
+    for finding in findings:
+        take(finding)
+
+
+def doctor(config: Config, timeout: float, as_json: bool, say: Callable[[str], None]) -> int:
+    """Look at everything within `timeout` seconds and say what was found; the exit code."""
+    plain = (sys.stdout.encoding or "ascii").lower().replace("-", "") != "utf8"
+    is_tty = sys.stdout.isatty()
+    colour = is_tty and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+    width = shutil.get_terminal_size().columns if is_tty else 0
+    findings = list[Finding]()
+
+    def take(finding: Finding) -> None:
+        findings.append(finding)
+        if not as_json:
+            say(line(finding, plain, colour, width))
+
+    reached = _all(config, timeout, take)
+    broken = any(finding.is_failure for finding in findings)
+    code = NO_LINK if not reached else BROKEN if broken else FINE
+    say(json.dumps(as_values(findings, time.time(), code)) if as_json else summary(findings))
+    return code

@@ -1,0 +1,46 @@
+"""What is said of each robot's services. Pure, and none of them is called."""
+
+from collections.abc import Iterator
+
+from fleet_tui.config.profile import SERVICES, Profile
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
+from fleet_tui.headless.doctor.finding import Finding, Verdict, nearest
+from fleet_tui.headless.doctor.topics import is_there
+from fleet_tui.link.subscriptions import plain_type
+
+
+def service_findings(profile: Profile, robot: str, facts: BridgeFacts) -> Iterator[Finding]:
+    """One finding for each service, one for all where they can't be looked up."""
+    if facts.rosapi.problem:
+        yield Finding(robot, "services", Verdict.SKIPPED, "without rosapi only a command would show them")
+    elif not is_there(robot, facts):
+        yield Finding(robot, "services", Verdict.SKIPPED, "not on this bridge: see above")
+    else:
+        for key in SERVICES:
+            yield _service(profile, key, robot, facts.rosapi)
+
+
+def _service(profile: Profile, key: str, robot: str, rosapi: Rosapi) -> Finding:
+    service, expected = profile.service(key, robot), profile.service_type(key)
+    there = rosapi.services.get(service)
+    values = {"service": service, "type": there or None, "expected_type": expected}
+
+    def finding(verdict: Verdict, measured: str, remedy: str = "") -> Finding:
+        return Finding(robot, f"service {key}", verdict, measured, remedy, values)
+
+    if there is None:
+        free = rosapi.services.keys() - {profile.service(other, robot) for other in SERVICES}
+        near = nearest(service, (name for name in free if name.startswith(f"/{robot}/")), 1)
+        remedy = "start the node that offers it, or correct [profile.services] " + key
+        if near:
+            template = near[0].replace(f"/{robot}/", "/{robot}/")
+            remedy = f'did you mean {near[0]}? Then [profile.services] {key} = "{template}"'
+        return finding(Verdict.FAIL, f"{service} is not on the bridge", remedy)
+    if there and plain_type(there).replace("/srv/", "/") != plain_type(expected).replace("/srv/", "/"):
+        return finding(
+            Verdict.FAIL,
+            f"{service} has type {there}, not {expected}",
+            f'if its fields are the same: [profile.service_types] {key} = "{there}"; else correct'
+            f" [profile.services] {key}",
+        )
+    return finding(Verdict.OK, f"{service}, {there or 'its type was not told'}")

@@ -1,0 +1,224 @@
+"""What is said of each robot and its topics. Pure."""
+
+import re
+from collections.abc import Iterable, Iterator
+
+from fleet_tui.config.profile import FLOOR_TOPICS, Profile
+from fleet_tui.config.schema import Config, RobotEntry
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
+from fleet_tui.link.subscriptions import plain_type
+
+SLOWEST_POSES = 5.0  # Hz; robots give about 10
+LONG_ENOUGH = 1.5  # seconds without a message that mean anything
+
+
+def rosapi_finding(facts: BridgeFacts) -> Finding:
+    """Whether types, publishers and services can be looked up at all."""
+    rosapi = facts.rosapi
+    if rosapi.problem:
+        return Finding(
+            facts.name,
+            "rosapi",
+            Verdict.WARN,
+            f"{rosapi.problem}: names, types, publishers and services can't be looked up",
+            "start rosapi beside rosbridge (rosrun rosapi rosapi_node); topics are listened to without it",
+        )
+    counts = {"topics": len(rosapi.topics), "services": len(rosapi.services), "nodes": len(rosapi.nodes)}
+    measured = ", ".join(f"{count} {what}" for what, count in counts.items())
+    return Finding(facts.name, "rosapi", Verdict.OK, measured, values=counts)
+
+
+def robot_findings(config: Config, robot: RobotEntry, facts: BridgeFacts) -> Iterator[Finding]:
+    """The robot itself, then each of its topics."""
+    topics = facts.of(robot.name)
+    first = _robot(config, robot, topics, facts)
+    yield first
+    for one in topics:
+        if first.is_failure and (one.wanted.kind.key not in FLOOR_TOPICS or not is_there(robot.name, facts)):
+            yield _finding(one, Verdict.SKIPPED, f"{first.measured.partition(':')[0]}: see above")
+        else:
+            yield _topic(config, one, facts)
+
+
+def is_there(robot: str, facts: BridgeFacts) -> bool:
+    """Whether the bridge knows anything of a robot; true where it can't be asked."""
+    topics = facts.rosapi.topics
+    return not topics or any(one.topic in topics for one in facts.of(robot))
+
+
+def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts) -> Finding:
+    if not is_there(robot.name, facts):
+        known = {other.name for other in config.robots}
+        others = nearest(robot.name, robots_on(config.profile, facts.rosapi.topics) - known)
+        remedy = f"did you mean {listed(others)}? Correct its name" if others else "correct its name"
+        place = f"robots[{config.robots.index(robot)}].name"
+        return Finding(
+            robot.name,
+            "robot",
+            Verdict.FAIL,
+            f"not on this bridge: none of its {len(topics)} topics is there",
+            f"{remedy} in {place} ([profile.topics] if all are named otherwise), or switch it on",
+        )
+    live = [one for one in topics if one.wanted.kind.key not in FLOOR_TOPICS]
+    heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
+    if asked and not heard:
+        waited = max(one.waited for one in asked)
+        if waited < LONG_ENOUGH:
+            return Finding(robot.name, "robot", Verdict.SKIPPED, "no time was left to listen to it")
+        return Finding(
+            robot.name,
+            "robot",
+            Verdict.FAIL,
+            f"silent: nothing came on {listed([one.topic for one in asked])} in {waited:.1f} s",
+            "is it switched on and in the network? Do its nodes run (rosnode ping)?",
+        )
+    return Finding(robot.name, "robot", Verdict.OK, f"heard on {len(heard)} of {len(live)} live topics")
+
+
+def robots_on(profile: Profile, topics: Iterable[str]) -> set[str]:
+    """The names that stand where a robot's name does in the topics of a bridge."""
+    found = set[str]()
+    for topic in topics:
+        for key in ("pose", "queue"):
+            before, mark, after = profile.topics.get(key, profile.topic(key, "{robot}")).partition("{robot}")
+            name = topic[len(before) : len(topic) - len(after)] if mark else ""
+            if name and topic == before + name + after and "/" not in name:
+                found.add(name)
+    return found
+
+
+def _finding(
+    facts: TopicFacts, verdict: Verdict, measured: str, remedy: str = "", **values: object
+) -> Finding:
+    wanted = facts.wanted
+    check = f"{wanted.kind.key} of {wanted.floor}" if wanted.floor else wanted.kind.key
+    return Finding(wanted.robot, check, verdict, measured, remedy, {"topic": facts.topic, **values})
+
+
+def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
+    rosapi = bridge.rosapi
+    if not rosapi.problem and facts.topic not in rosapi.topics:
+        return _missing(config, facts, bridge)
+    there, expected = rosapi.topics.get(facts.topic, ""), facts.wanted.subscription.type
+    if there and plain_type(there) != plain_type(expected):
+        return _wrong_type(config, facts, there, bridge)
+    if facts.wanted.kind.heavy and not facts.subscribed:
+        return _finding(facts, Verdict.OK, f"{expected}, not listened to: another robot's is", type=there)
+    if bridge.lost and not facts.count:
+        return _finding(facts, Verdict.SKIPPED, f"the link was lost: {bridge.lost}")
+    return _what_came(config, facts, rosapi)
+
+
+def _suggestion(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
+    """The free names there that it may have now, those of its type first, as the config would say it."""
+    wanted, types = facts.wanted, bridge.rosapi.topics
+    expected = plain_type(wanted.subscription.type)
+    free = types.keys() - {one.topic for one in bridge.topics}
+    fitting = [topic for topic in free if plain_type(types[topic]) == expected]
+    own = [topic for topic in fitting if topic.startswith(f"/{wanted.robot}/")]
+    near = nearest(facts.topic, own) or nearest(facts.topic, fitting) or nearest(facts.topic, free)
+    if not near:
+        return ""
+    meant = f"did you mean {listed(near)}?"
+    if near[0] not in own:
+        return meant
+    floor = _floor_in(config.profile, facts, near[0])
+    if floor:
+        return f"{meant} Then the floor's name is {floor}, not {wanted.floor}"
+    template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
+    return f'{meant} Then [profile.topics] {wanted.kind.key} = "{template}"'
+
+
+def _floor_in(profile: Profile, facts: TopicFacts, topic: str) -> str:
+    """The floor of which this would be the topic, "" if it is not named so."""
+    if not facts.wanted.floor:
+        return ""
+    before, _, after = profile.topic(facts.wanted.kind.key, facts.wanted.robot, "{floor}").partition(
+        "{floor}"
+    )
+    found = re.fullmatch(f"{re.escape(before)}([^/]+){re.escape(after)}", topic)
+    return found.group(1) if found else ""
+
+
+def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
+    wanted, key = facts.wanted, facts.wanted.kind.key
+    remedy = _suggestion(config, facts, bridge)
+    floor = next((floor for floor in config.floors if floor.name == wanted.floor), None)
+    measured = f"{facts.topic} is not on the bridge"
+    if key == "map" and floor is not None and floor.map:
+        return _finding(facts, Verdict.OK, f"{measured}, nor needed: {floor.name} has a map file")
+    if key == "map":
+        remedy = (
+            remedy or f"publish it, or give floors.map of {wanted.floor}: without either the ground is empty"
+        )
+        return _finding(facts, Verdict.WARN, measured, remedy)
+    if key == "map_metadata" and (floor is None or not floor.map or floor.map.endswith((".yaml", ".yml"))):
+        return _finding(facts, Verdict.WARN, measured, remedy)
+    start = "start the node that publishes it, or correct [profile.topics] " + key
+    return _finding(facts, Verdict.FAIL, measured, remedy or start)
+
+
+def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFacts) -> Finding:
+    key, expected = facts.wanted.kind.key, facts.wanted.subscription.type
+    other = _suggestion(config, facts, bridge)
+    same = f'if its fields are the same: [profile.types] {key} = "{there}"'
+    return _finding(
+        facts,
+        Verdict.FAIL,
+        f"{facts.topic} has type {there}, not {expected}: it is not subscribed",
+        f"{same}; else {other}" if other else f"{same}; else correct [profile.topics] {key}",
+        type=there,
+        expected_type=expected,
+    )
+
+
+def _what_came(config: Config, facts: TopicFacts, rosapi: Rosapi) -> Finding:
+    publishers = rosapi.publishers.get(facts.topic)
+    values = {
+        "type": rosapi.topics.get(facts.topic) or None,
+        "expected_type": facts.wanted.subscription.type,
+        "publishers": publishers,
+        "messages": facts.count,
+        "unreadable": facts.faults,
+        "rate_hz": None if facts.rate is None else round(facts.rate, 2),
+        "age_s": None if facts.age is None else round(facts.age, 2),
+        "first_after_s": None if facts.first_after is None else round(facts.first_after, 3),
+    }
+    verdict, measured, remedy = _judged(config, facts, publishers)
+    if verdict is Verdict.OK:
+        owners = f", {publishers} publisher{'s' * (publishers != 1)}" if publishers is not None else ""
+        measured = f"{measured}, {facts.wanted.subscription.type}{owners}"
+        if publishers is not None and publishers > 1:
+            verdict, remedy = Verdict.WARN, "two nodes speak for one robot: stop one"
+    return _finding(facts, verdict, measured, remedy, **values)
+
+
+def _judged(config: Config, facts: TopicFacts, publishers: int | None) -> tuple[Verdict, str, str]:
+    key, per_floor = facts.wanted.kind.key, facts.wanted.kind.per_floor
+    fields = "correct [profile.fields], or the node that publishes it"
+    if not facts.count:
+        if publishers == 0:
+            return Verdict.FAIL, f"nobody publishes {facts.topic}", "start the node that publishes it"
+        if facts.waited < LONG_ENOUGH:
+            return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
+        nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
+        if not per_floor:
+            return Verdict.FAIL, nothing, "is the node that publishes it alive (rosnode ping)?"
+        optional = key in ("map", "map_metadata") and publishers is None
+        late = "who subscribes late must get it: publish it latched (ROS 2: transient local)"
+        return (Verdict.WARN if optional else Verdict.FAIL), nothing, late
+    if facts.event is None:
+        return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
+    if facts.faults:
+        return Verdict.FAIL, f"{facts.faults} parts can't be read: {facts.problem}", fields
+    if per_floor:
+        return Verdict.OK, f"came {facts.first_after or 0.0:.2f} s after a late subscribe", ""
+    age = f"last {facts.age or 0.0:.1f} s ago"
+    measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
+    if key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
+        slow = f"{measured}: poses should come with about 10 Hz"
+        return Verdict.WARN, slow, "is the network or the robot's computer overloaded?"
+    if facts.rate is not None and 1 / facts.rate > config.alarms.offline_after:
+        return Verdict.WARN, f"{measured}: rarer than offline_after", "raise alarms.offline_after"
+    return Verdict.OK, measured, ""

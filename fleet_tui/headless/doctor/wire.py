@@ -1,0 +1,155 @@
+"""A connection of the doctor's own. It subscribes and calls /rosapi/*, and nothing else."""
+
+import asyncio
+import time
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import LinkError, WireError
+from fleet_tui.headless.doctor.facts import TopicFacts
+from fleet_tui.link.calls import Calls
+from fleet_tui.link.subscriptions import Wanted
+from fleet_tui.link.transport import Connection
+from fleet_tui.model.events import Event, GraphReceived, PoseReported
+from fleet_tui.rosbridge import operations
+from fleet_tui.rosbridge.operations import Subscription
+
+HEAVY_BYTES = 100_000
+
+
+@dataclass(slots=True)
+class Heard:
+    """What has come on a topic so far. Monotonic seconds."""
+
+    wanted: Wanted
+    since: float
+    count: int = 0
+    faults: int = 0
+    first: float = 0.0
+    last: float = 0.0
+    event: Event | None = None
+    problem: str = ""
+    lag: float | None = None
+
+    def take(self, msg: object, at: float) -> None:
+        """One message, still encoded."""
+        self.count += 1
+        self.first, self.last = self.first or at, at
+        try:
+            event = self.wanted.kind.translate(self.wanted.robot, self.wanted.floor, msg, at)
+        except WireError as problem:
+            self.faults, self.problem = self.faults + 1, str(problem)
+            return
+        self.event = event
+        if isinstance(event, GraphReceived) and event.faults:
+            self.faults, self.problem = self.faults + event.faults, event.fault
+        if isinstance(event, PoseReported) and event.stamp is not None:
+            lag = time.time() - (time.monotonic() - at) - event.stamp
+            self.lag = lag if self.lag is None else min(self.lag, lag)
+
+    def facts(self, now: float) -> TopicFacts:
+        """What is known of the topic now."""
+        span = self.last - self.first
+        return TopicFacts(
+            self.wanted,
+            subscribed=True,
+            waited=now - self.since,
+            count=self.count,
+            faults=self.faults,
+            rate=(self.count - 1) / span if self.count > 1 and span > 0 else None,
+            first_after=self.first - self.since if self.count else None,
+            age=now - self.last if self.count else None,
+            event=self.event,
+            problem=self.problem,
+            lag=self.lag,
+        )
+
+
+class Wire:
+    """One bridge, connected once. Everything runs on the network loop."""
+
+    def __init__(self, bridge: Link) -> None:
+        self.connection = Connection(bridge, self)
+        self.lost = ""
+        """Why there is no connection."""
+        self.heard: dict[str, Heard] = {}
+        """What has come, by topic."""
+        self._settled = asyncio.Event()
+        self._calls = Calls(self.connection)
+        self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
+
+    async def connect(self, within: float) -> str:
+        """Connect; why it did not work, "" if it did."""
+        self.connection.connect()
+        try:
+            await asyncio.wait_for(self._settled.wait(), within)
+        except TimeoutError:
+            self.lost = "the server takes the connection and says nothing"
+        return self.lost
+
+    async def call(self, name: str, args: Mapping[str, object], within: float) -> object:
+        """What a service of rosapi answers, a string where it fails. Raises LinkError without an answer."""
+        if self.lost:
+            raise LinkError(self.lost)
+        return (await self._calls.call(f"/rosapi/{name}", args, within)).values
+
+    def subscribe(self, wanted: Wanted, type_: str) -> None:
+        """Hear a topic from now on, every message of it. Raises LinkError."""
+        asked = wanted.subscription
+        self.heard[asked.topic] = Heard(wanted, time.monotonic())
+        self.connection.send(
+            operations.subscribe(Subscription(asked.topic, type_, compression=asked.compression))
+        )
+
+    def close(self) -> None:
+        """Close for good; subscriptions end with the connection."""
+        self.connection.shut()
+        self._decoder.shutdown(wait=False, cancel_futures=True)
+
+    def on_connecting(self) -> None:
+        """A try has begun."""
+
+    def on_open(self) -> None:
+        """Frames can be sent."""
+        self._settled.set()
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """Once is enough: what comes after a loss would be measured on another connection."""
+        self.lost = self.lost or reason or "connection lost"
+        self.connection.shut()
+        self._calls.on_lost()
+        self._settled.set()
+
+    def on_frame(self, payload: bytes, is_binary: bool) -> None:
+        """Take an answer or a message; long ones are read beside the loop."""
+        at = time.monotonic()
+        if len(payload) < HEAVY_BYTES:
+            self._answered(self._read(payload, is_binary, at))
+            return
+        loop = asyncio.get_running_loop()
+        reading = loop.run_in_executor(self._decoder, self._read, payload, is_binary, at)
+        reading.add_done_callback(lambda done: None if done.cancelled() else self._answered(done.result()))
+
+    def _read(self, payload: bytes, is_binary: bool, at: float) -> operations.ServiceResponse | None:
+        try:
+            read = operations.decode_cbor(payload) if is_binary else operations.decode(payload)
+        except WireError:
+            return None
+        if isinstance(read, operations.Publish) and read.topic in self.heard:
+            self.heard[read.topic].take(read.msg, at)
+        return read if isinstance(read, operations.ServiceResponse) else None
+
+    def _answered(self, response: operations.ServiceResponse | None) -> None:
+        if response is not None:
+            self._calls.on_response(response)
+
+    def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
+        """A message over the limit of the config was passed over: say so at its topic."""
+        plain = head.replace(rb"\/", b"/")
+        for topic, heard in self.heard.items():
+            if topic.encode() in plain:
+                heard.count += 1
+                heard.faults += 1
+                heard.problem = f"a message of {size / 1e6:.1f} MB is over the limit: raise max_message_mb"

@@ -1,0 +1,194 @@
+"""Faults to plant at a site, each by its name in docs/doctor.md: what the server or the config gets."""
+
+import asyncio
+import ssl
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import msgspec
+from websockets.asyncio.server import ServerConnection, serve
+
+from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.simulator.frames import Payload
+from fleet_tui.simulator.ros_types import ServiceType
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.faults.certificates import sign
+
+Plant = Callable[[RosbridgeServer, Config], Config]
+Message = dict[str, Any]
+
+
+def says(server: RosbridgeServer, topic: str, change: Callable[[Message], Message]) -> None:
+    """A topic says something else from now on."""
+    said = server.topics[topic].payload
+
+    def payload(now: float) -> Payload:
+        return Payload(change(msgspec.json.decode(said(now).json)))
+
+    server.topics[topic] = replace(server.topics[topic], payload=payload)
+
+
+def renamed(server: RosbridgeServer, old: str, new: str) -> None:
+    server.topics[new] = replace(server.topics.pop(old), name=new)
+    server.types[new] = server.types.pop(old)
+
+
+def retyped(server: RosbridgeServer, topic: str, type_: str) -> None:
+    server.topics[topic] = replace(server.topics[topic], type=type_)
+    server.types[topic] = type_
+
+
+def on_the_server(change: Callable[[RosbridgeServer], object]) -> Plant:
+    def plant(server: RosbridgeServer, config: Config) -> Config:
+        change(server)
+        return config
+
+    return plant
+
+
+def in_the_config(**changes: Any) -> Plant:
+    return lambda _server, config: msgspec.structs.replace(config, **changes)
+
+
+def _remove(topic: str, server: RosbridgeServer) -> None:
+    del server.topics[topic], server.types[topic]
+
+
+def _service(old: str, new: str, server: RosbridgeServer) -> None:
+    server.services[f"/robot_0/Application_layout/{new}"] = server.services.pop(
+        f"/robot_0/Application_layout/{old}"
+    )
+
+
+def _service_type(server: RosbridgeServer) -> None:
+    server.services["/robot_1/Application_layout/Pause"] = ServiceType("std_srvs/Empty", {})
+
+
+def _silent(server: RosbridgeServer) -> None:
+    server.world.robots["robot_1"].silence = float("inf")
+
+
+def _both(topic: str, change: Callable[[Message], Message], server: RosbridgeServer) -> None:
+    """Both robots say the same of floor_0."""
+    for robot in ("robot_0", "robot_1"):
+        says(server, f"/{robot}/floor_0/{topic}", change)
+
+
+def _without_edges(vertex: int, graph: Message) -> Message:
+    edges = [edge for edge in graph["edges"] if vertex not in (edge["start"], edge["end"])]
+    return {**graph, "edges": edges}
+
+
+def _moved(vertex: int, x: float, graph: Message) -> Message:
+    return {
+        **graph,
+        "vertices": [{**one, "x": x} if one["id"] == vertex else one for one in graph["vertices"]],
+    }
+
+
+def _off(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].pose = replace(server.world.robots["robot_0"].pose, x=500.0)
+
+
+def _in_frame(frame: str, pose: Message) -> Message:
+    return {**pose, "header": {**pose["header"], "frame_id": frame}}
+
+
+def _hours_late(pose: Message) -> Message:
+    stamp = pose["header"]["stamp"]
+    late = {**stamp, "secs": stamp["secs"] - 7200}
+    return {**pose, "header": {**pose["header"], "stamp": late}}
+
+
+def _tasks(queue: Message) -> Message:
+    orders = queue.pop("orders")
+    return {**queue, "tasks": orders}
+
+
+def _no_rosapi(server: RosbridgeServer) -> None:
+    server.rosapi_alive = False
+
+
+def _no_master(server: RosbridgeServer) -> None:
+    server.master_alive = False
+
+
+AT = "/robot_0/floor_0/"
+ONE_ROBOT = [RobotEntry("robot_00"), RobotEntry("robot_1")]
+NO_FILE = [FloorEntry("floor_0", map="maps/ground.yaml"), FloorEntry("floor_1")]
+
+PLANTS: dict[str, Plant] = {
+    "a host that is not there": in_the_config(rosbridge=Link("ws://robot-server.invalid:9090")),
+    "a dead port": in_the_config(rosbridge=Link("ws://127.0.0.1:9")),
+    "no ROS master": on_the_server(_no_master),
+    "no rosapi": on_the_server(_no_rosapi),
+    "a robot's name with a slip": in_the_config(robots=ONE_ROBOT),
+    "a floor's name with a slip": in_the_config(floors=[FloorEntry("floor_00"), FloorEntry("floor_1")]),
+    "a silent robot": on_the_server(_silent),
+    "a renamed topic": on_the_server(partial(renamed, old="/robot_0/queue", new="/robot_0/action_queue")),
+    "a missing topic": on_the_server(partial(_remove, "/robot_0/cargo")),
+    "a wrong type": on_the_server(partial(retyped, topic="/robot_1/battery", type_="std_msgs/Float64")),
+    "a topic that stays away": on_the_server(lambda server: server.muted.add("/robot_0/pose")),
+    "a field with another name": on_the_server(partial(says, topic="/robot_0/queue", change=_tasks)),
+    "a graph that is not latched": on_the_server(lambda server: server.muted.add(AT + "graph")),
+    "a renamed service": on_the_server(partial(_service, "Pause", "Pause_robot")),
+    "a service of another type": on_the_server(_service_type),
+    "a map of another size": on_the_server(
+        partial(_both, "map_metadata", lambda metadata: {**metadata, "width": 640})
+    ),
+    "a map file that is not there": in_the_config(floors=NO_FILE),
+    "an unreachable vertex": on_the_server(partial(_both, "graph", partial(_without_edges, 19))),
+    "a vertex off the map": on_the_server(partial(_both, "graph", partial(_moved, 0, 400.0))),
+    "a vertex in a wall": on_the_server(partial(_both, "graph", partial(_moved, 0, -1.45))),
+    "a label that points nowhere": on_the_server(
+        partial(
+            _both,
+            "labeled_vertices",
+            lambda labels: {"vertices": [*labels["vertices"], {"label": "Attic", "vertex_id": 77}]},
+        )
+    ),
+    "an unknown frame_id": on_the_server(
+        partial(says, topic="/robot_0/pose", change=partial(_in_frame, "floor_00"))
+    ),
+    "a robot off the map": on_the_server(_off),
+    "a clock two hours behind": on_the_server(partial(says, topic="/robot_1/pose", change=_hours_late)),
+}
+"""What is planted behind (or before) a rosbridge."""
+
+
+async def _web(_reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+    writer.write(b"HTTP/1.1 200 OK\r\nServer: nginx\r\nContent-Length: 2\r\n\r\nhi")
+    await writer.drain()
+    writer.close()
+
+
+async def _deaf(connection: ServerConnection) -> None:
+    async for _ in connection:
+        pass
+
+
+@asynccontextmanager
+async def web_server() -> AsyncIterator[str]:
+    """A web server."""
+    server = await asyncio.start_server(_web, "127.0.0.1", 0)
+    async with server:
+        yield f"ws://127.0.0.1:{server.sockets[0].getsockname()[1]}"
+
+
+@asynccontextmanager
+async def other_websocket() -> AsyncIterator[str]:
+    """A WebSocket server that is no rosbridge."""
+    async with serve(_deaf, "127.0.0.1", 0) as server:
+        yield f"ws://127.0.0.1:{next(iter(server.sockets)).getsockname()[1]}"
+
+
+@asynccontextmanager
+async def tls_server(folder: Path, scheme: str) -> AsyncIterator[str]:
+    """A server that speaks TLS with a certificate nobody knows."""
+    context: ssl.SSLContext = sign(folder, "localhost").server()
+    async with serve(_deaf, "127.0.0.1", 0, ssl=context) as server:
+        yield f"{scheme}://localhost:{next(iter(server.sockets)).getsockname()[1]}"

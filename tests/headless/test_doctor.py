@@ -1,0 +1,120 @@
+"""`fleet-tui doctor` as a command: what it prints, within which time, and what it does without a screen."""
+
+import asyncio
+import json
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.headless.running import config_file, run
+
+TEXT = ("subject", "check", "verdict", "measured")
+
+
+async def test_all_well_is_0_and_one_line_each_in_a_pipe(server: RosbridgeServer, tmp_path: Path) -> None:
+    config_file(tmp_path, server.url, 2, 2)
+    done = await run(tmp_path, "doctor")
+    *lines, last = done.out.splitlines()
+    assert (done.code, done.err) == (0, ""), done.out
+    assert last == f"{len(lines)} ok" and all(line.startswith("     ok ✓ ") for line in lines)
+    assert "\x1b" not in done.out
+    assert any("robot_1 pose: " in line and " Hz, last " in line for line in lines)
+    assert not any("terminal" in line for line in lines)
+    assert not server.calls
+
+
+async def test_a_locale_without_glyphs_gets_ascii(server: RosbridgeServer, tmp_path: Path) -> None:
+    config_file(tmp_path, server.url)
+    process = await asyncio.create_subprocess_exec(
+        *(sys.executable, "-m", "fleet_tui", "doctor"),
+        cwd=tmp_path,
+        env={**os.environ, "XDG_STATE_HOME": str(tmp_path), "PYTHONIOENCODING": "ascii"},
+        stdout=asyncio.subprocess.PIPE,
+    )
+    out, _ = await asyncio.wait_for(process.communicate(), 30)
+    assert out.decode("ascii").startswith("     ok + rosbridge name: ")
+
+
+async def test_json_has_its_promised_shape(server: RosbridgeServer, tmp_path: Path) -> None:
+    server.muted.add("/robot_0/battery")
+    config_file(tmp_path, server.url, 2, 2)
+    done = await run(tmp_path, "doctor", "--json", "--timeout", "7")
+    report = json.loads(done.out)
+    assert (done.code, report["exit_code"], report["version"]) == (1, 1, 1)
+    assert set(report) == {"version", "time", "exit_code", "counts", "first", "findings"}
+    assert set(report["counts"]) == {"ok", "warn", "fail", "skipped"}
+    assert sum(report["counts"].values()) == len(report["findings"])
+    assert report["first"]["subject"] == "robot_0" and report["first"]["check"] == "battery"
+    for finding in report["findings"]:
+        assert set(finding) == {*TEXT, "remedy", "values"}
+        assert all(isinstance(finding[name], str) for name in TEXT)
+    pose = next(one for one in report["findings"] if (one["subject"], one["check"]) == ("robot_1", "pose"))
+    assert pose["values"]["rate_hz"] > 5 and pose["values"]["publishers"] == 1
+
+
+async def test_one_bridge_of_two_is_down(server: RosbridgeServer, tmp_path: Path) -> None:
+    path = config_file(tmp_path, server.url, 1)
+    text = '[links.site_b]\nurl = "ws://127.0.0.1:9"\n[[robots]]\nname = "robot_1"\nlink = "site_b"\n'
+    path.write_text(path.read_text() + text)
+    done = await run(tmp_path, "doctor")
+    assert done.code == 1
+    failed = [line for line in done.out.splitlines() if line.startswith("   FAIL")]
+    assert len(failed) == 1 and "site_b tcp: 127.0.0.1 port 9: nothing listens there" in failed[0]
+    assert "site_b websocket: tcp comes first" in done.out and "robot_0 robot: heard" in done.out
+
+
+async def test_a_bridge_that_stops_answering_costs_no_more_than_the_timeout(
+    server: RosbridgeServer, tmp_path: Path
+) -> None:
+    server.silent_services.add("/rosapi/topics")
+    server.muted.update(server.topics)
+    config_file(tmp_path, server.url, 2, 2)
+    began = time.monotonic()
+    done = await run(tmp_path, "doctor", "--timeout", "6")
+    assert time.monotonic() - began < 8
+    assert done.code == 1 and "robot_0 robot: silent" in done.out
+
+
+async def test_a_link_that_breaks_meanwhile_is_named(server: RosbridgeServer, tmp_path: Path) -> None:
+    asked = list[str]()
+
+    def abort(args: dict[str, object]) -> dict[str, object]:
+        asked.append(str(args))
+        if len(asked) == 3:
+            server.abort_clients()
+        return {"publishers": ["/fleet"]}
+
+    server.answers["/rosapi/publishers"] = abort
+    config_file(tmp_path, server.url)
+    done = await run(tmp_path, "doctor", "--timeout", "8")
+    assert done.code == 1
+    first = next(line for line in done.out.splitlines() if "FAIL" in line)
+    assert "rosbridge link: it broke while measuring" in first
+
+
+@pytest.mark.parametrize("seconds", ["0.1", "1"])
+async def test_a_short_timeout_is_a_word_not_a_wrong_verdict(
+    server: RosbridgeServer, tmp_path: Path, seconds: str
+) -> None:
+    config_file(tmp_path, server.url)
+    done = await run(tmp_path, "doctor", "--timeout", seconds)
+    assert done.code in (0, 3) and "nothing came" not in done.out
+
+
+def test_no_screen_is_imported(tmp_path: Path) -> None:
+    config_file(tmp_path, "ws://127.0.0.1:9")
+    code = (
+        "import sys; from fleet_tui.__main__ import main\n"
+        "sys.argv = ['fleet-tui', 'doctor', '--timeout', '1']\n"
+        "try: main()\nexcept SystemExit: pass\n"
+        "print([name for name in sys.modules if name.split('.')[0] in ('textual', 'rich')])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.splitlines()[-1] == "[]"

@@ -1,0 +1,145 @@
+"""The doctor's judgement without a wire: graphs, clocks, terminal, text."""
+
+import os
+import pty
+import threading
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.config.schema import FloorEntry
+from fleet_tui.headless.doctor.charts import Chart
+from fleet_tui.headless.doctor.clocks import clock_findings, round_trip_finding
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
+from fleet_tui.headless.doctor.finding import Finding, Verdict
+from fleet_tui.headless.doctor.graphs import connection_finding, label_finding
+from fleet_tui.headless.doctor.render import line, summary
+from fleet_tui.headless.doctor.terminal import (
+    BRAILLE,
+    NOTHING,
+    colour_finding,
+    locale_finding,
+    measured_findings,
+    size_finding,
+    speed_finding,
+)
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+
+FLOOR = FloorEntry("floor_0")
+IDS = st.integers(0, 7)
+
+
+def graph(pairs: list[tuple[int, int]], directed: bool = False, lifts: tuple[int, ...] = ()) -> RouteGraph:
+    roles = {id_: Role.ELEVATOR if id_ in lifts else Role.PLAIN for id_ in range(8)}
+    vertices = {id_: Vertex(id_, float(id_), 0.0, role) for id_, role in roles.items()}
+    return RouteGraph(vertices, tuple(Edge(n, *pair) for n, pair in enumerate(pairs)), directed)
+
+
+@given(st.lists(st.tuples(IDS, IDS), max_size=20), st.booleans())
+def test_a_graph_hangs_together_if_there_is_a_path_between_any_two(
+    pairs: list[tuple[int, int]], directed: bool
+) -> None:
+    routes = graph(pairs, directed)
+    together = all(routes.path(start, end) for start in range(8) for end in range(8))
+    found = connection_finding(FLOOR, "", Chart(routes), routes, False)
+    assert (found.verdict is Verdict.OK) == together
+
+
+def test_elevators_join_parts_where_there_are_other_floors() -> None:
+    routes = graph([(0, 1), (1, 2), (2, 3), (4, 5), (5, 6), (6, 7)], lifts=(3, 4))
+    assert connection_finding(FLOOR, "", Chart(routes), routes, True).verdict is Verdict.OK
+    alone = connection_finding(FLOOR, "", Chart(routes, {6: "Store"}), routes, False)
+    assert alone.verdict is Verdict.FAIL and "4 of 8 vertices can't be reached" in alone.measured
+
+
+def test_labels_given_twice_or_not_at_all() -> None:
+    routes = graph([])
+    assert "given twice: Base" in label_finding(FLOOR, "", {0: "Base", 1: "Base"}, routes).measured
+    assert label_finding(FLOOR, "", {}, routes).verdict is Verdict.WARN
+
+
+def test_round_trips_and_clocks() -> None:
+    facts = BridgeFacts("rosbridge", Rosapi(), round_trips=(0.01, 0.02, 0.03), ahead=0.2)
+    quick = round_trip_finding(facts)
+    assert quick.verdict is Verdict.OK and quick.measured == "20.0 ms and back, jitter 20.0 ms (3 calls)"
+    assert round_trip_finding(replace(facts, round_trips=(0.5,))).verdict is Verdict.WARN
+    assert [one.verdict for one in clock_findings(facts)] == [Verdict.OK]
+    (simulated,) = clock_findings(replace(facts, ahead=-1.7e9))
+    assert simulated.verdict is Verdict.WARN and "use_sim_time" in simulated.remedy
+
+
+@pytest.mark.parametrize(
+    ("finding", "verdict"),
+    [
+        (size_finding(120, 40), Verdict.OK),
+        (size_finding(59, 40), Verdict.WARN),
+        (colour_finding({"TERM": "xterm-256color"}), Verdict.OK),
+        (colour_finding({"TERM": "dumb"}), Verdict.WARN),
+        (colour_finding({"TERM": "dumb", "NO_COLOR": "1"}), Verdict.OK),
+        (locale_finding("UTF-8", "C.UTF-8"), Verdict.OK),
+        (locale_finding("ANSI_X3.4-1968", "C"), Verdict.WARN),
+        (speed_finding(9_600 / 10, 0.1), Verdict.WARN),
+    ],
+)
+def test_the_terminal(finding: Finding, verdict: Verdict) -> None:
+    assert finding.verdict is verdict
+    assert bool(finding.remedy) == (verdict is Verdict.WARN)
+
+
+@pytest.mark.parametrize(("wide", "verdict"), [(1, Verdict.OK), (2, Verdict.WARN)])
+def test_a_terminal_that_answers_is_measured(wide: int, verdict: Verdict) -> None:
+    theirs, ours = pty.openpty()
+
+    def answer() -> None:
+        """A terminal: asked four times, it says where its cursor is; braille may take two cells each."""
+        heard, asked = b"", 0
+        while asked < 4:
+            heard += os.read(theirs, 65536)
+            while b"\x1b[6n" in heard and asked < 4:
+                before, _, heard = heard.partition(b"\x1b[6n")
+                column = 1 + wide * before.decode().count(BRAILLE[0])
+                os.write(theirs, f"\x1b[1;{column}R".encode())
+                asked += 1
+
+    terminal = threading.Thread(target=answer, daemon=True)
+    terminal.start()
+    glyphs, speed = measured_findings(ours, ours)
+    terminal.join(5)
+    assert glyphs.verdict is verdict and glyphs.values["cells"] == wide * len(BRAILLE)
+    assert speed.check == "speed" and len(NOTHING) > 10_000
+    os.close(ours)
+    os.close(theirs)
+
+
+def test_a_terminal_that_does_not_answer_is_skipped() -> None:
+    theirs, ours = pty.openpty()
+    assert [one.verdict for one in measured_findings(ours, ours)] == [Verdict.SKIPPED] * 2
+    os.close(ours)
+    os.close(theirs)
+
+
+LONG = Finding(
+    "robot_0",
+    "queue",
+    Verdict.FAIL,
+    "/robot_0/queue is not on the bridge",
+    'did you mean /robot_0/action_queue? Then [profile.topics] queue = "/{robot}/action_queue"',
+)
+
+
+def test_80_columns() -> None:
+    assert line(LONG, plain=False, colour=False, width=80).splitlines() == [
+        "   FAIL ✗ robot_0 queue: /robot_0/queue is not on the bridge -> did you mean",
+        "          /robot_0/action_queue? Then [profile.topics] queue =",
+        '          "/{robot}/action_queue"',
+    ]
+    assert "\n" not in line(LONG, plain=False, colour=False)
+
+
+def test_text_of_the_wire_moves_no_cursor() -> None:
+    hostile = replace(LONG, measured="\x1b[2J\u202eboo")
+    assert "\x1b" not in line(hostile, plain=False, colour=False)
+    assert line(hostile, plain=True, colour=False).isascii()
+    assert "\x1b" not in summary([hostile])

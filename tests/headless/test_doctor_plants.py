@@ -1,0 +1,77 @@
+"""For each planted fault the doctor's first complaint is its true cause: as docs/doctor.md promises."""
+
+import asyncio
+import json
+import re
+from collections.abc import Callable
+from contextlib import AbstractAsyncContextManager
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+
+from fleet_tui.config.schema import Config, Link
+from fleet_tui.headless.doctor.run import doctor
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.headless.plants import PLANTS, other_websocket, tls_server, web_server
+from tests.watched import config_of
+
+TIMEOUT = 7.0
+OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
+    "a web server instead": lambda folder: web_server(),
+    "another WebSocket server": lambda folder: other_websocket(),
+    "TLS where ws:// is configured": partial(tls_server, scheme="ws"),
+    "a certificate nobody vouches for": partial(tls_server, scheme="wss"),
+}
+
+
+def promised() -> dict[str, tuple[str, str]]:
+    """From docs/doctor.md: what is planted, the first line that is not ok, the exit code."""
+    text = (Path(__file__).parents[2] / "docs" / "doctor.md").read_text()
+    rows = re.findall(r"^\| ([^|]+) \| `([^|]+)` \| (\d) \|$", text, re.MULTILINE)
+    return {plant: (line, code) for plant, line, code in rows}
+
+
+async def complaint(config: Config) -> tuple[str, int]:
+    """What the doctor says first that is not ok, and its exit code."""
+    said = list[str]()
+    code = await asyncio.to_thread(doctor, config, TIMEOUT, True, said.append)
+    report: dict[str, Any] = json.loads("".join(said))
+    assert report["exit_code"] == code
+    wrong = [one for one in report["findings"] if one["verdict"] in ("warn", "fail")]
+    failed = [one for one in wrong if one["verdict"] == "fail"]
+    assert report["first"] == (failed[0] if failed else None)
+    one = (failed or wrong)[0]
+    words = f"{one['subject']} {one['check']}: {one['measured']} -> {one['remedy']}"
+    return f"{'FAIL' if failed else 'warn'} {words}", code
+
+
+def assert_as_promised(plant: str, line: str, code: int) -> None:
+    wanted, wanted_code = promised()[plant]
+    pattern = ".*".join(re.escape(part) for part in wanted.split("..."))
+    assert re.match(pattern, line), f"{plant}: {line}"
+    assert str(code) == wanted_code
+
+
+@pytest.mark.parametrize("plant", PLANTS)
+async def test_the_first_complaint_is_the_cause(server: RosbridgeServer, plant: str) -> None:
+    config = PLANTS[plant](server, config_of(server.url, 2, 2))
+    assert_as_promised(plant, *await complaint(config))
+    # Nothing of it commands a robot.
+    assert not server.calls
+    called = {operation.get("service", "/rosapi/") for operation in server.received}
+    assert all(service.startswith("/rosapi/") for service in called)
+    assert {operation["op"] for operation in server.received} <= {"subscribe", "call_service"}
+
+
+@pytest.mark.parametrize("plant", OTHER_SERVERS)
+async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
+    async with OTHER_SERVERS[plant](tmp_path) as url:
+        config = msgspec.structs.replace(config_of("", 2, 2), rosbridge=Link(url))
+        assert_as_promised(plant, *await complaint(config))
+
+
+def test_every_promise_is_planted() -> None:
+    assert set(promised()) == {*PLANTS, *OTHER_SERVERS}
