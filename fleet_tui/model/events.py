@@ -4,7 +4,8 @@
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -14,8 +15,7 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import OrderQueue
 
 
-@dataclass(frozen=True, slots=True)
-class PoseReported:
+class PoseReported(Struct, frozen=True):
     """`stamp` is the robot's own clock in seconds, None where it gives none."""
 
     robot: str
@@ -25,8 +25,7 @@ class PoseReported:
     stamp: float | None
 
 
-@dataclass(frozen=True, slots=True)
-class BatteryReported:
+class BatteryReported(Struct, frozen=True):
     """Charge in per cent."""
 
     robot: str
@@ -34,8 +33,7 @@ class BatteryReported:
     percent: float
 
 
-@dataclass(frozen=True, slots=True)
-class CargoReported:
+class CargoReported(Struct, frozen=True):
     """Whether the robot carries something."""
 
     robot: str
@@ -43,8 +41,7 @@ class CargoReported:
     loaded: bool
 
 
-@dataclass(frozen=True, slots=True)
-class ObstacleReported:
+class ObstacleReported(Struct, frozen=True):
     """Seconds in contact with an obstacle; 0 is none."""
 
     robot: str
@@ -52,8 +49,7 @@ class ObstacleReported:
     seconds: float
 
 
-@dataclass(frozen=True, slots=True)
-class QueueReported:
+class QueueReported(Struct, frozen=True):
     """The robot's whole queue of orders."""
 
     robot: str
@@ -61,8 +57,7 @@ class QueueReported:
     queue: OrderQueue
 
 
-@dataclass(frozen=True, slots=True)
-class PausedReported:
+class PausedReported(Struct, frozen=True):
     """The robot itself says whether it is paused."""
 
     robot: str
@@ -73,8 +68,7 @@ class PausedReported:
 Telemetry = PoseReported | BatteryReported | CargoReported | ObstacleReported | QueueReported | PausedReported
 
 
-@dataclass(frozen=True, slots=True)
-class FrameReceived:
+class FrameReceived(Struct, frozen=True):
     """A robot's map_metadata of a floor: how its map lies in the world."""
 
     robot: str
@@ -82,8 +76,7 @@ class FrameReceived:
     frame: MapFrame
 
 
-@dataclass(frozen=True, slots=True)
-class GraphReceived:
+class GraphReceived(Struct, frozen=True):
     """A robot's route graph of a floor. `faults` counts what in it was left out, `fault` says what."""
 
     robot: str
@@ -93,8 +86,7 @@ class GraphReceived:
     fault: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class LabelsReceived:
+class LabelsReceived(Struct, frozen=True):
     """Labels by vertex id, as a robot knows them on a floor."""
 
     robot: str
@@ -102,8 +94,7 @@ class LabelsReceived:
     labels: Mapping[int, str]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class GridReceived:
+class GridReceived(Struct, frozen=True, eq=False):
     """A robot's live map of a floor, ready to draw."""
 
     robot: str
@@ -114,24 +105,21 @@ class GridReceived:
 ChartReceived = FrameReceived | GraphReceived | LabelsReceived | GridReceived
 
 
-@dataclass(frozen=True, slots=True)
-class MessageRejected:
+class MessageRejected(Struct, frozen=True):
     """A message about a robot that could not be taken; `text` names the topic and the field."""
 
     robot: str
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class FrameRejected:
+class FrameRejected(Struct, frozen=True):
     """A frame that no robot can be blamed for."""
 
     link: str
     text: str
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class FloorMapLoaded:
+class FloorMapLoaded(Struct, frozen=True, eq=False):
     """A floor's configured map file: its grid, or why there is none. `tied` is False for a plain
     image, which lies where map_metadata says."""
 
@@ -141,8 +129,7 @@ class FloorMapLoaded:
     tied: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class LinkChanged:
+class LinkChanged(Struct, frozen=True):
     """The telemetry connection of a bridge entered a phase."""
 
     link: str
@@ -152,16 +139,14 @@ class LinkChanged:
     next_try: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class LinkHeard:
+class LinkHeard(Struct, frozen=True):
     """Something, whatever it was, came from the bridge."""
 
     link: str
     at: float
 
 
-@dataclass(frozen=True, slots=True)
-class CommandPathChanged:
+class CommandPathChanged(Struct, frozen=True):
     """Commands would, or would not, get through now."""
 
     link: str
@@ -169,8 +154,7 @@ class CommandPathChanged:
     reason: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class CommandIssued:
+class CommandIssued(Struct, frozen=True):
     """An operator gave a command, and it passed the checks."""
 
     id: int
@@ -179,8 +163,7 @@ class CommandIssued:
     wall: float
 
 
-@dataclass(frozen=True, slots=True)
-class CommandAdvanced:
+class CommandAdvanced(Struct, frozen=True):
     """The link brought a command a stage further: sent, answered, or not."""
 
     id: int
@@ -189,16 +172,14 @@ class CommandAdvanced:
     words: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class AlarmAcknowledged:
+class AlarmAcknowledged(Struct, frozen=True):
     """An operator has seen an alarm; with `source` and `kind` empty, all of them."""
 
     source: str = ""
     kind: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class AlarmShelved:
+class AlarmShelved(Struct, frozen=True):
     """An operator does not want to hear of an alarm until a monotonic second."""
 
     source: str
@@ -206,16 +187,14 @@ class AlarmShelved:
     until: float
 
 
-@dataclass(frozen=True, slots=True)
-class AlarmUnshelved:
+class AlarmUnshelved(Struct, frozen=True):
     """An operator wants to hear of it again."""
 
     source: str
     kind: str
 
 
-@dataclass(frozen=True, slots=True)
-class TimePassed:
+class TimePassed(Struct, frozen=True):
     """The writer's clock: deadlines, offline and alarms ripen on it."""
 
     at: float

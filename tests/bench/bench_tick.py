@@ -21,7 +21,7 @@ from tests.bench.in_pty import HEIGHT, WIDTH
 from tests.bench.rows import Row, row
 from tests.played_terminal import paint
 
-TICKS, WARM = 300, 30
+TICKS, WARM, REPEATS = 300, 30, 3
 TARGET = 3.0
 
 
@@ -58,7 +58,9 @@ async def tick_ms(robots: int) -> float:
 def main() -> list[Row]:
     with patch.dict(os.environ, TERM="xterm-256color", COLORTERM="truecolor"):
         os.environ.pop("NO_COLOR", None)
-        one, hundred = asyncio.run(tick_ms(1)), asyncio.run(tick_ms(100))
+        # In turn, and of each the run that was disturbed least.
+        runs = [(asyncio.run(tick_ms(1)), asyncio.run(tick_ms(100))) for _ in range(REPEATS)]
+        one, hundred = (min(spent) for spent in zip(*runs, strict=True))
     return [
         row("P3", "tick and painting, 100 robots, times that of 1", hundred / one, "x", TARGET),
         row("P3", "tick and painting, 100 robots", hundred, "ms CPU", None, one, "1 robot"),
