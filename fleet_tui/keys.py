@@ -1,13 +1,13 @@
 """Every key of the console in one table: bindings, help, palette and the config check come from it."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from fleet_tui.errors import did_you_mean
 
 
-@dataclass(frozen=True, slots=True)
-class Key:
+class Key(Struct, frozen=True):
     """`id` names it in the config; `keys` are the defaults; `action` is Textual's action string;
     `pane` is where it works: "map", "table", "console", or "anywhere", which reaches through text
     fields, forms and modals; `hint` is the footer's word, empty to stay out of the footer."""

@@ -3,10 +3,10 @@
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from msgspec import Struct, structs
 from rich.style import Style
 
 from fleet_tui.errors import ConfigError, did_you_mean
@@ -18,8 +18,7 @@ QUIET = {Ink.FLOOR, Ink.UNKNOWN, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD, Ink.MISSION
 BASE = ("background", "surface", "foreground", "accent")
 
 
-@dataclass(frozen=True, slots=True)
-class InkLook:
+class InkLook(Struct, frozen=True):
     """How one ink looks: colours as `#rrggbb` or None for the terminal's own."""
 
     color: str | None = None
@@ -30,8 +29,7 @@ class InkLook:
     dim: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class FleetTheme:
+class FleetTheme(Struct, frozen=True):
     """A name, the screen's base colours, and a look per ink."""
 
     name: str
@@ -119,7 +117,7 @@ def read_theme(path: Path, others: Mapping[str, FleetTheme]) -> FleetTheme:
 
 
 def _look(value: str | dict[str, Any]) -> InkLook:
-    return InkLook(color=value) if isinstance(value, str) else replace(InkLook(), **value)
+    return InkLook(color=value) if isinstance(value, str) else structs.replace(InkLook(), **value)
 
 
 def _problems(content: dict[str, Any]) -> Iterator[str]:

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 
+from msgspec import Struct
+
 Key = tuple[str, str]
 """Source and kind: what tells one alarm from another."""
 
@@ -57,8 +59,7 @@ TRANSITIONS = {
 _STEPS = {(was, now): step for (was, step), now in TRANSITIONS.items()}
 
 
-@dataclass(frozen=True, slots=True)
-class Condition:
+class Condition(Struct, frozen=True):
     """Something that needs a person now. `text` says it while it holds, `over` once it is over.
 
     It is an alarm after the monotonic second `due`. `parts` is what it is made of, where that is
@@ -195,8 +196,7 @@ def unshelve(alarms: Sequence[Alarm], key: Key) -> tuple[Alarm, ...]:
     return tuple(alarm for alarm in taken if alarm.stage is not AlarmStage.CLEARED)
 
 
-@dataclass(frozen=True, slots=True)
-class AlarmChange:
+class AlarmChange(Struct, frozen=True):
     """One step of one alarm, for who keeps a history: the alarm after it, or the last that was
     known of one that was cleared; `wall` is Unix seconds."""
 

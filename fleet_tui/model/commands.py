@@ -5,11 +5,12 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from itertools import pairwise
 
+from msgspec import Struct
+
 INT32_MAX = 2**31 - 1
 
 
-@dataclass(frozen=True, slots=True)
-class PlaceOrder:
+class PlaceOrder(Struct, frozen=True):
     """Carry from vertex `start` to vertex `end`."""
 
     robot: str
@@ -17,38 +18,33 @@ class PlaceOrder:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
-class PlaceOrderWithCargo:
+class PlaceOrderWithCargo(Struct, frozen=True):
     """Bring the cargo on board to vertex `end`."""
 
     robot: str
     end: int
 
 
-@dataclass(frozen=True, slots=True)
-class CancelOrder:
+class CancelOrder(Struct, frozen=True):
     """Take one order out of the queue. `order_id` is above 0: 0 would mean all of them."""
 
     robot: str
     order_id: int
 
 
-@dataclass(frozen=True, slots=True)
-class ClearOrders:
+class ClearOrders(Struct, frozen=True):
     """Take every order out of the queue."""
 
     robot: str
 
 
-@dataclass(frozen=True, slots=True)
-class PauseRobot:
+class PauseRobot(Struct, frozen=True):
     """Stand still until resumed."""
 
     robot: str
 
 
-@dataclass(frozen=True, slots=True)
-class ResumeRobot:
+class ResumeRobot(Struct, frozen=True):
     """Go on after a pause."""
 
     robot: str
@@ -109,8 +105,7 @@ FAILURES = frozenset({Stage.REFUSED, Stage.NOT_SENT, Stage.NOT_CONFIRMED})
 """The ends that need a person."""
 
 
-@dataclass(frozen=True, slots=True)
-class Step:
+class Step(Struct, frozen=True):
     """A command reached a stage at `at` (monotonic). `words` are the robot's own, or the reason."""
 
     stage: Stage
@@ -118,8 +113,7 @@ class Step:
     words: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Before:
+class Before(Struct, frozen=True):
     """What the robot had reported when the command was given: telemetry is read against it.
 
     `last_order_id` is None where no queue had come. `moving`: its pose had just changed."""
@@ -138,7 +132,7 @@ class CommandRecord:
     issued_at: float
     wall: float
     steps: tuple[Step, ...]
-    before: Before = Before()
+    before: Before
     order_id: int | None = None
 
     @property

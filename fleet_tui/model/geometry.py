@@ -1,11 +1,11 @@
 """Poses, quaternions and how a map's pixels lie in the world. Metres and radians throughout."""
 
 import math
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 
-@dataclass(frozen=True, slots=True)
-class Pose:
+class Pose(Struct, frozen=True):
     """A planar pose: x, y in metres, yaw in radians, counter-clockwise from the x axis."""
 
     x: float
@@ -24,8 +24,7 @@ def yaw_of_quaternion(x: float, y: float, z: float, w: float) -> float:
     return math.atan2(2.0 * (w * z + x * y), norm - 2.0 * (y * y + z * z))
 
 
-@dataclass(frozen=True, slots=True)
-class MapFrame:
+class MapFrame(Struct, frozen=True):
     """How a map image lies in the world (nav_msgs/MapMetaData).
 
     resolution: metres per pixel; width, height: pixels; origin: pose of the lower-left pixel

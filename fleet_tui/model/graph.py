@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from enum import Enum
 from functools import cached_property
 
+from msgspec import Struct
+
 
 class Role(Enum):
     """What a vertex is for, whatever the robot stack calls it."""
@@ -16,8 +18,7 @@ class Role(Enum):
     DOCKING = "docking"
 
 
-@dataclass(frozen=True, slots=True)
-class Vertex:
+class Vertex(Struct, frozen=True):
     """A place on the graph: x, y in metres in the map's world frame."""
 
     id: int
@@ -26,8 +27,7 @@ class Vertex:
     role: Role = Role.PLAIN
 
 
-@dataclass(frozen=True, slots=True)
-class Edge:
+class Edge(Struct, frozen=True):
     """A drivable connection between two vertex ids."""
 
     id: int

@@ -1,15 +1,15 @@
 """Finding a vertex by what an operator types: part of a label, or an id."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from fleet_tui.model.commands import PlaceOrder, PlaceOrderWithCargo
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 
 
-@dataclass(frozen=True, slots=True)
-class Place:
+class Place(Struct, frozen=True):
     """A vertex that an order can name."""
 
     vertex: int

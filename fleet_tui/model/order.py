@@ -1,6 +1,6 @@
 """Transport orders as a robot reports them."""
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 # Both of the first come from the source; the others occur. An unknown letter is shown as it is.
 STATUS_WORDS = {"W": "in process", "Q": "queued", "D": "done", "C": "cancelled"}
@@ -8,8 +8,7 @@ OPEN_STATUSES = frozenset("WQ")
 """Orders that will still be driven."""
 
 
-@dataclass(frozen=True, slots=True)
-class Order:
+class Order(Struct, frozen=True):
     """Bring cargo from vertex `start` to vertex `end`; `status` is the robot's own letter."""
 
     id: int
@@ -18,8 +17,7 @@ class Order:
     status: str
 
 
-@dataclass(frozen=True, slots=True)
-class OrderQueue:
+class OrderQueue(Struct, frozen=True):
     """A robot's orders. `current_order_id` means none where no order of the list has it."""
 
     last_order_id: int

@@ -5,6 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Generic, TypeVar, assert_never
 
+from msgspec import Struct
+
 from fleet_tui.model import events
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
@@ -23,16 +25,14 @@ BRAKING_DISTANCE = 0.5
 JUMPS_KEPT, JUMPS_WITHIN = 100, 10.0
 
 
-@dataclass(frozen=True, slots=True)
-class Reading(Generic[T]):
+class Reading(Struct, Generic[T], frozen=True):
     """A value and the monotonic second at which it was true."""
 
     value: T
     at: float
 
 
-@dataclass(frozen=True, slots=True)
-class StampClock:
+class StampClock(Struct, frozen=True):
     """A robot's clock against ours: `offset` is the freshest (arrival - stamp) seen, in seconds."""
 
     offset: float

@@ -5,8 +5,9 @@ A fault of the wire changes how services answer; one of the world happens to the
 
 import json
 from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING
+
+from msgspec import structs
 
 from fleet_tui.errors import ConfigError, did_you_mean
 
@@ -114,7 +115,7 @@ def _jumping(server: "RosbridgeServer", robot_name: str) -> None:
     def step(_dt: float) -> None:
         nonlocal beside
         wanted = JUMP * (int(world.time) % 2)
-        robot.pose = replace(robot.pose, x=robot.pose.x + wanted - beside)
+        robot.pose = structs.replace(robot.pose, x=robot.pose.x + wanted - beside)
         beside = wanted
 
     world.troubles.append(step)

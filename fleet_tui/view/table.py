@@ -1,8 +1,9 @@
 """What a pane shows: a title and rows of runs, with buttons where the mouse can press."""
 
 from collections.abc import Callable, Hashable, Iterable, Sequence
-from dataclasses import dataclass
 from typing import overload
+
+from msgspec import Struct
 
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.text import cell_width, fit
@@ -10,8 +11,7 @@ from fleet_tui.view.text import cell_width, fit
 Run = tuple[str, Ink]
 
 
-@dataclass(frozen=True, slots=True)
-class Button:
+class Button(Struct, frozen=True):
     """Something to press in the cells from `start` to before `end` of a row."""
 
     start: int
@@ -19,8 +19,7 @@ class Button:
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
+class Row(Struct, frozen=True):
     """One row. `key` says whose it is, so that the cursor stays with it when rows move."""
 
     key: Hashable
@@ -47,8 +46,7 @@ class LateRows(Sequence[Row]):
         return self._make(places) if isinstance(places, int) else [self._make(place) for place in places]
 
 
-@dataclass(frozen=True, slots=True)
-class Table:
+class Table(Struct, frozen=True):
     """A pane at one moment. `empty` stands where there is no row."""
 
     title: tuple[Run, ...]

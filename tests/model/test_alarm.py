@@ -1,12 +1,12 @@
 """An alarm stays until its condition is over and a person has seen it, and goes only along its table."""
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, rule
+from msgspec import structs
 
 from fleet_tui.model.alarm import (
     TRANSITIONS,
@@ -85,9 +85,9 @@ def test_the_delay_counts_from_when_it_held_last() -> None:
 
 
 def test_what_gets_worse_needs_another_look() -> None:
-    low = replace(condition(), priority=Priority.LOW)
+    low = structs.replace(condition(), priority=Priority.LOW)
     seen = acknowledge(ripen((), [low], 1.0, 1.0), *KEY)
-    worse = ripen(seen, [replace(low, priority=Priority.MEDIUM)], 2.0, 2.0)
+    worse = ripen(seen, [structs.replace(low, priority=Priority.MEDIUM)], 2.0, 2.0)
     assert (one(worse).stage, one(worse).count) == (AlarmStage.UNACKNOWLEDGED, 1)
     seen = acknowledge(worse, *KEY)
     assert one(ripen(seen, [low], 3.0, 3.0)).stage is AlarmStage.ACKNOWLEDGED

@@ -2,11 +2,11 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec import structs
 
 from fleet_tui.keys import KEYS
 from fleet_tui.model.commands import (
@@ -256,7 +256,7 @@ def test_robots_in_different_frames_are_not_compared() -> None:
     planted = behind_another()
     frame = planted.state.robots["robot_1"].charts["floor_0"].frame
     assert frame is not None
-    moved = replace(frame, origin=Pose(frame.origin.x + 5.0, frame.origin.y))
+    moved = structs.replace(frame, origin=Pose(frame.origin.x + 5.0, frame.origin.y))
     planted.run(3)
     assert first(planted).name == "waits behind robot_1"
     planted.tell(FrameReceived("robot_1", "floor_0", moved))

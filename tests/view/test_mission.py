@@ -1,9 +1,9 @@
 """The way that is still to be driven: which edges, from where, and on which floor."""
 
-from dataclasses import replace
 from itertools import pairwise
 
 import pytest
+from msgspec import structs
 
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
@@ -117,7 +117,7 @@ def two_floors(lifts: tuple[int, ...] = (2,)) -> list[events.Event]:
     for floor, ids in ((F0, (1, 2, 3)), (F1, (11, 12, 13))):
         plain = graph(*ids, floor=floor).graph
         vertices = {
-            n: replace(vertex, role=Role.ELEVATOR if n % 10 in lifts else Role.PLAIN)
+            n: structs.replace(vertex, role=Role.ELEVATOR if n % 10 in lifts else Role.PLAIN)
             for n, vertex in plain.vertices.items()
         }
         facts.append(events.GraphReceived(R0, floor, RouteGraph(vertices, plain.edges)))

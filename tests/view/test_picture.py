@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec import structs
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
@@ -128,7 +129,7 @@ def test_states_are_words_and_glyphs_not_only_colours() -> None:
 
 def test_the_selected_robot_lies_on_top() -> None:
     pose = Pose(6.0, 2.3, 0.0)
-    robots = tuple(SceneRobot(f"r{n}", n, replace(pose, yaw=n), selected=n == 2) for n in (1, 2, 3))
+    robots = tuple(SceneRobot(f"r{n}", n, structs.replace(pose, yaw=n), selected=n == 2) for n in (1, 2, 3))
     cells = drawn(replace(SCENE, robots=robots))
     x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 2.3))
     assert cells.inks[y, x] == Ink.ROBOT_SELECTED

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from msgspec import structs
 from textual.app import App, ComposeResult
 from textual.pilot import Pilot
 
@@ -103,7 +104,7 @@ async def test_the_caption_tells_where_the_cursor_is_in_metres_while_it_is_on() 
     ("degrees", "text"), [(12.0, " yaw 12° "), (-90.0, " yaw -90° "), (0.2, ""), (0.0, "")]
 )
 async def test_the_caption_tells_how_the_picture_is_turned(degrees: float, text: str) -> None:
-    turned = replace(FRAME, origin=Pose(0.0, 0.0, math.radians(degrees)))
+    turned = structs.replace(FRAME, origin=Pose(0.0, 0.0, math.radians(degrees)))
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot, replace(SCENE, frame=turned))
         assert text in caption(view)
