@@ -1,9 +1,8 @@
 """The simple interface, in the map's place: robot, from, to, send. Arrows and Enter, or the mouse."""
 
 from collections.abc import Callable
-from typing import ClassVar
+from typing import Any, ClassVar, Self
 
-from textual import on
 from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.containers import Vertical
@@ -16,6 +15,33 @@ from fleet_tui.model.lookup import Place, destination_only, places
 from fleet_tui.model.robot import Robot
 from fleet_tui.screens.choices import order
 from fleet_tui.view.text import visible
+
+
+class Large(Button):
+    """A button that does its work at once: the next key is meant for what comes of it."""
+
+    def __init__(self, label: str, field: str, pressed: Callable[[str], None], **options: Any) -> None:
+        super().__init__(label, id=f"simple-{field}", **options)
+        self._pressed, self._field = pressed, field
+
+    def press(self) -> Self:
+        """By Enter or by mouse."""
+        if self.display:
+            self._pressed(self._field)
+        return self
+
+
+class Choices(OptionList):
+    """A list whose choice is made at once."""
+
+    def __init__(self, chosen: Callable[[int], None]) -> None:
+        super().__init__(id="simple-list", markup=False)
+        self._chosen = chosen
+
+    def action_select(self) -> None:
+        """By Enter or by mouse."""
+        if self.highlighted is not None:
+            self._chosen(self.highlighted)
 
 
 class Simple(Vertical):
@@ -46,11 +72,11 @@ class Simple(Vertical):
     def compose(self) -> ComposeResult:
         """The four buttons, what is missing, and the list that takes their place."""
         for field in ("robot", "from", "to"):
-            yield Button(id=f"simple-{field}")
-        yield Button("Send", id="simple-send", variant="primary")
+            yield Large("", field, self._ask)
+        yield Large("Send", "send", self._finish, variant="primary")
         yield Static(id="simple-missing", markup=False)
         yield Static(id="simple-question", markup=False)
-        yield OptionList(id="simple-list", markup=False)
+        yield Choices(self._choose)
 
     def show(self) -> None:
         """Follow the robot: another one, or cargo that came or went, changes what is asked."""
@@ -116,16 +142,6 @@ class Simple(Vertical):
         self.show()
         self.screen.set_focus(self._button(field))
 
-    @on(Button.Pressed)
-    def press(self, event: Button.Pressed) -> None:
-        """Choose, or send."""
-        event.stop()
-        field = (event.button.id or "").removeprefix("simple-")
-        if field == "send":
-            self._finish()
-        else:
-            self._ask(field)
-
     def _ask(self, field: str) -> None:
         """List what can be chosen."""
         robot = self._robot()
@@ -144,11 +160,9 @@ class Simple(Vertical):
         self.show()
         self.screen.set_focus(options)
 
-    @on(OptionList.OptionSelected)
-    def choose(self, event: OptionList.OptionSelected) -> None:
+    def _choose(self, index: int) -> None:
         """Take it, and go on to what is missing."""
-        event.stop()
-        field, index = self._choosing, event.option_index
+        field = self._choosing
         if not field:
             return
         self._leave()
@@ -160,7 +174,7 @@ class Simple(Vertical):
         self.show()
         self._go_on()
 
-    def _finish(self) -> None:
+    def _finish(self, _field: str) -> None:
         robot, missing = self._robot(), self._missing()
         if missing:
             self._say(f"{missing.capitalize()} is missing: choose where {_PURPOSE[missing]}")
