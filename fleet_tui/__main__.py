@@ -8,6 +8,7 @@ import click
 
 from fleet_tui.cli import commands
 from fleet_tui.errors import ConfigError, FleetError
+from fleet_tui.terminal.ending import PATIENCE, end_within
 
 
 def _end(code: int, *lines: str) -> NoReturn:
@@ -16,8 +17,8 @@ def _end(code: int, *lines: str) -> NoReturn:
     sys.exit(code)
 
 
-def main() -> None:
-    """Run the command line; every end has its exit code."""
+def _run() -> None:
+    """Run the command line."""
     # Tracebacks are for --debug, wherever it stands.
     debug = "--debug" in sys.argv
     try:
@@ -45,6 +46,19 @@ def main() -> None:
         path = log_to_file(debug)
         logging.getLogger(__name__).exception("fatal")
         _end(1, f"fleet-tui: internal error: {problem} (details in {path}, or with --debug)")
+
+
+def main() -> None:
+    """Run the command line; every end has its exit code. What hangs in a thread then is not waited for."""
+    code: object = 1
+    try:
+        _run()
+        code = 0
+    except SystemExit as end:
+        code = end.code
+        raise
+    finally:
+        end_within(PATIENCE, code if isinstance(code, int) else int(code is not None))
 
 
 if __name__ == "__main__":

@@ -1,8 +1,6 @@
 """The roof: owns the store, the link and the tick; theme, keymap, which screen."""
 
-import asyncio
 import logging
-import signal
 import time
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar
@@ -17,6 +15,7 @@ from fleet_tui.model.events import Event
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.store import Store
 from fleet_tui.terminal.annunciator import Annunciator
+from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
 from fleet_tui.terminal.paint_first import PaintFirst
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.drawing import Drawing
@@ -55,6 +54,7 @@ class FleetApp(PaintFirst, inherit_bindings=False):
         self._drawing, self._colour = drawing, colour
         self.store = store
         self._link: FleetLink | None = None
+        self._restore = terminal_restorer()
         keys, _ = keymap(config.keys)
         self.main = MainScreen(self.store, self.submit, self.tell, self._show_map, keys, clock)
         self.main.read_only, self.main.armed = config.operator.read_only, config.operator.armed
@@ -71,8 +71,7 @@ class FleetApp(PaintFirst, inherit_bindings=False):
 
     async def on_ready(self) -> None:
         """Paint first, then connect."""
-        for name in (signal.SIGTERM, signal.SIGHUP):
-            asyncio.get_running_loop().add_signal_handler(name, self.exit)
+        leave_on_signals(self.exit, self._restore)
         await self.stand()
         self.set_interval(1 / self._config.ui.ticks_per_second, self.main.tick)
         self.call_after_refresh(self._connect)

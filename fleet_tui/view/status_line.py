@@ -27,7 +27,6 @@ def console_notes(read_only: bool, armed: bool, standstill: float) -> list[str]:
 def _link_runs(link: LinkState, now: float) -> Iterator[Run]:
     if link.phase is not Phase.UP:
         yield "○ no link ", Ink.ALARM
-        yield f"{visible(link.url)} ", Ink.TEXT
         if link.reason:
             yield f"{visible(link.reason)}, ", Ink.WARN
         if link.phase is Phase.CONNECTING or link.next_try is None:
@@ -35,7 +34,7 @@ def _link_runs(link: LinkState, now: float) -> Iterator[Run]:
         else:
             yield f"next try {max(0.0, link.next_try - now):.0f} s", Ink.TEXT
         heard = "" if link.heard is None else f", last message {age(now - link.heard)} ago"
-        yield f", since {age(now - link.since)}{heard}", Ink.DIM
+        yield f", since {age(now - link.since)}{heard} {visible(link.url)}", Ink.DIM
         return
     yield "● ", Ink.GOOD
     yield f"{visible(link.url)} ", Ink.TEXT

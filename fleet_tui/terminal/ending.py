@@ -1,0 +1,61 @@
+"""The end, whatever hangs: a terminal that nobody reads, a name's look-up that takes half a minute."""
+
+import os
+import signal
+import sys
+import termios
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+
+PATIENCE = 1.0
+"""Seconds for an orderly end. After a signal the process is gone within 2."""
+
+# Out of Textual's screen: no mouse, no focus events, no bracketed paste, first screen, plain, cursor.
+_LEAVE = b"\x1b[?1000l\x1b[?1003l\x1b[?1006l\x1b[?1004l\x1b[?2004l\x1b[<u\x1b[?1049l\x1b[m\x1b[?25h"
+
+
+def end_within(seconds: float, code: int, restore: Callable[[], None] = lambda: None) -> None:
+    """End the process after so many seconds, unless it has ended by itself."""
+
+    def end() -> None:
+        restore()
+        os._exit(code)
+
+    timer = threading.Timer(seconds, end)
+    timer.daemon = True
+    timer.start()
+
+
+def terminal_restorer() -> Callable[[], None]:
+    """What gives the terminal back as it is now, without waiting for anybody who reads it."""
+    try:
+        descriptor = sys.stdout.fileno()
+        modes = termios.tcgetattr(descriptor)
+    except (OSError, ValueError, termios.error):
+        return lambda: None
+
+    def restore() -> None:
+        with suppress(OSError, termios.error):
+            termios.tcsetattr(descriptor, termios.TCSANOW, modes)
+            # What it has not read by now it need not read.
+            termios.tcflush(descriptor, termios.TCOFLUSH)
+            os.set_blocking(descriptor, False)
+            os.write(descriptor, _LEAVE)
+            os.set_blocking(descriptor, True)
+
+    return restore
+
+
+def leave_on_signals(leave: Callable[[], object], restore: Callable[[], None]) -> None:
+    """On SIGTERM and SIGHUP call `leave` on the running loop; if that hangs, `restore` and end."""
+    import asyncio  # takes 40 ms, and most commands do without
+
+    loop = asyncio.get_running_loop()
+
+    def told(number: int, _frame: object) -> None:
+        end_within(PATIENCE, 128 + number, restore)
+        loop.call_soon_threadsafe(leave)
+
+    for name in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(name, told)

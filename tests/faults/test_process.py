@@ -1,0 +1,175 @@
+"""The process and its terminal: whatever ends it, it ends soon and leaves nothing behind."""
+
+import json
+import os
+import shutil
+import signal
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.faults.in_terminal import InTerminal, exists, in_terminal
+from tests.faults.report import report
+
+RESTORED = "the shell, its terminal as before"
+
+
+def no_half_line(home: Path) -> None:
+    """Every line of the audit log is whole."""
+    for log in (home / "state").rglob("*.jsonl"):
+        text = log.read_text()
+        assert text.endswith("\n")
+        for line in text.splitlines():
+            json.loads(line)
+
+
+@pytest.fixture
+def demo(tmp_path: Path) -> Iterator[InTerminal]:
+    with in_terminal(tmp_path, "demo", "--robots", "2") as running:
+        running.shows("robot_1")
+        running.shows("●")
+        yield running
+
+
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGINT"])
+def test_a_signal_ends_it(demo: InTerminal, tmp_path: Path, name: str) -> None:
+    simulator = demo.children()
+    demo.child.send_signal(signal.Signals[name])
+    took = demo.ends()
+    demo.until(demo.is_restored, 2.0, "the terminal restored")
+    demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+    no_half_line(tmp_path)
+    assert simulator and took < 2.0
+    report(f"{name}", "sent to the process", RESTORED, took, None)
+
+
+def test_ssh_gone(demo: InTerminal, tmp_path: Path) -> None:
+    """The other end of the terminal is closed: the kernel sends SIGHUP, reads and writes fail."""
+    simulator = demo.children()
+    os.close(demo.slave)
+    os.close(demo.master)
+    took = demo.ends()
+    demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+    no_half_line(tmp_path)
+    assert took < 2.0
+    report("SSH gone", "the terminal's other end closes", "-", took, None)
+
+
+def test_killed(demo: InTerminal, tmp_path: Path) -> None:
+    simulator = demo.children()
+    demo.child.kill()
+    demo.ends()
+    took = demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+    no_half_line(tmp_path)
+    report("SIGKILL", "sent to the process", "no child is left", took, None)
+
+
+def test_a_terminal_that_does_not_read_any_more(demo: InTerminal) -> None:
+    """A frozen SSH client, or Ctrl-S: the process must end all the same."""
+    demo.reads.clear()
+    demo.press("m")
+    demo.resize(200, 60)
+    time.sleep(0.5)
+    for width in range(100, 160):
+        demo.resize(width, 40)
+        time.sleep(0.02)
+    demo.child.send_signal(signal.SIGTERM)
+    took = demo.ends()
+    assert took < 2.0
+    report("terminal does not read", "nobody reads the pty, SIGTERM", "-", took, None)
+
+
+def test_to_the_shell_and_back(demo: InTerminal) -> None:
+    def state() -> str:
+        return Path(f"/proc/{demo.child.pid}/stat").read_text().rpartition(")")[2].split()[0]
+
+    demo.child.send_signal(signal.SIGTSTP)
+    noticed = demo.until(lambda: state() == "T" and demo.is_restored(), what="stopped")
+    demo.sent = b""
+    demo.child.send_signal(signal.SIGCONT)
+    healed = demo.until(lambda: "robot_1" in demo.text() and "floor_0" in demo.text(), what="the picture")
+    report("SIGTSTP, fg", "sent to the process", RESTORED, noticed, healed)
+
+
+def test_resized_to_nothing_and_back_hundreds_of_times(demo: InTerminal) -> None:
+    for _ in range(200):
+        for size in ((1, 1), (120, 40)):
+            demo.resize(*size)
+            time.sleep(0.004)
+    demo.sent = b""
+    demo.press("\x0c")
+    healed = demo.until(lambda: "robot_1" in demo.text() and "floor_0" in demo.text(), what="the picture")
+    assert demo.child.poll() is None and "Traceback" not in demo.text()
+    report("resized", "1 x 1 and back, 200 times in 2 s", "the right picture", None, healed)
+
+
+def pause(running: InTerminal) -> None:
+    """A command works from its key to the robot's own word."""
+    running.until(lambda: "robot_1" in running.text() and "●" in running.text(), what="a link")
+    running.press("p")
+    running.shows("paused")
+
+
+def test_the_disk_is_full(tmp_path: Path) -> None:
+    with in_terminal(tmp_path, "--debug", "demo", largest_file=1) as running:
+        pause(running)
+        running.press("q")
+        running.ends()
+        assert running.child.returncode == 0 and running.is_restored()
+        assert b"Traceback" not in running.sent
+    report("disk full", "no file can grow", "works on; the log is lost", None, None)
+
+
+@pytest.mark.parametrize("state", ["/proc/nowhere", "/dev/null/x"])
+def test_nothing_can_be_kept(tmp_path: Path, state: str) -> None:
+    with in_terminal(tmp_path, "demo", XDG_STATE_HOME=state, HOME="/proc/nowhere") as running:
+        running.shows(f"nothing is logged: {state}/fleet-tui can't be written")
+        pause(running)
+    report("read-only home", "the state folder can't be made", "nothing is logged: ...", None, None)
+
+
+def test_the_state_folder_goes_away(demo: InTerminal, tmp_path: Path) -> None:
+    shutil.rmtree(tmp_path / "state")
+    pause(demo)
+    report("state folder removed", "while the console runs", "works on", None, None)
+
+
+def test_two_consoles_on_one_state_folder(demo: InTerminal, tmp_path: Path) -> None:
+    with in_terminal(tmp_path, "demo") as other:
+        for console in (demo, other):
+            pause(console)
+        for console in (demo, other):
+            console.press("q")
+            console.ends()
+    no_half_line(tmp_path)
+    log = (tmp_path / "state" / "fleet-tui" / "fleet-tui.log").read_text()
+    assert all(f" {console.child.pid} " in log for console in (demo, other))
+    report("two consoles", "on one state folder", "both work, lines stay whole", None, None)
+
+
+SLOW_LOOK_UP = """
+import socket, time
+real = socket.getaddrinfo
+socket.getaddrinfo = lambda *a, **k: time.sleep(30) if a[0] == "slow.example" else real(*a, **k)
+"""
+
+
+@pytest.mark.parametrize("key", ["q", ""])
+def test_a_name_that_is_looked_up_for_ever(tmp_path: Path, key: str) -> None:
+    (tmp_path / "sitecustomize.py").write_text(SLOW_LOOK_UP)
+    config = tmp_path / "config.toml"
+    config.write_text(
+        '[rosbridge]\nurl = "ws://slow.example:9090"\n[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n'
+    )
+    with in_terminal(tmp_path, "--config", str(config), PYTHONPATH=str(tmp_path)) as running:
+        running.shows("trying now")
+        noticed = running.until(lambda: "no answer from that address" in running.text())
+        if key:
+            running.press(key)
+        else:
+            running.child.send_signal(signal.SIGTERM)
+        took = running.ends()
+        assert running.is_restored() and took < 2.0
+    report("DNS hangs", "30 s for each look-up", "no answer from that address", noticed, took)
