@@ -24,9 +24,9 @@ CBOR_PATIENCE = 20.0
 # switched off is asked for again and again, each time after twice as long. Seconds; a real bridge takes
 # 20 ms for each topic, and has not finished before that.
 FIRST_AGAIN, FOR_EACH_TOPIC, LONGEST_AGAIN = 8.0, 0.03, 64.0
-# The bridge asks ROS anew only when nobody holds the topic. Consoles notice a silence at about
-# the same time: for so many seconds all of them let go.
-LET_GO = 1.0
+# The bridge asks ROS anew only when nobody holds the topic. Consoles notice a silence at about the
+# same time, and let go for a quarter of the time they waited, at most so many seconds: together.
+LONGEST_LET_GO = 8.0
 
 
 class Subscriber:
@@ -73,23 +73,26 @@ class Subscriber:
         if not silent:
             return
         LOG.info("silent, and so asked for again: %s", " ".join(sorted(silent)))
+        let_go = min(LONGEST_LET_GO, max(map(self._waits, silent)) / 4)
         for robot in silent:
             self._asked[robot] = now
-            # Chance parts consoles that would for ever hold a topic in turns.
-            longer = self._patience.get(robot, self._first_again) * random.uniform(1.8, 2.2)
-            self._patience[robot] = min(longer, LONGEST_AGAIN)
-        self._task = asyncio.ensure_future(self._renew(silent))
+            # Chance brings consoles together that did not begin to wait together.
+            self._patience[robot] = min(LONGEST_AGAIN, self._waits(robot) * random.uniform(1.8, 2.2))
+        self._task = asyncio.ensure_future(self._renew(silent, let_go))
+
+    def _waits(self, robot: str) -> float:
+        return self._patience.get(robot, self._first_again)
 
     def _is_silent(self, robot: str, now: float, spoke: float) -> bool:
         asked = self._asked[robot]
         if spoke > asked:
             self._patience.pop(robot, None)
-        return now - max(spoke, asked) > self._patience.get(robot, self._first_again)
+        return now - max(spoke, asked) > self._waits(robot)
 
-    async def _renew(self, robots: Collection[str]) -> None:
+    async def _renew(self, robots: Collection[str], let_go: float) -> None:
         for wanted in self._of(robots):
             self._unsubscribe(wanted)
-        await asyncio.sleep(LET_GO)
+        await asyncio.sleep(let_go)
         await self._subscribe_to(robots)
 
     def _of(self, robots: Collection[str]) -> list[Wanted]:

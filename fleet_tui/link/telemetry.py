@@ -26,7 +26,7 @@ HEAVY_BYTES = 100_000
 # Seconds until nobody holds the frame of a large map any more, nor the map before it.
 TIDY_AFTER = 1.0
 # Seconds between looks for robots that stay away.
-LOOK_EVERY = 1.0
+LOOK_EVERY = 0.2
 
 
 class Telemetry:

@@ -99,6 +99,10 @@ class RosbridgeServer(ServiceDesk):
         """Where to connect to, once started."""
         return f"ws://{self._host}:{self._port}"
 
+    def subscribed(self) -> set[str]:
+        """The topics that somebody is subscribed to."""
+        return set(self._subscribed)
+
     def subscribers(self, topic: str) -> int:
         """How many clients are subscribed to a topic."""
         return len(self._subscribed.get(topic, ()))

@@ -11,7 +11,7 @@ SHORT = (
     (transport, {"PING_INTERVAL": 1.0, "PING_TIMEOUT": 2.0, "CONNECT_TIMEOUT": 2.0}),
     (transport, {"FIRST_DELAY": 0.2, "LONGEST_DELAY": 1.0}),
     (command_channel, {"HEARTBEAT_EVERY": 1.0, "HEARTBEAT_TIMEOUT": 1.0}),
-    (subscriber, {"FIRST_AGAIN": 1.5, "LET_GO": 0.2}),
+    (subscriber, {"FIRST_AGAIN": 6.0}),
 )
 
 

@@ -72,7 +72,9 @@ def test_of_several_links_the_worst_is_shown() -> None:
     up = (link_up(T0), events.LinkChanged("b", T0, Phase.UP))
     assert "2 of 2 links up" in line(told(state, *up))
     lost = told(state, *up, events.LinkChanged("b", T0 + 1, Phase.WAITING, "it closed"), tick(T0 + 1))
-    assert "no link it closed, trying now, since 0 s ws://b:2" in line(lost) and "1 of 2 links up" in line(lost)
+    assert "no link it closed, trying now, since 0 s ws://b:2" in line(lost) and "1 of 2 links up" in line(
+        lost
+    )
     dead = told(state, *up, events.CommandPathChanged("b", CommandPath.DEAD, "gone"), tick(T0 + 1))
     assert "ws://b:2" in line(dead) and "commands dead: gone" in line(dead)
     quiet = told(state, *up, events.LinkHeard("b", T0), events.LinkHeard(LINK, T0 + 9), tick(T0 + 9))
