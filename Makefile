@@ -29,6 +29,11 @@ bench: $(READY)
 soak: $(READY)
 	@$(BIN)/python -m tests.bench.soak --minutes $(or $(MINUTES),10)
 
+faults: $(READY)
+	@rm -f $(VENV)/faults.jsonl
+	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest -q -n 2 tests/faults
+	@$(BIN)/python -m tests.faults.report $(VENV)/faults.jsonl docs/faults.md
+
 format: $(READY)
 	@$(BIN)/ruff format .
 	@$(BIN)/ruff check --fix .
