@@ -71,7 +71,8 @@ class FleetApp(PaintFirst, inherit_bindings=False):
 
     async def on_ready(self) -> None:
         """Paint first, then connect."""
-        leave_on_signals(self.exit, self._restore)
+        if not self.is_headless:
+            leave_on_signals(self.exit, self._restore)
         await self.stand()
         self.set_interval(1 / self._config.ui.ticks_per_second, self.main.tick)
         self.call_after_refresh(self._connect)

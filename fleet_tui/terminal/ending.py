@@ -48,7 +48,7 @@ def terminal_restorer() -> Callable[[], None]:
 
 
 def leave_on_signals(leave: Callable[[], object], restore: Callable[[], None]) -> None:
-    """On SIGTERM and SIGHUP call `leave` on the running loop; if that hangs, `restore` and end."""
+    """On SIGTERM, SIGHUP and SIGINT call `leave` on the running loop; if that hangs, `restore` and end."""
     import asyncio  # takes 40 ms, and most commands do without
 
     loop = asyncio.get_running_loop()
@@ -57,5 +57,5 @@ def leave_on_signals(leave: Callable[[], object], restore: Callable[[], None]) -
         end_within(PATIENCE, 128 + number, restore)
         loop.call_soon_threadsafe(leave)
 
-    for name in (signal.SIGTERM, signal.SIGHUP):
+    for name in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
         signal.signal(name, told)

@@ -4,6 +4,7 @@ import fcntl
 import os
 import pty
 import resource
+import select
 import signal
 import struct
 import subprocess
@@ -29,6 +30,7 @@ class InTerminal:
         """Everything the program sent."""
         self.reads = threading.Event()
         self.reads.set()
+        self._hung_up = False
         self.resize(120, 40)
         self.cooked = termios.tcgetattr(slave)
         own = {"HOME": str(home), "XDG_CONFIG_HOME": str(home), "XDG_STATE_HOME": str(home / "state")}
@@ -46,8 +48,17 @@ class InTerminal:
 
     def _read(self) -> None:
         with suppress(OSError):
-            while self.reads.wait() and (data := os.read(self.master, 65536)):
-                self.sent += data
+            while not self._hung_up:
+                if not self.reads.wait(0.05) or not select.select([self.master], [], [], 0.05)[0]:
+                    continue
+                self.sent += os.read(self.master, 65536)
+
+    def hang_up(self) -> None:
+        """Close this end. Nobody reads by then: another terminal may get the descriptor's number."""
+        self._hung_up = True
+        self._reader.join()
+        for descriptor in (self.slave, self.master):
+            os.close(descriptor)
 
     def resize(self, width: int, height: int) -> None:
         fcntl.ioctl(self.master, termios.TIOCSWINSZ, struct.pack("HHHH", height, width, 0, 0))
@@ -91,14 +102,12 @@ class InTerminal:
         return [int(pid) for pid in found]
 
     def close(self) -> None:
-        self.reads.set()
         if self.child.poll() is None:
             with suppress(ProcessLookupError):
                 self.child.send_signal(signal.SIGKILL)
             self.child.wait(10)
-        for descriptor in (self.master, self.slave):
-            with suppress(OSError):
-                os.close(descriptor)
+        if not self._hung_up:
+            self.hang_up()
 
 
 def _plain() -> dict[str, str]:

@@ -1,7 +1,6 @@
 """The process and its terminal: whatever ends it, it ends soon and leaves nothing behind."""
 
 import json
-import os
 import shutil
 import signal
 import time
@@ -48,8 +47,7 @@ def test_a_signal_ends_it(demo: InTerminal, tmp_path: Path, name: str) -> None:
 def test_ssh_gone(demo: InTerminal, tmp_path: Path) -> None:
     """The other end of the terminal is closed: the kernel sends SIGHUP, reads and writes fail."""
     simulator = demo.children()
-    os.close(demo.slave)
-    os.close(demo.master)
+    demo.hang_up()
     took = demo.ends()
     demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
     no_half_line(tmp_path)
