@@ -3,8 +3,10 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
+# They wait more than they work: several at once.
+FAULTS := -q -n 6 --maxschedchunk 1 tests/faults
 
-.PHONY: demo test lint types unit bench soak picture lock format clean
+.PHONY: demo test lint types unit bench faults soak picture lock format clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -20,7 +22,8 @@ types: $(READY)
 	@$(BIN)/mypy
 
 unit: $(READY)
-	@$(BIN)/pytest -q -n 2
+	@$(BIN)/pytest -q -n 2 --ignore tests/faults
+	@$(BIN)/pytest $(FAULTS)
 
 bench: $(READY)
 	@$(BIN)/pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[bench]' || echo "measuring without the others"
@@ -31,7 +34,7 @@ soak: $(READY)
 
 faults: $(READY)
 	@rm -f $(VENV)/faults.jsonl
-	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest -q -n 2 tests/faults
+	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest $(FAULTS)
 	@$(BIN)/python -m tests.faults.report $(VENV)/faults.jsonl docs/faults.md
 
 format: $(READY)
