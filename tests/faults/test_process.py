@@ -113,11 +113,14 @@ def pause(running: InTerminal) -> None:
 def test_the_disk_is_full(tmp_path: Path) -> None:
     with in_terminal(tmp_path, "--debug", "demo", largest_file=1) as running:
         pause(running)
+        running.shows("audit: not written")
         running.press("q")
         running.ends()
         assert running.child.returncode == 0 and running.is_restored()
         assert b"Traceback" not in running.sent
-    report("disk full", "no file can grow", "works on; the log is lost", None, None)
+    report(
+        "disk full", "no file can grow", "audit: not written; the rest works on, the log is lost", None, None
+    )
 
 
 @pytest.mark.parametrize("state", ["/proc/nowhere", "/dev/null/x"])
@@ -125,7 +128,8 @@ def test_nothing_can_be_kept(tmp_path: Path, state: str) -> None:
     with in_terminal(tmp_path, "demo", XDG_STATE_HOME=state, HOME="/proc/nowhere") as running:
         running.shows(f"nothing is logged: {state}/fleet-tui can't be written")
         pause(running)
-    report("read-only home", "the state folder can't be made", "nothing is logged: ...", None, None)
+        running.shows("audit: not written")
+    report("read-only home", "no state folder", "nothing is logged: ..., audit: not written", None, None)
 
 
 def test_the_state_folder_goes_away(demo: InTerminal, tmp_path: Path) -> None:
