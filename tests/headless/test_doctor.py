@@ -97,6 +97,18 @@ async def test_a_link_that_breaks_meanwhile_is_named(server: RosbridgeServer, tm
     assert "rosbridge link: it broke while measuring" in first
 
 
+async def test_a_bridge_that_takes_its_time_is_not_blamed_on_the_robots(
+    server: RosbridgeServer, tmp_path: Path
+) -> None:
+    server.subscribe_delay = 0.3  # the real one needs 0.02, but for ten times as many topics
+    config_file(tmp_path, server.url, 2, 2)
+    done = await run(tmp_path, "doctor", "--timeout", "5")
+    assert done.code == 0 and "nothing came" not in done.out
+    assert "skipped - robot_1 graph of floor_1: no time was left" in done.out
+    server.subscribe_delay = 0.02
+    assert "skipped" not in (await run(tmp_path, "doctor")).out
+
+
 @pytest.mark.parametrize("seconds", ["0.1", "1"])
 async def test_a_short_timeout_is_a_word_not_a_wrong_verdict(
     server: RosbridgeServer, tmp_path: Path, seconds: str

@@ -3,6 +3,7 @@
 import asyncio
 import time
 from collections.abc import Awaitable, Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from typing import Any, TypeVar
 
 import msgspec
@@ -21,9 +22,10 @@ T = TypeVar("T")
 ANSWER_WITHIN = 2.0
 AT_ONCE = 8  # calls under way together: the bridge has a thread for each
 ROUND_TRIPS = 10
-# Seconds that topics are listened to: at least, at most, and more for each since a real bridge takes
-# 20 ms to subscribe to one. At most comes after what a robot may be silent for and still be online.
-AT_LEAST, AT_MOST, FOR_EACH = 1.5, 6.0, 0.03
+# Seconds that topics are listened to, at least and at most: a little longer than a robot may be silent
+# for and still be online.
+AT_LEAST, AT_MOST = 1.5, 6.0
+BATCH = 20  # subscribes, of which a real bridge needs 20 ms for each
 ENOUGH = 3  # messages of a topic to tell its rate; poses are the fast ones
 ENOUGH_FAST = 10
 
@@ -133,21 +135,32 @@ async def listen(
     wire: Wire, wanted: list[Wanted], types: Mapping[str, str], until: float
 ) -> list[TopicFacts]:
     """Listen to all topics together until each has said enough, or the time is over."""
-    began = time.monotonic()
-    until = min(until, began + AT_MOST + FOR_EACH * len(wanted))
-    try:
-        for one, type_ in _worth_hearing(wanted, types):
-            wire.subscribe(one, type_)
+    with suppress(LinkError):
+        await _subscribe(wire, list(_worth_hearing(wanted, types)), until)
+        began = time.monotonic()
+        until = min(until, began + AT_MOST)
         while time.monotonic() < until and not wire.lost:
             await asyncio.sleep(0.05)
             enough = all(heard.count >= _enough(heard.wanted) for heard in wire.heard.values())
             if enough and time.monotonic() > began + AT_LEAST:
                 break
-    except LinkError:
-        pass
     now = time.monotonic()
     heard = {topic: one.facts(now) for topic, one in wire.heard.items()}
     return [heard.get(one.subscription.topic) or TopicFacts(one) for one in wanted]
+
+
+async def _subscribe(wire: Wire, topics: list[tuple[Wanted, str]], until: float) -> None:
+    """Subscribe, some at a time: a call is answered when the subscribes before it are done.
+
+    Raises LinkError.
+    """
+    for first in range(0, len(topics), BATCH):
+        batch = topics[first : first + BATCH]
+        for one, type_ in batch:
+            wire.subscribe(one, type_)
+        await wire.call("get_time", {}, max(0.1, until - time.monotonic()))
+        for one, _ in batch:
+            wire.heard[one.subscription.topic].since = time.monotonic()
 
 
 def _enough(wanted: Wanted) -> int:

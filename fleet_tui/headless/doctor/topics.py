@@ -62,10 +62,8 @@ def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: B
         )
     live = [one for one in topics if one.wanted.kind.key not in FLOOR_TOPICS]
     heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
-    if asked and not heard:
-        waited = max(one.waited for one in asked)
-        if waited < LONG_ENOUGH:
-            return Finding(robot.name, "robot", Verdict.SKIPPED, "no time was left to listen to it")
+    waited = max((one.waited for one in asked), default=0.0)
+    if not heard and waited >= LONG_ENOUGH:
         return Finding(
             robot.name,
             "robot",
@@ -73,7 +71,8 @@ def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: B
             f"silent: nothing came on {listed([one.topic for one in asked])} in {waited:.1f} s",
             "is it switched on and in the network? Do its nodes run (rosnode ping)?",
         )
-    return Finding(robot.name, "robot", Verdict.OK, f"heard on {len(heard)} of {len(live)} live topics")
+    measured = f"heard on {len(heard)} of {len(live)} live topics"
+    return Finding(robot.name, "robot", Verdict.OK if heard else Verdict.SKIPPED, measured)
 
 
 def robots_on(profile: Profile, topics: Iterable[str]) -> set[str]:

@@ -21,10 +21,12 @@ HEAVY_BYTES = 100_000
 
 @dataclass(slots=True)
 class Heard:
-    """What has come on a topic so far. Monotonic seconds."""
+    """What has come on a topic so far. Monotonic seconds: `asked` for, and `since` when the bridge has
+    surely subscribed, which it does one by one."""
 
     wanted: Wanted
-    since: float
+    asked: float
+    since: float | None = None
     count: int = 0
     faults: int = 0
     first: float = 0.0
@@ -55,11 +57,11 @@ class Heard:
         return TopicFacts(
             self.wanted,
             subscribed=True,
-            waited=now - self.since,
+            waited=now - self.since if self.since else 0.0,
             count=self.count,
             faults=self.faults,
             rate=(self.count - 1) / span if self.count > 1 and span > 0 else None,
-            first_after=self.first - self.since if self.count else None,
+            first_after=self.first - self.asked if self.count else None,
             age=now - self.last if self.count else None,
             event=self.event,
             problem=self.problem,
