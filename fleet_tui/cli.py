@@ -15,14 +15,14 @@ from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, load, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.options import common, merged, screen
+from fleet_tui.options import NearestGroup, common, merged, screen
 from fleet_tui.simulator.faults import FAULTS, parse_faults
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 
-class Commands(click.Group):
-    """Names the nearest command where there is none. The headless ones are imported when one is asked for."""
+class Commands(NearestGroup):
+    """The commands. The headless ones are imported when one is asked for."""
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """A command by its name."""
@@ -36,14 +36,6 @@ class Commands(click.Group):
         from fleet_tui.headless.commands import headless
 
         return headless.commands
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command, or say which one was meant."""
-        if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
-            ctx.fail(f"no such command {args[0]!r}{did_you_mean(args[0], self.list_commands(ctx))}")
-        return super().resolve_command(ctx, args)
 
 
 FAULT_LIST = "\b\nFaults:\n" + "\n".join(f"  {name:<10}{text}" for name, (text, _) in FAULTS.items())

@@ -6,7 +6,21 @@ from typing import Any, TypeVar
 
 import click
 
+from fleet_tui.errors import did_you_mean
+
 F = TypeVar("F", bound=Callable[..., Any])
+
+
+class NearestGroup(click.Group):
+    """Names the nearest command where there is none."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command, or say which one was meant."""
+        if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
+            ctx.fail(f"no such command {args[0]!r}{did_you_mean(args[0], self.list_commands(ctx))}")
+        return super().resolve_command(ctx, args)
 
 
 def common(command: F) -> F:

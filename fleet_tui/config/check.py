@@ -12,7 +12,7 @@ from fleet_tui.keys import keymap
 from fleet_tui.model.alarm import Priority
 
 # ROS graph names, and what is harmless beside them.
-_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
+NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
 PROFILES = ("oh_ressources",)
 
 
@@ -73,7 +73,7 @@ def _names(where: str, names: list[str]) -> Iterator[str]:
     if not names:
         yield f"{where}: there is none: add [[{where}]] with a name"
     for n, name in enumerate(names):
-        if not _NAME.fullmatch(name):
+        if not NAME.fullmatch(name):
             yield f"{where}[{n}].name: {name!r} is no ROS name: letters, digits and _ only"
     for name, count in Counter(names).items():
         if count > 1:

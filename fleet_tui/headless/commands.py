@@ -5,12 +5,16 @@ import sys
 import click
 
 from fleet_tui.config.load import find, load
+from fleet_tui.headless.config_commands import config
 from fleet_tui.options import common, merged, timeout
 
 
 @click.group()
 def headless() -> None:
     """Holds the commands; the command line shows them as its own."""
+
+
+headless.add_command(config)
 
 
 @headless.command()

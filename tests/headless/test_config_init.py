@@ -1,0 +1,112 @@
+"""`fleet-tui config init`: what a bridge has, as a configuration that works."""
+
+import json
+import tomllib
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.config.load import read
+from fleet_tui.config.profile import SERVICES, TOPICS
+from fleet_tui.config.schema import Link
+from fleet_tui.headless.config_init import render
+from fleet_tui.headless.site import site_of
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.headless.plants import renamed, retyped
+from tests.headless.running import Ended, run
+
+
+async def made(server: RosbridgeServer, folder: Path) -> Ended:
+    """The config of what the server has, written, and checked by the program itself."""
+    done = await run(folder, "config", "init", "--from-live", server.url, "--output", "config.toml")
+    assert (done.code, done.out, done.err) == (0, "", "")
+    checked = await run(folder, "check")
+    assert checked.code == 0, checked.err
+    return await run(folder, "status", "--json")
+
+
+async def test_a_usual_site_needs_no_editing(server: RosbridgeServer, tmp_path: Path) -> None:
+    status = await made(server, tmp_path)
+    report = json.loads(status.out)
+    assert (status.code, report["attention"]) == (0, [])
+    assert [robot["name"] for robot in report["robots"]] == ["robot_0", "robot_1"]
+    config = tomllib.loads((tmp_path / "config.toml").read_text())
+    assert [floor["name"] for floor in config["floors"]] == ["floor_0", "floor_1"]
+    assert (await run(tmp_path, "doctor")).code == 0
+    assert not server.calls
+
+
+async def test_other_names_become_overrides(server: RosbridgeServer, tmp_path: Path) -> None:
+    for robot in ("robot_0", "robot_1"):
+        renamed(server, f"/{robot}/pose", f"/{robot}/amcl_pose")
+        renamed(server, f"/{robot}/queue", f"/{robot}/tasks")
+        retyped(server, f"/{robot}/battery", "std_msgs/Float64")
+        for floor in ("floor_0", "floor_1"):
+            renamed(server, f"/{robot}/{floor}/graph", f"/{robot}/{floor}/routes")
+        names = server.services
+        names[f"/{robot}/halt_robot_pause"] = names.pop(f"/{robot}/Application_layout/Pause")
+    status = await made(server, tmp_path)
+    assert status.code == 0, status.out
+    profile = tomllib.loads((tmp_path / "config.toml").read_text())["profile"]
+    assert profile["topics"] == {
+        "pose": "/{robot}/amcl_pose",
+        "queue": "/{robot}/tasks",
+        "graph": "/{robot}/{floor}/routes",
+        "paused": "/{robot}/paused",
+    }
+    assert profile["types"] == {"battery": "std_msgs/Float64"}
+    assert profile["services"] == {"pause": "/{robot}/halt_robot_pause"}
+
+
+async def test_without_a_bridge_it_is_an_example_that_is_never_written_over(tmp_path: Path) -> None:
+    printed = await run(tmp_path, "config", "init")
+    (tmp_path / "printed.toml").write_text(printed.out)
+    assert (await run(tmp_path, "check", "printed.toml")).code == 0
+    kept = await run(tmp_path, "config", "init", "--output", "printed.toml")
+    assert kept.code == 1 and "--force writes over it" in kept.err
+    assert (await run(tmp_path, "config", "init", "--output", "printed.toml", "--force")).code == 0
+    assert (await run(tmp_path, "config", "init", "--output", "no/such/folder.toml")).code == 1
+
+
+async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) -> None:
+    dead = await run(tmp_path, "config", "init", "--from-live", "ws://127.0.0.1:9")
+    assert dead.code == 3 and "nothing listens there" in dead.err
+    wrong = await run(tmp_path, "config", "init", "--from-live", "http://x")
+    assert wrong.code == 2 and "is no address" in wrong.err
+    server.rosapi_alive = False
+    mute = await run(tmp_path, "config", "init", "--from-live", server.url)
+    assert mute.code == 1 and "it is rosapi that tells" in mute.err
+
+
+def test_robots_under_one_roof_and_in_their_natural_order() -> None:
+    names = [f"/site/robot_{n}" for n in (10, 9)]
+    topics = {f"{name}/{key}": TOPICS[key][1] for name in names for key in ("pose", "queue")}
+    topics |= {f"{names[0]}/cellar/graph": TOPICS["graph"][1], "/tags/pose": TOPICS["pose"][1]}
+    assert site_of(topics, {}).robots == {"site/robot_9": [], "site/robot_10": ["cellar"]}
+
+
+def test_one_floor_takes_the_frame_of_the_poses() -> None:
+    topics = {"/r/pose": TOPICS["pose"][1], "/r/ground/graph": TOPICS["graph"][1]}
+    text = render(Link(), site_of(topics, {}), {"r": "map"})
+    assert tomllib.loads(text)["floors"] == [{"name": "ground", "frame_id": "map"}]
+
+
+TYPES = [type_ for _, type_ in (*TOPICS.values(), *SERVICES.values())]
+PART = st.sampled_from(["r1", "r2", "pose", "queue", "graph", "map", "f0", "map_metadata", "Pause", "paused"])
+NAME = st.lists(PART | st.text(max_size=3), min_size=1, max_size=4).map(lambda parts: "/" + "/".join(parts))
+NAMES = st.dictionaries(NAME, st.sampled_from(TYPES) | st.text(max_size=5), max_size=12)
+
+
+@given(topics=NAMES, services=NAMES, frames=st.dictionaries(PART, st.text(max_size=5), max_size=3))
+def test_whatever_is_there_the_result_passes_the_check(
+    tmp_path_factory: pytest.TempPathFactory,
+    topics: dict[str, str],
+    services: dict[str, str],
+    frames: dict[str, str],
+) -> None:
+    text = render(Link(), site_of(topics, services), frames)
+    path = tmp_path_factory.getbasetemp() / "any.toml"
+    path.write_text(text, encoding="utf-8")
+    assert read(path)[1] == [], text
