@@ -91,7 +91,9 @@ def _moved(vertex: int, x: float, graph: Message) -> Message:
 
 
 def _off(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].pose = replace(server.world.robots["robot_0"].pose, x=500.0)
+    server.world.robots["robot_0"].pose = msgspec.structs.replace(
+        server.world.robots["robot_0"].pose, x=500.0
+    )
 
 
 def _in_frame(frame: str, pose: Message) -> Message:
