@@ -7,15 +7,13 @@ from typing import TYPE_CHECKING
 
 from textual.screen import Screen
 
-from fleet_tui.model.checks import problems, repeated
 from fleet_tui.model.commands import Command, Wish
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.problem import Problem, Rights
 from fleet_tui.store import Store
-from fleet_tui.view.questions import losses, question
 from fleet_tui.view.text import visible
 
 if TYPE_CHECKING:
+    from fleet_tui.model.problem import Problem
     from fleet_tui.screens.confirm import Confirm
 
 
@@ -37,13 +35,19 @@ class Dispatch(Screen[None], inherit_bindings=False):
         """The newest picture of the fleet."""
         return self.store.state
 
-    def _problems(self, wish: Wish) -> list[Problem]:
+    def _problems(self, wish: Wish) -> "list[Problem]":
+        # Here, not above: the first paint does without them.
+        from fleet_tui.model.checks import problems, repeated
+        from fleet_tui.model.problem import Rights
+
         found = problems(self.state, wish, Rights(self.read_only, self.armed))
         return [*repeated(wish, self._given, time.monotonic()), *found]
 
     def give(self, wish: Wish, sent: Callable[[], None] = lambda: None) -> str:
         """Send a wish, after asking where something is lost or was warned of; `sent` is called when it
         has left. Returns why it is not sent, empty where it is or where that is asked."""
+        from fleet_tui.view.questions import losses, question
+
         found = self._problems(wish)
         for problem in found:
             if problem.blocks:

@@ -7,7 +7,6 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Wish
 from fleet_tui.model.lookup import Place
 from fleet_tui.screens.dispatch import Dispatch
 from fleet_tui.view.fleet_rows import mission, place
-from fleet_tui.view.order_story import origin
 from fleet_tui.view.selection import Selection
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -75,5 +74,7 @@ class OrderActions(Dispatch, inherit_bindings=False):
             ),
             (f"Clear all orders of {name}", lambda: self.do(Wish((ClearOrders(name),)))),
         ]
+        from fleet_tui.view.order_story import origin  # the first paint does without it
+
         told = origin(self.state, name, order, self.clock)
         self.menu.show(f"Order {order_id} of {name}: {mission(robot, order)}\n{told}", entries)

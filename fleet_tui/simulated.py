@@ -1,0 +1,88 @@
+"""The commands that simulate robots. The command line imports this module when one of them is asked for."""
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import click
+
+from fleet_tui.config.load import find, load
+from fleet_tui.options import common, merged, screen
+from fleet_tui.simulator.faults import FAULTS, parse_faults
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+FAULT_LIST = "\b\nFaults:\n" + "\n".join(f"  {name:<10}{text}" for name, (text, _) in FAULTS.items())
+
+
+def _faults(command: F) -> F:
+    """What the simulator is to do wrong."""
+    return click.option(
+        "--fault",
+        default="",
+        metavar="NAME[:ROBOT],...",
+        help="What goes wrong, for every robot or for one; see below.",
+    )(command)
+
+
+@click.group()
+def simulated() -> None:
+    """Holds the commands; the command line shows them as its own."""
+
+
+@simulated.command(epilog=FAULT_LIST)
+@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
+@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@_faults
+@screen
+@common
+@merged
+def demo(
+    config_file: str | None,
+    debug: bool,
+    robots: int,
+    floors: int,
+    fault: str,
+    read_only: bool,
+    drawing: str | None,
+) -> None:
+    """Open the console on a simulated fleet. No ROS, no network."""
+    from fleet_tui.demo import simulated as running
+
+    parse_faults(fault, [f"robot_{n}" for n in range(robots)])
+    with running(robots, floors, fault) as url:
+        from fleet_tui.console import open_console
+        from fleet_tui.demo import demo_config
+
+        config = demo_config(load(find(config_file)), url, robots, floors)
+        open_console(config, read_only, drawing, debug, demo=True)
+
+
+@simulated.command(epilog=FAULT_LIST)
+@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
+@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@click.option(
+    "--port", type=click.IntRange(0, 65535), default=9090, show_default=True, help="0 takes a free one."
+)
+@click.option(
+    "--rate", type=click.FloatRange(0.1, 100), default=10.0, show_default=True, help="Poses per second."
+)
+@click.option("--seed", type=int, default=1, show_default=True)
+@click.option("--stop-with-stdin", is_flag=True, hidden=True)
+@_faults
+@common
+@merged
+def sim(
+    config_file: str | None,
+    debug: bool,
+    robots: int,
+    floors: int,
+    port: int,
+    rate: float,
+    seed: int,
+    stop_with_stdin: bool,
+    fault: str,
+) -> None:
+    """Serve a simulated fleet to several consoles, until Ctrl-C."""
+    from fleet_tui.simulator.run import run
+
+    run(robots, floors, port, rate, seed, lambda url: click.echo(url, nl=True), stop_with_stdin, fault)
