@@ -1,32 +1,67 @@
 """`python -m fleet_tui` and the `fleet-tui` command: every end of the command line has its exit code."""
 
+import gc
 import os
 import sys
 from typing import NoReturn
 
-import click
-
-from fleet_tui.cli import commands
 from fleet_tui.errors import ConfigError, FleetError
 from fleet_tui.terminal.ending import PATIENCE, end_within
 
 
 def _end(code: int, *lines: str) -> NoReturn:
     for line in lines:
-        click.echo(line, err=True)
+        sys.stderr.write(f"{line}\n")
     sys.exit(code)
 
 
-def _run() -> None:
-    """Run the command line."""
-    # Tracebacks are for --debug, wherever it stands.
-    debug = "--debug" in sys.argv
+def _console_options() -> dict[str, str] | None:
+    """The options of a command line that only opens the console, None for any other."""
+    found, args = {}, iter(sys.argv[1:])
+    for arg in args:
+        name, _, value = arg.partition("=")
+        if name == "--config" and (value or (value := next(args, "-"))) and not value.startswith("-"):
+            found[name] = value
+        elif arg in ("--read-only", "--debug"):
+            found[arg] = arg
+        else:
+            return None
+    return found
+
+
+def _open_console(options: dict[str, str]) -> None:
+    """Open the console without click, whose import would be a tenth of the way to the first paint."""
+    gc.disable()  # until the first paint: it would go through all that is imported again and again
+    from fleet_tui.config.load import find, load
+    from fleet_tui.console import open_console
+
+    config = load(find(options.get("--config")))
+    open_console(config, "--read-only" in options, None, "--debug" in options)
+
+
+def _run_command() -> None:
+    import click
+
+    from fleet_tui.cli import commands
+
     try:
         commands.main(standalone_mode=False)
     except click.exceptions.Abort:
         _end(130)
     except click.ClickException as problem:
         _end(2, f"fleet-tui: {problem.format_message()}", "fleet-tui --help lists what there is.")
+
+
+def _run() -> None:
+    """Run the command line."""
+    # Tracebacks are for --debug, wherever it stands.
+    debug = "--debug" in sys.argv
+    options = _console_options()
+    try:
+        if options is None:
+            _run_command()
+        else:
+            _open_console(options)
     except ConfigError as problem:
         _end(2, *problem.problems)
     except BrokenPipeError:
