@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from fleet_tui.terminal.glass import Glass
 
 MADE_FOR = "8.2.8"
-RETRY = 0.003
-"""Seconds until the next look whether the terminal reads again."""
+RETRY, RETRY_LONGEST = 0.001, 0.016
+"""Seconds until the next look whether the terminal reads again, twice as long each time."""
 
 Part = tuple[int, int, int, Strip]
 """First cell, row, end cell, what is to be seen there."""
@@ -69,6 +69,7 @@ class LeanApp(App[None]):
     _writer: object = None
     _cursor_sent = Offset(-1, -1)
     _retrying = False
+    _patience = RETRY
 
     def _display(self, screen: Screen[object], renderable: RenderableType | None) -> None:
         update = renderable if isinstance(renderable, _compositor.CompositorUpdate) else None
@@ -122,8 +123,10 @@ class LeanApp(App[None]):
             glass.forget()
         if writer is not None and writer._queue.qsize():
             self._retrying = True
-            self.set_timer(RETRY, self._retry)
+            self.set_timer(self._patience, self._retry)
+            self._patience = min(2 * self._patience, RETRY_LONGEST)
             return
+        self._patience = RETRY
         sequence = glass.take()
         cursor = self.screen.outer_size.clamp_offset(self.cursor_position)
         if sequence or cursor != self._cursor_sent:
