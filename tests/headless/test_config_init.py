@@ -80,6 +80,18 @@ async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) ->
     assert mute.code == 1 and "it is rosapi that tells" in mute.err
 
 
+def test_what_a_real_bridge_said() -> None:
+    lines = (Path(__file__).parents[1] / "wire" / "rosapi-and-scan.jsonl").read_text().splitlines()
+    answers = [json.loads(json.loads(line)["text"]) for line in lines if '"in"' in line]
+    told = {answer["service"]: answer["values"] for answer in answers if answer["op"] == "service_response"}
+    topics = told["/rosapi/topics"]
+    services = dict.fromkeys(told["/rosapi/services"]["services"], "")
+    site = site_of(dict(zip(topics["topics"], topics["types"], strict=True)), services)
+    assert site.robots == {"robot_1": ["ground", "first"], "robot_2": ["ground", "first"]}
+    assert (site.topics, site.types, site.services, site.notes) == ({}, {}, {}, {})
+    assert site.live_maps == {"ground", "first"}
+
+
 def test_robots_under_one_roof_and_in_their_natural_order() -> None:
     names = [f"/site/robot_{n}" for n in (10, 9)]
     topics = {f"{name}/{key}": TOPICS[key][1] for name in names for key in ("pose", "queue")}

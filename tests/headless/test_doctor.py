@@ -3,14 +3,19 @@
 import asyncio
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.headless.plants import retyped
 from tests.headless.running import config_file, run
 
 TEXT = ("subject", "check", "verdict", "measured")
@@ -125,6 +130,73 @@ def test_no_screen_is_imported(tmp_path: Path) -> None:
         "sys.argv = ['fleet-tui', 'doctor', '--timeout', '1']\n"
         "try: main()\nexcept SystemExit: pass\n"
         "print([name for name in sys.modules if name.split('.')[0] in ('textual', 'rich')])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.splitlines()[-1] == "[]"
+
+
+async def test_the_spelling_of_ros_2_is_no_fault(server: RosbridgeServer, tmp_path: Path) -> None:
+    for topic in list(server.topics):
+        retyped(server, topic, server.types[topic].replace("/", "/msg/"))
+    for name, type_ in server.services.items():
+        server.services[name] = replace(type_, name=type_.name.replace("/", "/srv/"))
+    config_file(tmp_path, server.url, 2, 2)
+    done = await run(tmp_path, "doctor")
+    assert done.code == 0, done.out
+
+
+async def test_without_rosapi_topics_and_floors_are_judged_all_the_same(
+    server: RosbridgeServer, tmp_path: Path
+) -> None:
+    server.rosapi_alive = False
+    server.muted.add("/robot_0/queue")
+    config_file(tmp_path, server.url)
+    done = await run(tmp_path, "doctor", "--timeout", "7")
+    assert done.code == 1
+    assert "robot_0 queue: nothing came" in done.out and "floor_0 graph: 26 edges" in done.out
+    assert "skipped - robot_0 services: without rosapi only a command would show them" in done.out
+
+
+async def test_a_plain_image_lies_where_map_metadata_says(server: RosbridgeServer, tmp_path: Path) -> None:
+    path = config_file(tmp_path, server.url)
+    grid = server.world.building.floors[0].cells
+    Image.fromarray(np.where(grid[::-1] == 0, 254, 0).astype(np.uint8)).save(tmp_path / "ground.png")
+    path.write_text(path.read_text().replace('"floor_0"\n', '"floor_0"\nmap = "ground.png"\n'))
+    done = await run(tmp_path, "doctor")
+    assert done.code == 0, done.out
+    assert "floor_0 map: ground.png: 800 x 520 px" in done.out
+    assert "20 vertices, all on free ground" in done.out
+    assert "free ground" in next(line for line in done.out.splitlines() if "robot_0 place" in line)
+    assert not server.subscribers("/robot_0/floor_0/map")
+    assert "/robot_0/floor_0/map'" not in str([one for one in server.received if one["op"] == "subscribe"])
+
+
+async def test_ctrl_c_is_130_and_a_closed_pipe_no_traceback(server: RosbridgeServer, tmp_path: Path) -> None:
+    server.muted.update(server.topics)
+    config_file(tmp_path, server.url)
+    command = [sys.executable, "-m", "fleet_tui", "doctor"]
+    pipe = asyncio.subprocess.PIPE
+    process = await asyncio.create_subprocess_exec(*command, cwd=tmp_path, stdout=pipe, stderr=pipe)
+    assert process.stdout is not None and process.stderr is not None
+    await asyncio.wait_for(process.stdout.readline(), 20)
+    process.send_signal(signal.SIGINT)
+    assert await asyncio.wait_for(process.wait(), 10) == 130
+    assert b"Traceback" not in await process.stderr.read()
+    closed = await asyncio.create_subprocess_shell(
+        f"{' '.join(command)} --timeout 5 | head -1", cwd=tmp_path, stdout=pipe, stderr=pipe
+    )
+    out, err = await asyncio.wait_for(closed.communicate(), 20)
+    assert b"rosbridge name" in out and err == b""
+
+
+def test_other_commands_import_nothing_of_it(tmp_path: Path) -> None:
+    config_file(tmp_path, "ws://127.0.0.1:9")
+    code = (
+        "import sys; from fleet_tui.__main__ import main\n"
+        "sys.argv = ['fleet-tui', 'check']\n"
+        "main()\nprint([name for name in sys.modules if name.startswith('fleet_tui.headless')])"
     )
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True

@@ -24,16 +24,24 @@ def floor_findings(
     charts = charts_of(floor.name, topics)
     for chart, robots in charts:
         by = f" by {listed(robots)}" if len(charts) > 1 else ""
-        placed = grid
         if grid is not None and chart.frame is not None:
             yield _sizes(floor, by, grid.frame, chart.frame, loaded is None or loaded.tied)
-        if grid is not None and loaded is not None and not loaded.tied:
-            placed = replace(grid, frame=chart.frame) if chart.frame else None
+        placed = placed_grid(loaded, topics, floor.name, chart)
         if chart.graph is not None:
             yield _vertices(floor, by, chart, chart.graph, placed)
             yield connection_finding(floor, by, chart, chart.graph, len(config.floors) > 1)
         if chart.graph is not None and chart.labels is not None:
             yield label_finding(floor, by, chart.labels, chart.graph)
+
+
+def placed_grid(
+    loaded: FloorMapLoaded | None, topics: list[TopicFacts], floor: str, chart: Chart
+) -> OccupancyGrid | None:
+    """A floor's map where it lies in the world: a plain image lies as a chart's map_metadata says."""
+    grid = loaded.grid if loaded else live_grid(floor, topics)
+    if grid is None or loaded is None or loaded.tied:
+        return grid
+    return replace(grid, frame=chart.frame) if chart.frame else None
 
 
 def _map(floor: FloorEntry, loaded: FloorMapLoaded | None, grid: OccupancyGrid | None) -> Finding:

@@ -116,10 +116,13 @@ def asked_topics(config: Config, link: str) -> list[Wanted]:
     return list(wanted_topics(config, KINDS[config.profile.name](config.profile), link))
 
 
-def _worth_hearing(wanted: Iterable[Wanted], types: Mapping[str, str]) -> Iterator[tuple[Wanted, str]]:
+def _worth_hearing(
+    wanted: Iterable[Wanted], types: Mapping[str, str], drawn: Iterable[str]
+) -> Iterator[tuple[Wanted, str]]:
     """What may be subscribed to, with the bridge's spelling of its type. With a wrong type, or before it
-    is there, a topic would be spoiled for every client. Of a floor one live map is enough."""
-    floors = set[str]()
+    is there, a topic would be spoiled for every client. Of a floor one live map is enough, and none where
+    it is drawn already."""
+    floors = set(drawn)
     for one in wanted:
         topic, type_ = one.subscription.topic, one.subscription.type
         if types and plain_type(types.get(topic, "")) != plain_type(type_):
@@ -132,11 +135,12 @@ def _worth_hearing(wanted: Iterable[Wanted], types: Mapping[str, str]) -> Iterat
 
 
 async def listen(
-    wire: Wire, wanted: list[Wanted], types: Mapping[str, str], until: float
+    wire: Wire, wanted: list[Wanted], types: Mapping[str, str], until: float, drawn: Iterable[str] = ()
 ) -> list[TopicFacts]:
-    """Listen to all topics together until each has said enough, or the time is over."""
+    """Listen to all topics together until each has said enough, or the time is over. `drawn`: floors whose
+    live map nobody needs."""
     with suppress(LinkError):
-        await _subscribe(wire, list(_worth_hearing(wanted, types)), until)
+        await _subscribe(wire, list(_worth_hearing(wanted, types, drawn)), until)
         began = time.monotonic()
         until = min(until, began + AT_MOST)
         while time.monotonic() < until and not wire.lost:
@@ -179,5 +183,6 @@ async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeF
     trips, ahead = await measure_calls(wire)
     half = time.monotonic() + (until - time.monotonic()) / 3
     rosapi = await ask_rosapi(wire, [one.subscription.topic for one in wanted], services, half)
-    topics = await listen(wire, wanted, rosapi.topics, until)
+    drawn = [floor.name for floor in config.floors if floor.map]
+    topics = await listen(wire, wanted, rosapi.topics, until, drawn)
     return BridgeFacts(name, rosapi, tuple(topics), trips, ahead, wire.lost)

@@ -12,11 +12,11 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from fleet_tui.config.access import unsafe_places
 from fleet_tui.config.schema import Config
 from fleet_tui.headless.doctor.approach import Approach
-from fleet_tui.headless.doctor.charts import live_grid
+from fleet_tui.headless.doctor.charts import Chart, charts_of
 from fleet_tui.headless.doctor.clocks import clock_findings, round_trip_finding
 from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict
-from fleet_tui.headless.doctor.floors import floor_findings, place_finding
+from fleet_tui.headless.doctor.floors import floor_findings, place_finding, placed_grid
 from fleet_tui.headless.doctor.gather import gather
 from fleet_tui.headless.doctor.render import as_values, line, summary
 from fleet_tui.headless.doctor.services import service_findings
@@ -74,10 +74,10 @@ def building_findings(
     """What floors, maps and places are judged by, over all bridges."""
     grids = {}
     for floor in config.floors:
-        yield from floor_findings(config, floor, loaded.get(floor.name), topics)
         file = loaded.get(floor.name)
-        # A plain image lies where map_metadata says: places are looked up on what is tied.
-        grids[floor.name] = (file.grid if file.tied else None) if file else live_grid(floor.name, topics)
+        yield from floor_findings(config, floor, file, topics)
+        charts = [chart for chart, _ in charts_of(floor.name, topics) if chart.frame] or [Chart()]
+        grids[floor.name] = placed_grid(file, topics, floor.name, charts[0])
     floors_of = {robot.name: config.floors_of(robot) for robot in config.robots}
     for facts in topics:
         if isinstance(facts.event, PoseReported):

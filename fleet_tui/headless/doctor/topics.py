@@ -103,7 +103,7 @@ def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     if there and plain_type(there) != plain_type(expected):
         return _wrong_type(config, facts, there, bridge)
     if facts.wanted.kind.heavy and not facts.subscribed:
-        return _finding(facts, Verdict.OK, f"{expected}, not listened to: another robot's is", type=there)
+        return _finding(facts, Verdict.OK, f"{expected}, one is enough: not listened to", type=there)
     if bridge.lost and not facts.count:
         return _finding(facts, Verdict.SKIPPED, f"the link was lost: {bridge.lost}")
     return _what_came(config, facts, rosapi)
