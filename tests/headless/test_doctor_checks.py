@@ -6,7 +6,7 @@ import threading
 from dataclasses import replace
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fleet_tui.config.schema import FloorEntry
@@ -38,6 +38,8 @@ def graph(pairs: list[tuple[int, int]], directed: bool = False, lifts: tuple[int
 
 
 @given(st.lists(st.tuples(IDS, IDS), max_size=20), st.booleans())
+@example([(n, n + 1) for n in range(7)], True)
+@example([(n, n + 1) for n in range(7)], False)
 def test_a_graph_hangs_together_if_there_is_a_path_between_any_two(
     pairs: list[tuple[int, int]], directed: bool
 ) -> None:

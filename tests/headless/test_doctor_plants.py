@@ -64,6 +64,9 @@ async def test_the_first_complaint_is_the_cause(server: RosbridgeServer, plant: 
     called = {operation.get("service", "/rosapi/") for operation in server.received}
     assert all(service.startswith("/rosapi/") for service in called)
     assert {operation["op"] for operation in server.received} <= {"subscribe", "call_service"}
+    # Nor spoils it a topic for others.
+    asked = [operation for operation in server.received if operation["op"] == "subscribe"]
+    assert all(server.types.get(one["topic"]) == one["type"] for one in asked)
 
 
 @pytest.mark.parametrize("plant", OTHER_SERVERS)

@@ -30,14 +30,15 @@ def line(finding: Finding, plain: bool, colour: bool, width: int = 0) -> str:
     return f"{verdict} {words}"
 
 
-def summary(findings: Sequence[Finding]) -> str:
+def summary(findings: Sequence[Finding], width: int = 0) -> str:
     """The last line: how many of each, and what to look at first."""
     counts = Counter(finding.verdict for finding in findings)
     text = ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict])
     first = next((finding for finding in findings if finding.is_failure), None)
     if first is None:
         return text
-    return visible(f"{text}. Begin with {first.subject} {first.check}: {first.measured}")
+    text = visible(f"{text}. Begin with {first.subject} {first.check}: {first.measured}")
+    return "\n".join(textwrap.wrap(text, width, break_on_hyphens=False)) if width else text
 
 
 def as_values(findings: Sequence[Finding], wall: float, code: int) -> dict[str, Any]:

@@ -137,5 +137,5 @@ def doctor(config: Config, timeout: float, as_json: bool, say: Callable[[str], N
     reached = _all(config, timeout, take)
     broken = any(finding.is_failure for finding in findings)
     code = NO_LINK if not reached else BROKEN if broken else FINE
-    say(json.dumps(as_values(findings, time.time(), code)) if as_json else summary(findings))
+    say(json.dumps(as_values(findings, time.time(), code)) if as_json else summary(findings, width))
     return code
