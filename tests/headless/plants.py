@@ -168,6 +168,11 @@ async def _web(_reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> N
     writer.close()
 
 
+async def _mute(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+    await reader.read()
+    writer.close()
+
+
 async def _deaf(connection: ServerConnection) -> None:
     async for _ in connection:
         pass
@@ -176,8 +181,14 @@ async def _deaf(connection: ServerConnection) -> None:
 @asynccontextmanager
 async def web_server() -> AsyncIterator[str]:
     """A web server."""
-    server = await asyncio.start_server(_web, "127.0.0.1", 0)
-    async with server:
+    async with await asyncio.start_server(_web, "127.0.0.1", 0) as server:
+        yield f"ws://127.0.0.1:{server.sockets[0].getsockname()[1]}"
+
+
+@asynccontextmanager
+async def mute_server() -> AsyncIterator[str]:
+    """A server that takes connections and says nothing."""
+    async with await asyncio.start_server(_mute, "127.0.0.1", 0) as server:
         yield f"ws://127.0.0.1:{server.sockets[0].getsockname()[1]}"
 
 

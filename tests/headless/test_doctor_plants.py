@@ -15,12 +15,13 @@ import pytest
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.headless.doctor.run import doctor
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import PLANTS, other_websocket, tls_server, web_server
+from tests.headless.plants import PLANTS, mute_server, other_websocket, tls_server, web_server
 from tests.watched import config_of
 
-TIMEOUT = 7.0
+TIMEOUT = 9.0
 OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
     "a web server instead": lambda folder: web_server(),
+    "a server that says nothing": lambda folder: mute_server(),
     "another WebSocket server": lambda folder: other_websocket(),
     "TLS where ws:// is configured": partial(tls_server, scheme="ws"),
     "a certificate nobody vouches for": partial(tls_server, scheme="wss"),

@@ -18,6 +18,7 @@ from fleet_tui.link.tls import tls_context
 
 STEPS = ("name", "tcp", "tls", "websocket", "rosbridge")
 PATIENCE = 4.0  # seconds for each step
+PROBE = 1.5  # seconds to find out whether TLS is spoken
 START_IT = "start rosbridge there (roslaunch rosbridge_server rosbridge_websocket.launch), or correct"
 
 
@@ -30,6 +31,8 @@ class Approach:
         self._host = parts.hostname or ""
         self._port = parts.port or (443 if bridge.is_secure else 80)
         self._key = f"{link_key(name)}.url"
+        self.step = STEPS[0]
+        """What is being tried."""
 
     async def walk(self) -> AsyncIterator[Finding]:
         """One finding for each step; the first failure is the last that was tried."""
@@ -47,7 +50,7 @@ class Approach:
             if broken:
                 yield Finding(self._name, step, Verdict.SKIPPED, f"{broken} comes first")
                 continue
-            began = time.monotonic()
+            self.step, began = step, time.monotonic()
             failed = await walks[step]()
             took = time.monotonic() - began
             if isinstance(failed, str):
@@ -105,7 +108,7 @@ class Approach:
         anyone = ssl.create_default_context()
         anyone.check_hostname, anyone.verify_mode = False, ssl.CERT_NONE
         try:
-            async with asyncio.timeout(PATIENCE):
+            async with asyncio.timeout(PROBE):
                 _, writer = await asyncio.open_connection(self._host, self._port, ssl=anyone)
         except (OSError, TimeoutError):
             return False

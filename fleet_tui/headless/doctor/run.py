@@ -38,10 +38,11 @@ async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFa
     """One bridge from outside in; None where there is no way to it."""
     bridge = config.bridge(name)
     wire = Wire(bridge)
+    approach = Approach(name, bridge, wire)
     try:
         is_up = True
         async with asyncio.timeout_at(asyncio.get_running_loop().time() + max(0.1, until - time.monotonic())):
-            async for finding in Approach(name, bridge, wire).walk():
+            async for finding in approach.walk():
                 take(finding)
                 is_up = is_up and finding.verdict is Verdict.OK
         return await gather(config, name, wire, until) if is_up else None
