@@ -83,6 +83,7 @@ async def test_a_bridge_that_stops_answering_costs_no_more_than_the_timeout(
     done = await run(tmp_path, "doctor", "--timeout", "6")
     assert time.monotonic() - began < 8
     assert done.code == 1 and "robot_0 robot: silent" in done.out
+    assert "rosapi does not answer within 2 s" in done.out
 
 
 async def test_a_link_that_breaks_meanwhile_is_named(server: RosbridgeServer, tmp_path: Path) -> None:

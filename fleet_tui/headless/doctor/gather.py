@@ -42,8 +42,8 @@ async def ask_rosapi(wire: Wire, topics: Iterable[str], services: Iterable[str],
         first, second, third = await asyncio.gather(
             *(wire.call(name, {}, ANSWER_WITHIN) for name in ("topics", "services", "nodes"))
         )
-    except LinkError as problem:
-        return Rosapi(problem=str(problem))
+    except LinkError:
+        return Rosapi(problem=wire.lost or f"rosapi does not answer within {ANSWER_WITHIN:g} s")
     if not isinstance(first, dict):
         return Rosapi(problem=str(first))
     types = dict(zip(_names(first, "topics"), _names(first, "types"), strict=False))
