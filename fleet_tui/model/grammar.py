@@ -220,7 +220,9 @@ def _word(robot: Robot, vertex: int) -> str:
 
 def _words(robot: Robot, vertex: int) -> Iterator[str]:
     name = robot.name_of(vertex)
-    for word in [] if name is None else [name, f'"{name}"', f"'{name}'"]:
+    # One that begins with a quote might find the end of that quote in the next word.
+    plain = [] if name is None or name.startswith(("'", '"')) else [name]
+    for word in plain if name is None else [*plain, f'"{name}"', f"'{name}'"]:
         found = tokens(word)
         if len(found) == 1 and found[0].text == name and not found[0].separates and found[0].end == len(word):
             try:

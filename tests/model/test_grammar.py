@@ -125,6 +125,8 @@ any_labels = st.dictionaries(st.integers(1, 9), st.one_of(hard_words, odd_words)
 
 @given(commands, any_labels)
 @example(PlaceOrder(R0, 7, 1), {1: "7", 2: "id=7"})
+@example(PlaceOrder(R0, 1, 1), {1: "'"})
+@example(PlaceOrder(R0, 1, 2), {1: "'a", 2: "a'"})
 def test_a_written_command_is_read_back(command: Command, named: dict[int, str]) -> None:
     state = known(named)
     assert parse(written(command, state), state).commands == (command,)
