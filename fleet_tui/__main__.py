@@ -7,11 +7,12 @@ from typing import NoReturn
 
 from fleet_tui.errors import ConfigError, FleetError
 from fleet_tui.terminal.ending import PATIENCE, end_within
+from fleet_tui.view.text import visible
 
 
 def _end(code: int, *lines: str) -> NoReturn:
     for line in lines:
-        sys.stderr.write(f"{line}\n")
+        sys.stderr.write(f"{visible(line)}\n")
     sys.exit(code)
 
 

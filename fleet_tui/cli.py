@@ -14,6 +14,7 @@ from fleet_tui.config.load import find, load, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.options import NearestGroup, common, merged, screen
+from fleet_tui.view.text import visible
 
 
 class Commands(NearestGroup):
@@ -69,7 +70,8 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     if problems:
         raise ConfigError([f"{path}: {line}" for line in problems])
     robots, floors = len(config.robots), len(config.floors)
-    click.echo(f"{path}: fine: {robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}")
+    counts = f"{robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}"
+    click.echo(f"{visible(str(path))}: fine: {counts}")
 
 
 def _theme_problems(config: Config) -> list[str]:

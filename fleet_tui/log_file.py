@@ -4,10 +4,29 @@ import logging
 import logging.handlers
 import os
 from pathlib import Path
+from typing import Any
 
 import platformdirs
 
+from fleet_tui.model.bounds import brief
+from fleet_tui.view.text import visible
+
 MAX_BYTES, KEPT = 2 * 2**20, 3
+"""A file's size, and how many older ones are kept beside it."""
+LONGEST_LINE = 4000
+"""Characters of a message."""
+
+
+class _Visible(logging.Formatter):
+    """Who reads the log in a terminal must not be told what a robot has to say to that terminal."""
+
+    def formatMessage(self, record: logging.LogRecord) -> str:  # noqa: N802  # the base's name
+        """One line, whatever is in it."""
+        return brief(visible(super().formatMessage(record)), LONGEST_LINE)
+
+    def formatException(self, ei: Any) -> str:  # noqa: N802  # the base's name
+        """A traceback ends with words that may come from anywhere."""
+        return "\n".join(map(visible, super().formatException(ei).split("\n")))
 
 
 class _Private(logging.handlers.RotatingFileHandler):
@@ -39,7 +58,7 @@ def log_to_file(debug: bool) -> Path | None:
     except OSError:
         root.handlers = [logging.NullHandler()]
         return None
-    handler.setFormatter(logging.Formatter(f"%(asctime)s {os.getpid()} %(levelname)s %(name)s: %(message)s"))
+    handler.setFormatter(_Visible(f"%(asctime)s {os.getpid()} %(levelname)s %(name)s: %(message)s"))
     root.handlers = [handler]
     for chatty in ("asyncio", "roslibpy", "autobahn", "markdown_it", "PIL"):
         logging.getLogger(chatty).setLevel(logging.DEBUG if debug else logging.WARNING)

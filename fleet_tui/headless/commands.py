@@ -77,4 +77,4 @@ def audit(
     typed = [*words, *(f"{name}:{value}" for name, value in named.items() if value)]
     said = write_records(" ".join(typed), as_csv, demo, sys.stdout)
     if said:
-        click.echo(said, err=True)
+        click.echo(visible(said), err=True)

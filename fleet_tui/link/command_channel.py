@@ -10,6 +10,7 @@ from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.link.calls import Call, Calls, LinkLostError, NoAnswerError
 from fleet_tui.link.transport import Connection
 from fleet_tui.link.writer import Writer
+from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandPathChanged
 from fleet_tui.model.link import CommandPath
@@ -81,7 +82,7 @@ class CommandChannel:
             except LinkError:
                 return
             else:
-                words = "" if response.result else str(response.values)
+                words = response.values if isinstance(response.values, str) else ""
                 if "unable to communicate" in words.lower():
                     self._set_path(CommandPath.DEAD, "the ROS master is gone")
                 else:
@@ -97,7 +98,8 @@ class CommandChannel:
             LOG.warning("%s", problem)
             return
         if isinstance(operation, operations.ServiceResponse) and not self._calls.on_response(operation):
-            LOG.warning("a late answer to %s: %s", operation.id, operation.values)
+            _, words = self._interface.outcome(operation.values, operation.result)
+            LOG.warning("a late answer to %s: %s", brief(operation.id), words)
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """No answer to a command is that large."""
@@ -156,7 +158,7 @@ class CommandChannel:
 
     def _advance(self, command_id: int, stage: Stage, words: str = "", at: float | None = None) -> None:
         level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
-        LOG.log(level, "command %d: %s %s", command_id, stage.value, words)
+        LOG.log(level, "command %d: %s %s", command_id, stage.value, brief(words))
         at = time.monotonic() if at is None else at
         self._writer.store.tell(CommandAdvanced(command_id, stage, at, words))
 

@@ -5,6 +5,7 @@ from typing import assert_never
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm, acknowledge, ripen, shelve, unshelve
+from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import Before, Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.conditions import conditions
 from fleet_tui.model.confirmation import before, confirm
@@ -14,8 +15,8 @@ from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot, hear, take_chart, with_fault
 
 COMMANDS_KEPT = 200
-LIVE_CELLS_KEPT = 16_000_000
-"""Cells of live maps: one robot's map is looked at, and asked for again when another's was."""
+LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
+"""Live maps, and their cells: one robot's map is looked at, and asked for again when another's was."""
 
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
@@ -47,7 +48,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
         replace(
             link,
             phase=event.phase,
-            reason=event.reason or (link.reason if event.phase is not Phase.UP else ""),
+            reason=brief(event.reason) or (link.reason if event.phase is not Phase.UP else ""),
             next_try=event.next_try,
             since=link.since if same_side and link.since else event.at,
         ),
@@ -85,7 +86,7 @@ def _advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetS
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None:
         return state
-    record = found.advanced(Step(event.stage, event.at, event.words))
+    record = found.advanced(Step(event.stage, event.at, brief(event.words)))
     if record is found:
         return state
     robot = state.robots.get(found.command.robot)
@@ -98,7 +99,7 @@ def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
     """Of the other live maps none is kept where all would be too much."""
     grids = [chart.grid for robot in state.robots.values() for chart in robot.charts.values() if chart.grid]
     cells = sum(grid.frame.width * grid.frame.height for grid in [event.grid, *grids])
-    if cells <= LIVE_CELLS_KEPT:
+    if cells <= LIVE_CELLS_KEPT and len(grids) < LIVE_MAPS_KEPT:
         return state
     robots = {
         name: replace(
@@ -145,10 +146,12 @@ def _apply_to_link(
         case events.LinkHeard():
             return _with_link(state, replace(link, heard=event.at))
         case events.CommandPathChanged():
-            return _with_link(state, replace(link, command_path=event.path, command_reason=event.reason))
+            return _with_link(
+                state, replace(link, command_path=event.path, command_reason=brief(event.reason))
+            )
         case events.FrameRejected():
             return _with_link(
-                state, replace(link, faults=link.faults + 1, last_fault=event.text, fault_at=state.now)
+                state, replace(link, faults=link.faults + 1, last_fault=brief(event.text), fault_at=state.now)
             )
         case _:
             assert_never(event)
@@ -196,7 +199,8 @@ def _after_operator(
 
 
 def _load_floor_map(state: FleetState, event: events.FloorMapLoaded) -> FleetState:
-    floor = replace(state.floors[event.floor], grid=event.grid, problem=event.problem, tied=event.tied)
+    floor = state.floors[event.floor]
+    floor = replace(floor, grid=event.grid, problem=brief(event.problem), tied=event.tied)
     return replace(state, floors={**state.floors, floor.name: floor})
 
 

@@ -50,11 +50,12 @@ class ObstacleReported(Struct, frozen=True):
 
 
 class QueueReported(Struct, frozen=True):
-    """The robot's whole queue of orders."""
+    """The robot's whole queue of orders; `fault` says what of it was left out."""
 
     robot: str
     at: float
     queue: OrderQueue
+    fault: str = ""
 
 
 class PausedReported(Struct, frozen=True):
@@ -87,11 +88,13 @@ class GraphReceived(Struct, frozen=True):
 
 
 class LabelsReceived(Struct, frozen=True):
-    """Labels by vertex id, as a robot knows them on a floor."""
+    """Labels by vertex id, as a robot knows them on a floor; faults as in GraphReceived."""
 
     robot: str
     floor: str
     labels: Mapping[int, str]
+    faults: int = 0
+    fault: str = ""
 
 
 class GridReceived(Struct, frozen=True, eq=False):

@@ -8,6 +8,7 @@ from typing import Generic, TypeVar, assert_never
 from msgspec import Struct
 
 from fleet_tui.model import events
+from fleet_tui.model.bounds import LONGEST_NAME, brief
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
@@ -115,7 +116,7 @@ class Robot:
 
 def with_fault(robot: Robot, text: str, count: int = 1) -> Robot:
     """The robot with bad data counted and the newest named."""
-    return replace(robot, faults=robot.faults + count, last_fault=text)
+    return replace(robot, faults=robot.faults + count, last_fault=brief(text))
 
 
 def _set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
@@ -150,7 +151,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     if event.stamp is not None:
         clock = _set_clock(clock, event.at, event.stamp)
         true_at = event.stamp + clock.offset
-    pose, frame_id = Reading(event.pose, true_at), event.frame_id.lstrip("/")
+    pose, frame_id = Reading(event.pose, true_at), brief(event.frame_id.lstrip("/"), LONGEST_NAME)
     standing = robot.standing
     if standing is None or frame_id != robot.frame_id or is_apart(standing.value, event.pose):
         standing = pose
@@ -206,6 +207,7 @@ def hear(robot: Robot, event: events.Telemetry) -> Robot:
             robot = replace(robot, obstacle=Reading(event.seconds, event.at))
         case events.QueueReported():
             robot = _take_queue(robot, event.queue, event.at)
+            robot = with_fault(robot, event.fault) if event.fault else robot
         case events.PausedReported():
             robot = replace(robot, paused=Reading(event.paused, event.at))
         case _:
@@ -229,7 +231,7 @@ def take_chart(robot: Robot, event: events.ChartReceived) -> Robot:
             assert_never(event)
     before = set(lost_vertices(robot, robot.orders))
     robot = replace(robot, charts={**robot.charts, event.floor: chart})
-    if isinstance(event, events.GraphReceived) and event.faults:
+    if isinstance(event, events.GraphReceived | events.LabelsReceived) and event.faults:
         robot = with_fault(robot, event.fault, event.faults)
     for line in lost_vertices(robot, robot.orders):
         if line not in before:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import Event
 
@@ -40,17 +41,24 @@ class Interface:
     outcome: Callable[[object, bool], tuple[Stage, str]]
 
 
+def _said(values: object) -> str:
+    try:
+        return str(values)
+    except RecursionError:
+        return "something nested too deep"
+
+
 def judge(values: object, result: bool, refusals: Sequence[re.Pattern[str]]) -> tuple[Stage, str]:
     """How a call ended. A refusal may come in an answer that says the call went well.
 
     An answer says `success`, or is a `status` text; one that does neither says nothing.
     """
     if not result:
-        return Stage.REFUSED, str(values)
+        return Stage.REFUSED, brief(_said(values))
     fields = values if isinstance(values, dict) else {}
     success, words = fields.get("success"), fields.get("status", fields.get("message"))
     if not isinstance(success, bool) and not ("success" not in fields and isinstance(words, str)):
-        return Stage.UNKNOWN, f"an answer that says nothing: {values}"
+        return Stage.UNKNOWN, f"an answer that says nothing: {brief(_said(values))}"
     text = words if isinstance(words, str) else ""
     refused = success is False or any(pattern.search(text) for pattern in refusals)
-    return (Stage.REFUSED if refused else Stage.ACCEPTED), text
+    return (Stage.REFUSED if refused else Stage.ACCEPTED), brief(text)

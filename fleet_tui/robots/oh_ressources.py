@@ -5,11 +5,20 @@ import re
 from array import array
 from collections.abc import Callable
 from functools import partial
-from typing import Any, assert_never
+from typing import assert_never
 
 from fleet_tui.config.profile import Profile
 from fleet_tui.errors import CommandError, MapError, WireError
 from fleet_tui.model import events
+from fleet_tui.model.bounds import (
+    LONGEST_NAME,
+    MOST_EDGES,
+    MOST_LABELS,
+    MOST_ORDERS,
+    MOST_VERTICES,
+    beyond,
+    brief,
+)
 from fleet_tui.model.commands import (
     INT32_MAX,
     CancelOrder,
@@ -25,6 +34,7 @@ from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.occupancy import check_frame, grid_from_ros
 from fleet_tui.model.order import Order, OrderQueue
 from fleet_tui.robots.interface import Call, Interface, TopicKind, Translate, judge
+from fleet_tui.robots.parts import first_orders, read_all
 from fleet_tui.rosbridge import messages as ros
 
 # Metres; a place farther off is none on any floor, and a picture that had to hold it would overflow.
@@ -98,33 +108,18 @@ def _translate_number(
 
 def _translate_queue(profile: Profile) -> Translate:
     read = ros.reader(ros.ActionQueue, profile.names("queue"))
-    read_order = ros.reader(ros.QueuedOrder, profile.names("order"))
+    names = profile.names("order")
+    read_order = ros.reader(ros.QueuedOrder, names)
 
     def translate(robot: str, _floor: str, msg: object, at: float) -> events.Event:
         queue = read(msg)
-        orders = [read_order(part) for part in queue.orders]
-        return events.QueueReported(
-            robot,
-            at,
-            OrderQueue(
-                queue.last_order_id,
-                queue.current_order_id,
-                tuple(Order(order.id, order.start, order.end, order.status) for order in orders),
-            ),
-        )
+        current = queue.current_order_id
+        parts = map(read_order, first_orders(queue.orders, current, names.get("id", "id")))
+        orders = tuple(Order(one.id, one.start, one.end, brief(one.status, LONGEST_NAME)) for one in parts)
+        fault = beyond(len(queue.orders), MOST_ORDERS, "orders")
+        return events.QueueReported(robot, at, OrderQueue(queue.last_order_id, current, orders), fault)
 
     return translate
-
-
-def _read_all(read: Callable[[object], Any], parts: list[Any], what: str, faults: list[str]) -> list[Any]:
-    """The good parts; one bad part must not cost the others."""
-    good = []
-    for n, part in enumerate(parts):
-        try:
-            good.append(read(part))
-        except WireError as problem:
-            faults.append(f"{what}[{n}]: {problem}")
-    return good
 
 
 def _translate_graph(profile: Profile) -> Translate:
@@ -135,14 +130,14 @@ def _translate_graph(profile: Profile) -> Translate:
     def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
         graph, faults = read(msg), list[str]()
         vertices = {}
-        for vertex in _read_all(read_vertex, graph.vertices, "vertices", faults):
+        for vertex in read_all(read_vertex, graph.vertices, "vertices", MOST_VERTICES, faults):
             if not _is_place(vertex.x, vertex.y):
                 faults.append(f"vertex {vertex.id} has no finite place")
                 continue
             role = Role(profile.vertex_types.get(vertex.type, "plain"))
             vertices[vertex.id] = Vertex(vertex.id, vertex.x, vertex.y, role)
         edges = []
-        for edge in _read_all(read_edge, graph.edges, "edges", faults):
+        for edge in read_all(read_edge, graph.edges, "edges", MOST_EDGES, faults):
             lost = [end for end in (edge.start, edge.end) if end not in vertices]
             if lost:
                 faults.append(f"edge {edge.id} names unknown vertex {lost[0]}")
@@ -160,8 +155,11 @@ def _translate_labels(profile: Profile) -> Translate:
     read_label = ros.reader(ros.LabeledVertex, profile.names("label"))
 
     def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
-        labels = [read_label(part) for part in read(msg).vertices]
-        return events.LabelsReceived(robot, floor, {label.vertex_id: label.label for label in labels})
+        parts = read(msg).vertices
+        found = map(read_label, parts[:MOST_LABELS])
+        labels = {one.vertex_id: brief(one.label, LONGEST_NAME) for one in found}
+        fault = f"labels of {floor}: {beyond(len(parts), MOST_LABELS, 'labels')}"
+        return events.LabelsReceived(robot, floor, labels, *((1, fault) if len(parts) > MOST_LABELS else ()))
 
     return translate
 

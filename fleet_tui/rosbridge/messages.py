@@ -13,6 +13,9 @@ import msgspec
 from fleet_tui.errors import WireError
 from fleet_tui.rosbridge.operations import INT8_ARRAY
 
+LARGEST = 8 * 2**20
+"""Bytes of a message that is no map, as JSON."""
+
 Int32 = Annotated[int, msgspec.Meta(ge=-(2**31), le=2**31 - 1)]
 Int64 = Annotated[int, msgspec.Meta(ge=-(2**63), le=2**63 - 1)]
 
@@ -175,10 +178,14 @@ def reader(struct: type[S], names: Mapping[str, str] | None = None) -> Callable[
         ]
         struct = cast("type[S]", msgspec.defstruct(struct.__name__, fields, frozen=True, rename=dict(names)))
     decoder = msgspec.json.Decoder(struct)
+    bounded = not issubclass(struct, OccupancyGridMessage)
 
     def read(msg: object) -> S:
         try:
             if isinstance(msg, msgspec.Raw):
+                size = memoryview(msg).nbytes
+                if bounded and size > LARGEST:
+                    raise WireError(f"{size:,} bytes: a message may have {LARGEST:,}")
                 return decoder.decode(msg)
             if isinstance(msg, dict) and "data" in msg:
                 msg = {**msg, "data": _from_cbor(msg["data"])}

@@ -39,6 +39,9 @@ class Status(msgspec.Struct, frozen=True):
     text: str
 
 
+LARGEST_ANSWER = 8 * 2**20
+"""Bytes of the values of an answer; larger ones are not read."""
+
 Operation = Publish | ServiceResponse | Status
 
 
@@ -58,6 +61,11 @@ _decoder = msgspec.json.Decoder(_Frame)
 _encoder = msgspec.json.Encoder()
 
 
+def _values(raw: msgspec.Raw) -> Any:
+    size = memoryview(raw).nbytes
+    return msgspec.json.decode(raw) if size <= LARGEST_ANSWER else f"{size:,} bytes, which are not read"
+
+
 def decode(payload: bytes) -> Operation | None:
     """A text frame as an operation, None for one that a client has no use for.
 
@@ -69,7 +77,7 @@ def decode(payload: bytes) -> Operation | None:
             case "publish":
                 return Publish(frame.topic, frame.msg)
             case "service_response":
-                return ServiceResponse(frame.id or "", msgspec.json.decode(frame.values), frame.result)
+                return ServiceResponse(frame.id or "", _values(frame.values), frame.result)
             case "status":
                 text = msgspec.json.decode(frame.msg)
                 return Status(frame.level, text if isinstance(text, str) else str(text))

@@ -121,7 +121,7 @@ class Navigation(AlarmActions, AuditActions):
                         partial(self.find_vertex, floor, vertex.x, vertex.y),
                     )
         for name, use in self.themes.items():
-            yield f"Theme: {name}", use
+            yield f"Theme: {visible(name)}", use
 
     def on_descendant_focus(self) -> None:
         """What is open goes, undone, when the mouse gives the focus to something outside it."""

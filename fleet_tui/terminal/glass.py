@@ -2,6 +2,8 @@
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import chain
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +14,8 @@ from rich.style import Style
 
 from fleet_tui.terminal.cell_strip import CellStrip
 from fleet_tui.terminal.looks import PLAIN, RESET, Look, look_of, turn
+
+Cells = NDArray[np.uint64]
 
 # A cell is one number: its character below, its look's number above.
 _SHIFT = np.uint64(32)
@@ -29,7 +33,18 @@ ONE_CELL_EACH = re.compile(
 )
 """What surely takes one cell for each character; for the rest it is found out."""
 
-_CONTROLS = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)])
+# What takes no cell and does more than be seen: controls, and what turns the reading direction or hides.
+_CONTROLS = dict.fromkeys(
+    chain(
+        *(range(0x20), range(0x7F, 0xA0), (0x61C, 0x200B, 0x200E, 0x200F, 0xFEFF)),
+        *(range(0x2028, 0x202F), range(0x2060, 0x2070), range(0xE0000, 0xE0080)),
+    )
+)
+
+REMEMBERED = 4096
+"""Looks, and likewise odd characters, after which those that are nowhere in view are forgotten."""
+
+Named = TypeVar("Named", Look, str)
 
 
 class Glass:
@@ -53,6 +68,18 @@ class Glass:
     def forget(self) -> None:
         """The terminal may show anything now: send every cell again."""
         self._sent.fill(_NOTHING)
+
+    def _tidy(self) -> None:
+        """Number anew what is in view, and forget the rest."""
+        cells = np.concatenate((self._wanted.ravel(), self._sent.ravel()))
+        known = cells != _NOTHING
+        looks, codes = cells >> _SHIFT, cells & _CODE
+        self._looks, looks[known] = _used(self._looks, looks[known], 0)
+        odd = known & (codes >= _CLUSTERS)
+        self._clusters, codes[odd] = _used(self._clusters, codes[odd], _CLUSTERS)
+        cells[known] = (looks << _SHIFT | codes)[known]
+        self._wanted, self._sent = cells.reshape(2, *self._wanted.shape)
+        self._styles = ()
 
     def put(self, x: int, y: int, end: int, segments: Iterable[Segment]) -> None:
         """Want `segments` in row y from cell x on, as far as cell `end`."""
@@ -111,6 +138,8 @@ class Glass:
         places = np.flatnonzero(changed)
         if not places.size:
             return ""
+        if max(len(self._looks), len(self._clusters)) > REMEMBERED:
+            self._tidy()
         cells = self._wanted.ravel()[places]
         self._sent[changed] = cells
         keep = (cells & _CODE) != _TAIL  # sent with the cell before it
@@ -144,6 +173,14 @@ class Glass:
         if look != PLAIN:
             out.append(RESET)
         return "".join(out)
+
+
+def _used(table: dict[Named, int], used: Cells, first: int) -> tuple[dict[Named, int], Cells]:
+    """The part of a table that is used, numbered from `first` on, and what was used by its new numbers."""
+    names = list(table)
+    old, new = np.unique(used, return_inverse=True)
+    kept = {names[number - first]: first + place for place, number in enumerate(old.tolist())}
+    return kept, new.astype(np.uint64) + np.uint64(first)
 
 
 def _starts(

@@ -26,8 +26,11 @@ def visible(text: str) -> str:
 
     Control characters become their pictures (ESC: ␛), everything else unseen U+FFFD.
     """
-    if text.isascii() and text.isprintable():
-        return text
+    return text if text.isascii() and text.isprintable() else _made_visible(text)
+
+
+@lru_cache(maxsize=1024)
+def _made_visible(text: str) -> str:
     shown: list[str] = []
     marks = 0
     for letter in text:

@@ -5,6 +5,8 @@ from collections.abc import Callable, Mapping
 from textual import events
 from textual.widgets import Input
 
+from fleet_tui.view.text import visible
+
 Keys = Mapping[str, Callable[[], object]]
 
 
@@ -18,6 +20,10 @@ class Field(Input):
     def __init__(self, on: Keys, *, id: str, placeholder: str = "") -> None:
         super().__init__(id=id, placeholder=placeholder, compact=True, select_on_focus=True)
         self._on = on
+
+    def on_paste(self, event: events.Paste) -> None:
+        """What is pasted may come from a robot: it is shown as it would be anywhere else."""
+        event.text = "\n".join(map(visible, event.text.splitlines()))
 
     def on_key(self, event: events.Key) -> None:
         """Ours, somebody else's, or text."""

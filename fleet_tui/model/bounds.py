@@ -1,0 +1,22 @@
+"""How much is taken of what others say: what goes beyond is cut, and that is said. See docs/bounds.md."""
+
+LONGEST_NAME = 200
+"""Characters of a label, a status or a frame id."""
+LONGEST_WORDS = 500
+"""Characters of an answer, a reason or a description of bad data."""
+MOST_ORDERS = 500
+"""Orders of one robot's queue."""
+MOST_VERTICES = MOST_LABELS = 20_000
+"""Vertices, and labels, of one floor as one robot knows it."""
+MOST_EDGES = 50_000
+"""Edges of one such graph."""
+
+
+def brief(text: str, longest: int = LONGEST_WORDS) -> str:
+    """`text`, or its beginning and how long all of it is."""
+    return text if len(text) <= longest else f"{text[:longest]}… ({len(text):,} characters)"
+
+
+def beyond(count: int, most: int, what: str) -> str:
+    """What to say of a list that is too long, empty if it isn't."""
+    return f"{count:,} {what}: only the first {most:,} are taken" if count > most else ""

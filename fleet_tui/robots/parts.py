@@ -1,0 +1,31 @@
+"""Reads the lists in a message part by part: how many are taken is bounded, and a bad one costs no other."""
+
+from collections.abc import Callable
+from typing import Any
+
+from fleet_tui.errors import WireError
+from fleet_tui.model.bounds import MOST_ORDERS, beyond
+
+
+def read_all(
+    read: Callable[[object], Any], parts: list[Any], what: str, most: int, faults: list[str]
+) -> list[Any]:
+    """The good ones of the first `most` parts; what is wrong with the others goes to `faults`."""
+    good = []
+    for n, part in enumerate(parts[:most]):
+        try:
+            good.append(read(part))
+        except WireError as problem:
+            faults.append(f"{what}[{n}]: {problem}")
+    if len(parts) > most:
+        faults.insert(0, beyond(len(parts), most, what))
+    return good
+
+
+def first_orders(orders: list[Any], current: int, id_name: str) -> list[Any]:
+    """As many orders as are taken, and wherever it stands the current one: a robot that drives is
+    not idle."""
+    others = (
+        part for part in orders[MOST_ORDERS:] if isinstance(part, dict) and part.get(id_name) == current
+    )
+    return [*orders[:MOST_ORDERS], *list(others)[:1]]
