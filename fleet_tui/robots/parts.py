@@ -11,14 +11,14 @@ def read_all(
     read: Callable[[object], Any], parts: list[Any], what: str, most: int, faults: list[str]
 ) -> list[Any]:
     """The good ones of the first `most` parts; what is wrong with the others goes to `faults`."""
+    if len(parts) > most:
+        faults.append(beyond(len(parts), most, what))
     good = []
     for n, part in enumerate(parts[:most]):
         try:
             good.append(read(part))
         except WireError as problem:
             faults.append(f"{what}[{n}]: {problem}")
-    if len(parts) > most:
-        faults.insert(0, beyond(len(parts), most, what))
     return good
 
 

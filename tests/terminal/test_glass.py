@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Iterable
+from unicodedata import normalize
 
 import pyte
 import pytest
@@ -14,7 +15,7 @@ from rich.segment import Segment
 from rich.style import Style
 
 from fleet_tui.terminal.cell_strip import CellStrip
-from fleet_tui.terminal.glass import ONE_CELL_EACH, Glass
+from fleet_tui.terminal.glass import ONE_CELL_EACH, REMEMBERED, Glass
 from fleet_tui.terminal.looks import PLAIN, Look, look_of, nearest, sixteen, turn
 from fleet_tui.themes import load_themes
 from fleet_tui.view.cells import Cells
@@ -210,3 +211,19 @@ def test_a_row_of_cells_changes_its_looks_with_the_theme() -> None:
     for styles, sent in (([Style()], "\x1b[1;1H  "), ([Style(bold=True)], "\x1b[1;1H\x1b[1m  \x1b[m")):
         pane.put(0, 0, 2, CellStrip(cells, 0, styles))
         assert pane.take() == sent
+
+
+def test_looks_and_odd_characters_that_are_out_of_view_are_forgotten() -> None:
+    onto, terminal = glass(8, 2, ColorSystem.TRUECOLOR), pyte.Screen(8, 2)
+    stream = pyte.Stream(terminal)
+    marks = [chr(code) for code in range(0x300, 0x340)]
+    for n in range(12_000):
+        cluster = f"{chr(ord('a') + n % 26)}{marks[n // 26 % 64]}{marks[n // 1664]}"
+        style = Style(color=f"#{n % 256:02x}{n // 256:02x}80")
+        onto.put(0, n % 2, 8, [Segment(f"{n:06d}", style), Segment(cluster, Style(bold=True)), Segment(" ")])
+        stream.feed(onto.take())
+        assert max(len(onto._looks), len(onto._clusters)) <= REMEMBERED + 2 * 16
+    assert [line[:6] for line in terminal.display] == ["011998", "011999"]
+    assert terminal.buffer[1][6].data == normalize("NFC", cluster)
+    assert (terminal.buffer[0][0].fg, terminal.buffer[1][0].fg) == ("de2e80", "df2e80")
+    assert onto.take() == ""
