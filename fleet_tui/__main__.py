@@ -9,6 +9,13 @@ from fleet_tui.errors import ConfigError, FleetError
 from fleet_tui.terminal.ending import PATIENCE, end_within
 from fleet_tui.view.text import visible
 
+MOST = 100
+"""Problems of a configuration that are listed at once."""
+
+
+def _more(count: int) -> list[str]:
+    return [f"and {count} more"] if count > 0 else []
+
 
 def _end(code: int, *lines: str) -> NoReturn:
     for line in lines:
@@ -64,7 +71,7 @@ def _run() -> None:
         else:
             _open_console(options)
     except ConfigError as problem:
-        _end(2, *problem.problems)
+        _end(2, *problem.problems[:MOST], *_more(len(problem.problems) - MOST))
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         _end(1)

@@ -66,7 +66,7 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     config, problems = read(path)
     problems += [*missing_files(config), *access_problems(config), *_theme_problems(config)]
     for line in unsafe_places(config):
-        click.echo(f"{path}: warning: {line}", err=True)
+        click.echo(visible(f"{path}: warning: {line}"), err=True)
     if problems:
         raise ConfigError([f"{path}: {line}" for line in problems])
     robots, floors = len(config.robots), len(config.floors)

@@ -11,6 +11,7 @@ import yaml
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 
+from fleet_tui.config.small_file import read_text
 from fleet_tui.errors import MapError
 from fleet_tui.model.events import FloorMapLoaded
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -29,7 +30,7 @@ from fleet_tui.model.occupancy import (
 MODES = ("trinary", "scale", "raw")
 # Not all that Pillow can: TIFF's library writes on stderr, EPS starts a program.
 FORMATS = ("PPM", "PNG", "BMP", "JPEG", "GIF")
-MAX_YAML = 1_000_000  # bytes
+MAX_YAML = 2**16  # bytes
 _BAND = 256  # rows turned into classes at a time: a large image in colour is not copied whole
 
 
@@ -81,14 +82,30 @@ def _from_yaml(path: Path, added: bool) -> OccupancyGrid:
     return build_grid(frame, classes)
 
 
+class _WithoutAliases(yaml.SafeLoader):
+    """Of aliases a few lines can be made that stand for more than fits into any memory."""
+
+    def compose_node(self, parent: Any, index: Any) -> Any:
+        """Compose anything else."""
+        if self.check_event(yaml.AliasEvent):
+            raise yaml.YAMLError("aliases are not read")
+        return super().compose_node(parent, index)
+
+
 def _table(path: Path) -> dict[str, Any]:
     try:
-        if path.stat().st_size > MAX_YAML:
-            raise MapError(f"is no map_server file: over {MAX_YAML:,} bytes")
-        table = yaml.safe_load(path.read_text(encoding="utf-8"))
+        table = yaml.load(read_text(path, MAX_YAML), _WithoutAliases)
     except FileNotFoundError:
         raise MapError("no such file") from None
-    except (OSError, ValueError, LookupError, AttributeError, yaml.YAMLError, RecursionError) as problem:
+    except (
+        OSError,
+        ValueError,
+        LookupError,
+        AttributeError,
+        ArithmeticError,
+        yaml.YAMLError,
+        RecursionError,
+    ) as problem:
         raise MapError(f"can't be read: {' '.join(str(problem).split())}") from None
     if not isinstance(table, dict) or not isinstance(table.get("image"), str):
         raise MapError("is no map_server file: it names no image")

@@ -1,7 +1,6 @@
 """Colour themes: one TOML file each, shipped ones first, then the user's own."""
 
 import re
-import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -9,6 +8,7 @@ from typing import Any
 from msgspec import Struct, structs
 from rich.style import Style
 
+from fleet_tui.config.small_file import read_toml
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.view.roles import Ink
 
@@ -101,8 +101,8 @@ def load_themes(user_folder: Path | None = None) -> tuple[dict[str, FleetTheme],
 def read_theme(path: Path, others: Mapping[str, FleetTheme]) -> FleetTheme:
     """One theme from its file; ConfigError with all that is wrong in it."""
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        content = read_toml(path)
+    except (OSError, ValueError, RecursionError) as error:
         raise ConfigError([f"can't be read: {error}"]) from error
     problems = list(_problems(content))
     dark = content.get("dark", True) is not False

@@ -81,9 +81,11 @@ def _names(where: str, names: list[str]) -> Iterator[str]:
 
 
 def _frames(config: Config) -> Iterator[str]:
-    for frame, count in Counter(floor.frame for floor in config.floors).items():
-        names = [floor.name for floor in config.floors if floor.frame == frame]
-        if count > 1 and len(set(names)) > 1:
+    names_of: dict[str, set[str]] = {}
+    for floor in config.floors:
+        names_of.setdefault(floor.frame, set()).add(floor.name)
+    for frame, names in names_of.items():
+        if len(names) > 1:
             yield f"floors: frame_id {frame} stands for {' and '.join(names)}: poses can't tell them apart"
 
 

@@ -1,7 +1,6 @@
 """Finds, reads and checks a configuration: every problem at once, each with its remedy."""
 
 import os
-import tomllib
 import typing
 from collections.abc import Mapping
 from pathlib import Path
@@ -13,6 +12,7 @@ import platformdirs
 
 from fleet_tui.config.check import checked
 from fleet_tui.config.schema import Config, expanded
+from fleet_tui.config.small_file import read_toml
 from fleet_tui.errors import ConfigError, did_you_mean
 
 _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "true or false"} | {
@@ -54,7 +54,7 @@ def load(path: Path) -> Config:
 def read(path: Path) -> tuple[Config, list[str]]:
     """A file as far as it can be read, and what is wrong with it. Raises ConfigError for no TOML."""
     try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
+        table = read_toml(path)
     except FileNotFoundError:
         raise ConfigError([f"{path}: no such file: give another with --config FILE"]) from None
     except OSError as problem:

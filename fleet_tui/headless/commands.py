@@ -7,6 +7,7 @@ import click
 from fleet_tui.config.load import find, load
 from fleet_tui.headless.config_commands import config
 from fleet_tui.options import common, merged, timeout
+from fleet_tui.view.text import visible
 
 
 @click.group()

@@ -1,0 +1,29 @@
+"""Reads files that people write: never more of one than fits its purpose, whatever its name leads to."""
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+LARGEST = 500_000
+"""Bytes of a configuration or a theme."""
+
+_MANY_PARTS = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){30}""")
+"""In a key: tomllib takes memory with the square of them."""
+
+
+def read_text(path: Path, largest: int) -> str:
+    """A whole UTF-8 file. Raises OSError, and ValueError for a larger one or another encoding."""
+    with path.open("rb") as file:
+        content = file.read(largest + 1)
+    if len(content) > largest:
+        raise ValueError(f"over {largest:,} bytes")
+    return content.decode()
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """A TOML file. Raises OSError, and ValueError or RecursionError for what is none."""
+    text = read_text(path, LARGEST)
+    if _MANY_PARTS.search(text):
+        raise ValueError("a key of more than 30 parts")
+    return tomllib.loads(text)

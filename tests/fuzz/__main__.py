@@ -1,0 +1,113 @@
+"""Coverage-guided fuzzing of everything that reads what others wrote: `make fuzz SECONDS=60`.
+
+Bytes go in, a value or one of our own errors comes out, within a second. A crash leaves its input in a
+file, and with its name as the argument it is tried again. Atheris is not part of the tests' setup:
+it has no wheels for some systems.
+"""
+
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import atheris  # type: ignore[import-not-found, import-untyped, unused-ignore]  # installed by `make fuzz` alone
+
+with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"]):
+    from fleet_tui.config.load import load
+    from fleet_tui.config.profile import Profile
+    from fleet_tui.errors import ConfigError, WireError
+    from fleet_tui.map_files import load_floor_map
+    from fleet_tui.robots.oh_ressources import interface
+    from fleet_tui.rosbridge.operations import Publish, ServiceResponse, decode, decode_cbor
+    from fleet_tui.themes import load_themes, read_theme
+    from fleet_tui.view.text import cell_width, fit, visible
+
+SLOWEST = 1.0
+SPOKEN = interface(Profile())
+FOLDER = Path(tempfile.mkdtemp())
+THEMES = load_themes()[0]
+
+
+def _frame(payload: bytes, binary: bool) -> None:
+    try:
+        operation = decode_cbor(payload) if binary else decode(payload)
+    except WireError:
+        return
+    if isinstance(operation, ServiceResponse):
+        SPOKEN.outcome(operation.values, operation.result)
+    if isinstance(operation, Publish):
+        for kind in SPOKEN.topics:
+            try:
+                kind.translate("robot_0", "floor_0", operation.msg, 0.0)
+            except WireError as problem:
+                assert str(problem)
+
+
+def _file(name: str, payload: bytes) -> Path:
+    path = FOLDER / name
+    path.write_bytes(payload)
+    return path
+
+
+def _config(payload: bytes) -> None:
+    try:
+        load(_file("config.toml", payload))
+    except ConfigError as refused:
+        assert all(refused.problems)
+
+
+def _theme(payload: bytes) -> None:
+    try:
+        read_theme(_file("theme.toml", payload), THEMES)
+    except ConfigError as refused:
+        assert all(refused.problems)
+
+
+def _map(name: str, payload: bytes) -> None:
+    loaded = load_floor_map("floor_0", _file(name, payload), False)
+    assert (loaded.grid is None) is bool(loaded.problem)
+
+
+def _text(payload: bytes) -> None:
+    text = payload.decode("utf-8", "surrogateescape")
+    shown = visible(text)
+    assert not any(ord(letter) < 0x20 or 0x7F <= ord(letter) < 0xA0 for letter in shown)
+    assert cell_width(fit(text, 20)) == 20
+
+
+TARGETS: list[Callable[[bytes], None]] = [
+    lambda payload: _frame(payload, False),
+    lambda payload: _frame(payload, True),
+    _config,
+    _theme,
+    lambda payload: _map("map.yaml", payload),
+    lambda payload: _map("map.png", payload),
+    lambda payload: _map("map.pgm", payload),
+    _text,
+]
+SEEDS = [
+    b'\0{"op":"publish","topic":"/a","msg":{"data":[0],"vertices":[{"id":1,"x":1,"y":1}],"edges":[]}}',
+    b'\0{"op":"service_response","id":"1","values":{"status":"ok"},"result":true}',
+    bytes.fromhex("01a3626f70677075626c69736865746f706963622f61636d7367a1646461746101"),
+    b'\x02[rosbridge]\nurl = "ws://a:1"\n[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n',
+    b'\x03dark = true\n[base]\naccent = "#000000"\n[inks]\nwall = {color = "#ffffff", bold = true}\n',
+    b"\x04image: map.png\nresolution: 0.05\norigin: [0, 0, 0]\nmode: scale\n",
+    b"\x06P5\n2 2\n255\n\0\0\0\0",
+    "\x07a\u0301仓\u202e".encode(),
+]
+
+
+def one_input(payload: bytes) -> None:
+    """The first byte chooses who reads the rest."""
+    began = time.perf_counter()
+    TARGETS[payload[0] % len(TARGETS) if payload else 0](payload[1:])
+    assert time.perf_counter() - began < SLOWEST
+
+
+if __name__ == "__main__":
+    corpus = Path(tempfile.mkdtemp())
+    for n, seed in enumerate(SEEDS):
+        (corpus / str(n)).write_bytes(seed)
+    atheris.Setup([*sys.argv, str(corpus)] if len(sys.argv) < 3 else sys.argv, one_input)
+    atheris.Fuzz()
