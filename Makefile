@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 # They wait more than they work: several at once.
 FAULTS := -q -n 6 --maxschedchunk 1 tests/faults
 
-.PHONY: demo test lint types unit bench faults soak picture lock format clean
+.PHONY: demo test lint types unit bench faults fuzz soak picture lock format clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -36,6 +36,11 @@ faults: $(READY)
 	@rm -f $(VENV)/faults.jsonl
 	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest $(FAULTS)
 	@$(BIN)/python -m tests.faults.report $(VENV)/faults.jsonl docs/faults.md
+
+# Coverage-guided, and no part of the tests: atheris has no wheels for some systems.
+fuzz: $(READY)
+	@$(BIN)/pip install --quiet --disable-pip-version-check atheris
+	@$(BIN)/python -m tests.fuzz -max_total_time=$(or $(SECONDS),60) -rss_limit_mb=1500 -artifact_prefix=$(VENV)/
 
 format: $(READY)
 	@$(BIN)/ruff format .

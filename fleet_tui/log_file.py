@@ -46,6 +46,7 @@ def state_folder() -> Path:
 def log_to_file(debug: bool) -> Path | None:
     """Send logging and warnings to the log file, or nowhere if there can be none."""
     logging.captureWarnings(True)
+    logging.raiseExceptions = False  # a line that can't be written must not go to stderr instead
     # A full disk costs the line. Said on stderr it would cost the screen.
     logging.raiseExceptions = False
     root = logging.getLogger()

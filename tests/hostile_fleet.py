@@ -79,7 +79,7 @@ def _fails(_args: dict[str, Any]) -> dict[str, Any]:
 
 def spoil(server: RosbridgeServer) -> None:
     """Robot 0 is well but for its labels and orders; robot 1 is nowhere; robot 2 sends no numbers."""
-    topics = server._topics
+    topics = server.topics
     for name in list(topics):
         if name.endswith("labeled_vertices"):
             topics[name] = _spoilt(topics[name], _labels)

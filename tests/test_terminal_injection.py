@@ -153,10 +153,7 @@ def through_what_opens(terminal: Terminal) -> None:
 
 
 @pytest.mark.timeout(180)
-def test_nothing_that_robots_or_files_say_speaks_to_the_terminal(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.delenv("TMUX", raising=False)  # notifications would be wrapped for it
+def test_nothing_that_robots_or_files_say_speaks_to_the_terminal(tmp_path: Path) -> None:
     with hostile_console(tmp_path) as terminal:
         through_the_panes(terminal)
         through_the_commands(terminal)

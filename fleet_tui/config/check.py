@@ -81,9 +81,9 @@ def _names(where: str, names: list[str]) -> Iterator[str]:
 
 
 def _frames(config: Config) -> Iterator[str]:
-    names_of: dict[str, set[str]] = {}
+    names_of: dict[str, dict[str, None]] = {}
     for floor in config.floors:
-        names_of.setdefault(floor.frame, set()).add(floor.name)
+        names_of.setdefault(floor.frame, {})[floor.name] = None
     for frame, names in names_of.items():
         if len(names) > 1:
             yield f"floors: frame_id {frame} stands for {' and '.join(names)}: poses can't tell them apart"

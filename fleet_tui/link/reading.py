@@ -10,6 +10,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.link.map_process import WORTH_A_PROCESS, decode_apart, topic_of
 from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.model import events
+from fleet_tui.model.bounds import brief
 from fleet_tui.rosbridge import operations
 
 LOG = logging.getLogger(__name__)
@@ -45,7 +46,7 @@ class Reading:
             case operations.Publish(topic, msg):
                 return self._translate(topic, msg, at)
             case operations.Status(level, text):
-                LOG.warning("the bridge says (%s): %s", level, text)
+                LOG.warning("the bridge says (%s): %s", brief(level), brief(text))
                 return events.FrameRejected(self._link, f"the bridge says: {text}")
         return operation
 

@@ -4,6 +4,7 @@ import asyncio
 import logging
 import time
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 
 from fleet_tui.config.schema import Config
 from fleet_tui.link.calls import Calls
@@ -15,16 +16,21 @@ from fleet_tui.link.subscriptions import wanted_topics
 from fleet_tui.link.transport import Connection
 from fleet_tui.link.writer import Writer
 from fleet_tui.model import events
+from fleet_tui.model.bounds import brief
 from fleet_tui.model.link import Phase
 from fleet_tui.robots.interface import Interface
 from fleet_tui.rosbridge import operations
 
 LOG = logging.getLogger(__name__)
 
+Read = events.Event | operations.ServiceResponse | None
+
 # Larger frames are decoded beside the loop, so that small ones don't wait.
 HEAVY_BYTES = 100_000
 # Seconds until nobody holds the frame of a large map any more, nor the map before it.
 TIDY_AFTER = 1.0
+# Bytes of frames that wait to be decoded: what comes on top of more is passed over.
+MOST_WAITING = 64 * 2**20
 # Seconds between looks for robots that stay away.
 LOOK_EVERY = 0.2
 
@@ -36,6 +42,7 @@ class Telemetry:
         self._link = link
         self._writer = writer
         self._logged: set[str] = set()
+        self._waiting = 0
         self._heard = 0.0
         self._told_heard = 0.0
         self._spoke = 0.0
@@ -92,18 +99,28 @@ class Telemetry:
         if len(payload) < HEAVY_BYTES:
             self._take(self._reading.read(payload, is_binary, self._heard))
             return
+        if self._waiting > MOST_WAITING:
+            behind = f"{self._waiting / 1e6:.0f} MB before it are not decoded yet"
+            self._take(events.FrameRejected(self._link, f"{len(payload):,} bytes were passed over: {behind}"))
+            return
+        self._waiting += len(payload)
         loop = asyncio.get_running_loop()
         work = loop.run_in_executor(self._decoder, self._reading.read, payload, is_binary, self._heard)
-        work.add_done_callback(lambda done: self._take(done.result()) if not done.cancelled() else None)
+        work.add_done_callback(partial(self._take_late, len(payload)))
         if len(payload) > WORTH_A_PROCESS:
             work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, give_back))
+
+    def _take_late(self, size: int, done: "asyncio.Future[Read]") -> None:
+        self._waiting -= size
+        if not done.cancelled():
+            self._take(done.result())
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """Say which message it was, how large, and what lets it in."""
         self._heard = self._spoke = time.monotonic()
         self._take(self._reading.too_large(head, is_binary, size))
 
-    def _take(self, read: events.Event | operations.ServiceResponse | None) -> None:
+    def _take(self, read: Read) -> None:
         if isinstance(read, operations.ServiceResponse):
             self._calls.on_response(read)
         elif read is not None:
@@ -114,6 +131,7 @@ class Telemetry:
             self._tell(read)
 
     def _log_once(self, text: str) -> None:
+        text = brief(text)
         if text not in self._logged and len(self._logged) < 1000:
             self._logged.add(text)
             LOG.warning("%s", text)

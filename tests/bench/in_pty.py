@@ -17,6 +17,8 @@ from pathlib import Path
 import pyte
 
 WIDTH, HEIGHT = 200, 60
+FOREIGN = ("NO_COLOR", "COLUMNS", "LINES", "TMUX")
+"""Variables of the terminal in which this runs."""
 TICKS_PER_SECOND = os.sysconf("SC_CLK_TCK")
 
 
@@ -116,7 +118,7 @@ def shows_racks(terminal: Terminal) -> bool:
 
 def _plain_env(home: Path) -> dict[str, str]:
     """A terminal with everything; no settings of the person who runs this."""
-    env = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
+    env = {name: value for name, value in os.environ.items() if name not in FOREIGN}
     env |= {"TERM": "xterm-256color", "COLORTERM": "truecolor", "LANG": "C.UTF-8"}
     return env | {"XDG_CONFIG_HOME": str(home), "XDG_STATE_HOME": str(home), "PYTHONUTF8": "1"}
 

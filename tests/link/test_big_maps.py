@@ -87,3 +87,23 @@ def test_what_is_no_map_is_named() -> None:
 )
 def test_the_topic_is_found_without_decoding(text: bytes, topic: str) -> None:
     assert topic_of(text) == topic
+
+
+async def test_what_comes_faster_than_it_can_be_read_is_passed_over_and_that_is_said(
+    server: RosbridgeServer, store: WatchedStore, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("fleet_tui.link.telemetry.MOST_WAITING", 0)
+    text = frame().decode()
+    for _ in range(3):
+        server.publish_raw("/robot_0/floor_0/map", text)
+    state = await store.until(lambda state: state.links["rosbridge"].faults >= 2)
+    size = f"{len(text) / 1e6:.0f} MB"
+    assert state.links["rosbridge"].last_fault.endswith(f"passed over: {size} before it are not decoded yet")
+
+    def shows(width: int, resolution: float) -> bool:
+        grid = store.state.robots["robot_0"].charts["floor_0"].grid
+        return grid is not None and (grid.frame.width, grid.frame.resolution) == (width, resolution)
+
+    await store.until(lambda _: shows(WIDTH, 0.05))
+    server.publish_raw("/robot_0/floor_0/map", frame(info={**INFO, "resolution": 0.1}).decode())
+    await store.until(lambda _: shows(WIDTH, 0.1))
