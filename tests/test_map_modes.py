@@ -181,4 +181,4 @@ def test_files_that_lie(
 
 def test_a_yaml_too_large_to_be_one(tmp_path: Path) -> None:
     (tmp_path / "m.yaml").write_bytes(b"#" * 1_000_001)
-    assert "is no map_server file" in problem(tmp_path / "m.yaml")
+    assert "over 65,536 bytes" in problem(tmp_path / "m.yaml")

@@ -241,7 +241,7 @@ def test_hostile_words_stay_what_they_are_and_act_on_nobody(tmp_path: Path) -> N
     assert all(0x20 <= byte < 0x7F or byte == 0x0A for byte in raw)
     found = read(tmp_path)
     assert found[-1].words.startswith("\x1b[2J\x9b31m\u202eevil\x07\r\n\\ud800\x00[red]é")
-    assert found[-1].words.endswith("…")
+    assert found[-1].words.endswith(f"… ({len(HOSTILE):,} characters)")
 
 
 def test_a_record_costs_the_writer_little(tmp_path: Path) -> None:
