@@ -85,6 +85,9 @@ def spoil(server: RosbridgeServer) -> None:
             topics[name] = _spoilt(topics[name], _labels)
         elif name.endswith("queue"):
             topics[name] = _spoilt(topics[name], _queue)
+    for text in EVIL[:-1]:
+        name = f"/{text}/pose"
+        topics[name] = replace(topics["/robot_0/pose"], name=name)
     topics["/robot_1/pose"] = _spoilt(topics["/robot_1/pose"], _pose)
     topics["/robot_2/battery"] = _spoilt(topics["/robot_2/battery"], _data)
     for number, service in enumerate(server.services):

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import tomllib
 import unicodedata
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,6 +15,7 @@ from tests.hostile_fleet import ROBOTS
 
 ESC = "\x1b]52;c;eA==\x07\x9b31m\u202e"
 IN_TOML = ESC.encode("unicode_escape").decode().replace("\\x", "\\u00")
+FLOOR_AND_ROBOT = '[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n'
 FINE = "fine\x1b[2J.toml"
 
 
@@ -29,7 +31,7 @@ def run(folder: Path, *args: str | bytes) -> subprocess.CompletedProcess[bytes]:
         env={**os.environ, "XDG_CONFIG_HOME": str(folder), "XDG_STATE_HOME": str(folder), "PYTHONUTF8": "1"},
         capture_output=True,
         stdin=subprocess.DEVNULL,
-        timeout=20,
+        timeout=40,
         check=False,
     )
 
@@ -53,6 +55,11 @@ def run(folder: Path, *args: str | bytes) -> subprocess.CompletedProcess[bytes]:
         ("check", FINE),
         ("status", "--timeout", ESC),
         ("audit", "--since", ESC),
+        ("config", "show", "--config", "hostile.toml"),
+        ("config", "show", "--origin", "--config", "hostile.toml"),
+        ("config", "show", "--config", ESC),
+        ("config", "init", "--from-live", ESC),
+        ("doctor", "--config", ESC),
         ("audit", ESC),
     ],
     ids=ascii,
@@ -62,13 +69,14 @@ def test_what_was_given_comes_back_visible(tmp_path: Path, args: tuple[str | byt
         f'[{table}]\n{key} = "{IN_TOML}"\n' for table, key in (("ui", "theme"), ("profile", "name"))
     )
     (tmp_path / "evil.toml").write_text(f'"{IN_TOML}" = 1\n{tables}')
+    (tmp_path / "hostile.toml").write_text(f'[operator]\nname = "{IN_TOML}"\n{FLOOR_AND_ROBOT}')
     (tmp_path / "cut.toml").write_text(f"{ESC} = \n")
-    (tmp_path / FINE).write_text('[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n')
+    (tmp_path / FINE).write_text(FLOOR_AND_ROBOT)
     done = run(tmp_path, *args)
     said = done.stdout + done.stderr
     assert harmless(said), said
     assert b"Traceback" not in said and said.strip()
-    assert done.returncode in (0, 2)
+    assert done.returncode in (0, 2, 3)
 
 
 @pytest.fixture
@@ -86,3 +94,16 @@ def test_status_of_a_hostile_fleet(hostile: Path, option: tuple[str, ...]) -> No
     assert done.returncode == 1 and done.stderr == b""
     assert harmless(done.stdout) and b"bad data" in done.stdout
     assert all(len(line) < 2000 for line in done.stdout.splitlines()) or "--json" in option
+
+
+def test_a_configuration_made_of_what_a_hostile_bridge_has(hostile: Path) -> None:
+    url = (hostile / "config.toml").read_text().split('"')[1]
+    done = run(hostile, "config", "init", "--from-live", url)
+    assert done.returncode == 0 and harmless(done.stdout + done.stderr)
+    assert tomllib.loads(done.stdout.decode())["robots"]
+
+
+def test_doctor_on_a_hostile_fleet(hostile: Path) -> None:
+    done = run(hostile, "doctor")
+    assert done.returncode == 1 and harmless(done.stdout + done.stderr)
+    assert b"Traceback" not in done.stderr

@@ -9,6 +9,7 @@ from fleet_tui.config.load import find, load, shipped, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import LinkError
 from fleet_tui.options import NearestGroup, common, merged, screen, timeout
+from fleet_tui.view.text import visible
 
 NO_LINK = 3
 
@@ -36,7 +37,7 @@ def init(config_file: str | None, debug: bool, url: str, output: str, force: boo
     try:
         text = from_live(known, url, timeout) if url else example()
     except LinkError as problem:
-        click.echo(f"fleet-tui: {problem}", err=True)
+        click.echo(visible(f"fleet-tui: {problem}"), err=True)
         sys.exit(NO_LINK)
     write(text, output, force, click.echo)
 
@@ -55,7 +56,7 @@ def show(
     found = load(find(config_file))
     options = {"operator.read_only": read_only, "ui.drawing": drawing}
     for line in lines(found, _why(config_file), with_origin, options):
-        click.echo(line)
+        click.echo(visible(line))
 
 
 def _why(given: str | None) -> str:
