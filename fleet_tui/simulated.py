@@ -1,6 +1,7 @@
 """The commands that simulate robots. The command line imports this module when one of them is asked for."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any, TypeVar
 
 import click
@@ -68,6 +69,9 @@ def demo(
 )
 @click.option("--seed", type=int, default=1, show_default=True)
 @click.option("--stop-with-stdin", is_flag=True, hidden=True)
+@click.option(
+    "--first", type=click.IntRange(0, 9999), default=0, show_default=True, help="Number of the first robot."
+)
 @_faults
 @common
 @merged
@@ -80,9 +84,11 @@ def sim(
     rate: float,
     seed: int,
     stop_with_stdin: bool,
+    first: int,
     fault: str,
 ) -> None:
     """Serve a simulated fleet to several consoles, until Ctrl-C."""
     from fleet_tui.simulator.run import run
 
-    run(robots, floors, port, rate, seed, lambda url: click.echo(url, nl=True), stop_with_stdin, fault)
+    announce = partial(click.echo, nl=True)
+    run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first)

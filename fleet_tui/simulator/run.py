@@ -22,15 +22,16 @@ def run(
     announce: Callable[[str], None],
     stop_with_stdin: bool = False,
     faults: str = "",
+    first: int = 0,
 ) -> None:
     """Serve a simulated fleet on loopback and announce its ws:// URL; returns on SIGTERM.
 
     `rate`: poses per robot in Hz; port 0: a free one. `stop_with_stdin`: also return when stdin closes,
     so that the death of the parent, however sudden, is the end of this process too. `faults`: what goes
-    wrong, as `parse_faults` reads it. Raises ConfigError for a fault that is none, FleetError where the
-    port can't be had, SystemExit(130) on Ctrl-C.
+    wrong, as `parse_faults` reads it; `first`: the number in the first robot's name. Raises ConfigError
+    for a fault that is none, FleetError where the port can't be had, SystemExit(130) on Ctrl-C.
     """
-    world = World(robots, floors, seed)
+    world = World(robots, floors, seed, first=first)
     server = RosbridgeServer(world, port=port, rate=rate)
     play(server, parse_faults(faults, world.robots))
     if asyncio.run(_serve(server, announce, stop_with_stdin)):

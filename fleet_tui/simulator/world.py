@@ -16,11 +16,11 @@ class World:
     """`robots` robots on `floors` floors. The same seed and the same answers asked at the same steps
     give the same run. `quiet`: no orders of its own, no obstacles, no silence, no low batteries."""
 
-    def __init__(self, robots: int, floors: int, seed: int = 0, quiet: bool = False) -> None:
+    def __init__(self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0) -> None:
         self._rng = random.Random(seed)
         self._quiet = quiet
         self.building = build_building(floors)
-        self.robots = {f"robot_{i}": self._new_robot(i) for i in range(robots)}
+        self.robots = {f"robot_{i}": self._new_robot(i) for i in range(first, first + robots)}
         self.time = 0.0
         """Seconds since the start."""
         self.troubles: list[Callable[[float], None]] = []

@@ -36,6 +36,10 @@ def state(world: World) -> list[object]:
     ]
 
 
+def test_robots_of_several_worlds_can_be_numbered_on() -> None:
+    assert [*World(2, 1, first=5).robots] == ["robot_5", "robot_6"]
+
+
 def off_road(world: World, robot: Robot) -> float:
     """Metres between a robot and the nearest edge of the floor it says it is on."""
     vertices = robot.floor.graph.vertices
