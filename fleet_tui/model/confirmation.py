@@ -52,8 +52,8 @@ def _is_of_another_life(other: CommandRecord, record: CommandRecord, last: int) 
     return other.order_id is not None and other.at <= record.issued_at and other.order_id > last
 
 
-def _find_order(state: FleetState, robot: Robot, record: CommandRecord) -> int | None:
-    """The order in the queue that this command placed: same ends, a new id, nobody else's."""
+def find_order(state: FleetState, robot: Robot, record: CommandRecord) -> int | None:
+    """The order in the queue that a command placed: same ends, a new id, nobody else's."""
     queue, command, last = _queue_since(robot, record), record.command, record.before.last_order_id
     if queue is None or last is None:
         return None
@@ -89,29 +89,51 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
     return [f"order {order.id} is {STATUS_WORDS.get(order.status, order.status)}" for order in left]
 
 
+def _is_overtaken(state: FleetState, record: CommandRecord) -> bool:
+    """Whether its opposite was given since and took effect, as far as is known: what is seen from then
+    on is the doing of that one."""
+    opposite = ResumeRobot if isinstance(record.command, PauseRobot) else PauseRobot
+    return any(
+        isinstance(other.command, opposite)
+        and other.command.robot == record.command.robot
+        and other.issued_at > record.issued_at
+        and other.stage in WAITS | {Stage.CONFIRMED, Stage.TAKEN}
+        for other in state.commands
+    )
+
+
+def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
+    """Whether it has reported one place since the command. A robot may stop so soon that it reports no
+    further one."""
+    if robot.pose is None or robot.standing is None or state.is_old(robot.pose):
+        return False
+    return robot.pose.at - max(robot.standing.at, record.issued_at) >= STANDS_AFTER
+
+
 def _paused(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
+    """The words stay on the screen, and must not read as what the robot is later."""
+    taken = Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
+    if _is_overtaken(state, record):
+        return taken
     sent = record.time_of(Stage.SENT) or record.issued_at
     if robot.paused is not None:
         if robot.paused.at > sent and robot.paused.value is wanted:
-            return Step(Stage.CONFIRMED, state.now, "it says paused" if wanted else "it says not paused")
+            return Step(Stage.CONFIRMED, state.now, "it told so itself")
         return None
-    standing = robot.standing
-    if wanted and record.before.moving and standing is not None:
-        fresh = robot.pose is not None and not state.is_old(robot.pose)
-        if fresh and standing.at > record.issued_at and state.now - standing.at >= STANDS_AFTER:
-            return Step(Stage.CONFIRMED, state.now, "it stands still")
-        return None
-    return Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
+    if wanted and record.before.moving:
+        stopped = _stopped(state, robot, record)
+        return Step(Stage.CONFIRMED, state.now, "it was seen to stop") if stopped else None
+    return taken
 
 
 def _seen(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
     """The record, ended if telemetry shows that the command was carried out."""
     match record.command:
         case PlaceOrder() | PlaceOrderWithCargo():
-            order_id = _find_order(state, robot, record)
+            order_id = find_order(state, robot, record)
             if order_id is None:
                 return record
-            step = Step(Stage.CONFIRMED, state.now, f"order {order_id} is in the queue")
+            step = Step(Stage.CONFIRMED, state.now, f"seen in the queue as order {order_id}")
             return replace(record.advanced(step), order_id=order_id)
         case CancelOrder() | ClearOrders():
             if _still_there(robot, record) != []:
@@ -126,13 +148,21 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord) -> CommandReco
     return record if found is None else record.advanced(found)
 
 
-def _instead(robot: Robot, record: CommandRecord) -> str:
-    """What telemetry shows where a command can't be seen to have been carried out."""
-    match record.command:
-        case PauseRobot():
-            return "it does not say paused" if robot.paused is not None else "it still moves"
-        case ResumeRobot():
-            return "it still says paused" if robot.paused is not None else "nothing shows it"
+def _instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
+    wanted = isinstance(record.command, PauseRobot)
+    if robot.paused is not None:
+        return "it reported no pause" if wanted else "it reported a pause"
+    if not wanted or not record.before.moving or _is_overtaken(state, record):
+        return "nothing shows it"
+    if robot.pose is None or robot.pose.at - record.issued_at < STANDS_AFTER:
+        return "its pose has not been heard since"
+    return "it went on moving"
+
+
+def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
+    """What telemetry showed where a command can't be seen to have been carried out."""
+    if isinstance(record.command, PauseRobot | ResumeRobot):
+        return _instead_of_pause(state, robot, record)
     if _queue_since(robot, record) is None:
         return "its queue has not been heard since"
     if isinstance(record.command, PlaceOrder | PlaceOrderWithCargo):
@@ -161,5 +191,5 @@ def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
     if deadline is None or state.now < deadline:
         return record
     said = f"{record.stage.value}: {record.words}" if record.stage is not Stage.ACCEPTED else "accepted"
-    words = f"{said}; {_instead(robot, record)}"
+    words = f"{said}; {_instead(state, robot, record)}"
     return record.advanced(Step(Stage.NOT_CONFIRMED, state.now, words))

@@ -60,7 +60,7 @@ def test_the_order_that_was_recognised_and_the_robots_words_are_in_it(tmp_path: 
     store.tell(queue(T0 + 1, (12, 1, 2, "Q")))
     store.tell(tick(T0 + 2))
     last = read(tmp_path)[-1]
-    assert (last.change, last.order, last.words) == ("confirmed", 12, "order 12 is in the queue")
+    assert (last.change, last.order, last.words) == ("confirmed", 12, "seen in the queue as order 12")
     assert read(tmp_path)[-2].words == "ACCEPTED"
 
 

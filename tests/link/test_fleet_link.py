@@ -151,7 +151,7 @@ async def test_a_command_under_way_ends_when_the_link_goes(server: RosbridgeServ
         record = state.commands[-1]
         steps = [event for event in store.events if isinstance(event, CommandAdvanced)]
     assert (record.id, record.stage) == (command_id, Stage.NOT_CONFIRMED)
-    assert "outcome unknown" in record.words and "does not say paused" in record.words
+    assert "outcome unknown" in record.words and "it reported no pause" in record.words
     assert [step.stage for step in steps] == [Stage.SENT, Stage.UNKNOWN]
     assert len(server.calls) == 1
 

@@ -44,7 +44,7 @@ async def test_late_and_seen_before(server: RosbridgeServer, monkeypatch: pytest
         await order(it)
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.NO_ANSWER, Stage.CONFIRMED]
-        await it.shows("Base -> Consumidores: confirmed (order 1 is in the queue)", "message")
+        await it.shows("Base -> Consumidores: confirmed (seen in the queue as order 1)", "message")
         later = record.at + 4 * NO_ANSWER_AFTER
         assert (await it.until(lambda state: state.now > later)).commands == (record,)
         await it.hides("no answer")
@@ -75,7 +75,7 @@ async def test_twice(server: RosbridgeServer) -> None:
         pause = await ended(it, 2)
         assert stages(pause) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         assert it.store.state.commands[0] == record
-        await it.shows("pause: confirmed (it says paused)", "message")
+        await it.shows("pause: confirmed (it told so itself)", "message")
         assert calls(server) == ["Execute_order", "Pause"]
         assert len(server.world.robots[R0].orders) == 1
 
@@ -93,7 +93,7 @@ async def test_never(server: RosbridgeServer) -> None:
         pause = await ended(it, 2)
         assert stages(pause) == [*SENT, Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
         # On the screen a robot is only paused where it is.
-        assert pause.words.endswith("it does not say paused")
+        assert pause.words.endswith("it reported no pause")
         assert calls(server) == ["Execute_order", "Pause"]
 
 

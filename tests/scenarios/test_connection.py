@@ -24,7 +24,7 @@ async def test_carried_out_but_the_answer_was_lost(server: RosbridgeServer) -> N
         await order(it)
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.CONFIRMED]
-        await it.shows("Base -> Consumidores: confirmed (order 1 is in the queue)", "message")
+        await it.shows("Base -> Consumidores: confirmed (seen in the queue as order 1)", "message")
         await it.shows("Base -> Consumidores", "queue")
         await heard_anew(it)
         assert calls(server) == ["Execute_order"]

@@ -42,7 +42,7 @@ async def test_an_order_by_keyboard_is_driven_and_leaves_the_queue(server: Rosbr
     async with console(config_of(server.url, 1)) as it:
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
-        await it.shows("confirmed (order 1 is in the queue)")
+        await it.shows("confirmed (seen in the queue as order 1)")
         start, end = vertex(it, "Base"), vertex(it, "Consumidores")
         assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end})]
         # Faster than it would be driven: the world is ours.

@@ -157,7 +157,7 @@ async def test_a_chain_may_have_an_order_twice_and_others_are_no_slip(server: Ro
 async def test_again_and_the_way_back_by_the_menu_of_an_order(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await place(it)
-        await it.shows("confirmed (order 1 is in the queue)")
+        await it.shows("confirmed (seen in the queue as order 1)")
         await it.press("shift+tab", "enter")
         await it.shows("Order 1 of robot_0: Base -> Consumidores")
         await it.shows("given here at")
