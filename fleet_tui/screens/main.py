@@ -107,7 +107,7 @@ class MainScreen(Navigation):
         notes = console_notes(self.read_only, self.armed, time.monotonic() - state.now) + self.audit_notes()
         right = status_right(self.clock(state.wall), self.operator)
         self.status.show(status_line(state, self.selection.robot, notes), right)
-        self.message.show(message_line(state, self.said, self._said_at))
+        self.message.show(message_line(state, self.said, self._said_at, self.message.size.width))
         self.hints.show(*hints(self.keys, self._focused_pane()))
         self.announce(state)
         if self.simple is not None:

@@ -15,7 +15,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.view.fleet_rows import place
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Run
+from fleet_tui.view.table import Run, cut, width_of
 from fleet_tui.view.text import visible
 
 # Commands given within this many seconds were meant as one; so many of them fit in a line.
@@ -52,10 +52,12 @@ def stage_text(record: CommandRecord, now: float) -> str:
     return "sending" if record.stage is Stage.CHECKED else str(record.stage.value)
 
 
-def _group_runs(state: FleetState, records: list[CommandRecord]) -> tuple[Run, ...]:
+def _group_runs(state: FleetState, records: list[CommandRecord], brief: bool = False) -> tuple[Run, ...]:
     """Commands of one kind at one stage, as one: pause all of a large fleet is one line."""
     first = records[0]
     text = command_text(state, first.command)
+    if brief and isinstance(first.command, PlaceOrder | PlaceOrderWithCargo):
+        text = f"{first.command.robot} order"
     if len(records) > 1:
         text += f" and {len(records) - 1} more like it"
     ink = Ink.ALARM if first.stage in TROUBLE else _INKS.get(first.stage, Ink.DIM)
@@ -76,7 +78,7 @@ def _worth_saying(state: FleetState) -> list[CommandRecord]:
     ]
 
 
-def message_line(state: FleetState, said: str, said_at: float) -> tuple[Run, ...]:
+def message_line(state: FleetState, said: str, said_at: float, width: int) -> tuple[Run, ...]:
     """The newest word to the operator: what the console says, how the last commands stand."""
     groups: dict[object, list[CommandRecord]] = {}
     # What went wrong comes first, the newest before the others: it must not be cut at the right end.
@@ -87,10 +89,27 @@ def message_line(state: FleetState, said: str, said_at: float) -> tuple[Run, ...
     for record in records:
         group = (type(record.command), record.stage, record.words)
         groups.setdefault(group if len(records) > FEW else record.id, []).append(record)
-    runs: list[Run] = [(f" {said}", Ink.WARN)] if said and _is_news(state, said_at) else []
-    for together in groups.values():
-        runs += [(" " if not runs else "   ", Ink.TEXT), *_group_runs(state, together)]
-    return tuple(runs)
+    parts = [_group_runs(state, together) for together in groups.values()]
+    briefs = [_group_runs(state, together, brief=True)[:2] for together in groups.values()]
+    if said and _is_news(state, said_at):
+        parts.insert(0, ((said, Ink.WARN),))
+        briefs.insert(0, ((said, Ink.WARN),))
+    runs = _in_line(parts)
+    return runs if width_of(runs) <= width else _squeezed(parts, briefs, width)
+
+
+def _in_line(parts: list[tuple[Run, ...]]) -> tuple[Run, ...]:
+    gaps = [" ", *["   "] * len(parts)]
+    return tuple(run for gap, part in zip(gaps, parts, strict=False) for run in ((gap, Ink.TEXT), *part))
+
+
+def _squeezed(parts: list[tuple[Run, ...]], briefs: list[tuple[Run, ...]], width: int) -> tuple[Run, ...]:
+    """The first with as many of its words as there is room for; of each how it stands is never cut."""
+    first, rest = parts[0], briefs[1:]
+    room = width - width_of(_in_line([(), *rest]))
+    if width_of(first[:2]) > room:
+        first = (*briefs[0], *first[2:])
+    return _in_line([cut(first, room) if width_of(first) > room else first, *rest])
 
 
 def _is_news(state: FleetState, said_at: float) -> bool:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.confirmation import find_order
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.order import STATUS_WORDS, Order
 from fleet_tui.model.robot import Robot
@@ -33,6 +34,14 @@ def _under_way(state: FleetState, selected: str, all_robots: bool) -> list[Comma
         for record in state.commands
         if not record.ended and (all_robots or record.command.robot == selected)
     ]
+
+
+def _awaited(state: FleetState, under_way: list[CommandRecord]) -> int:
+    """How many orders were given here that no queue shows yet: one that it shows may lack its answer."""
+    placed = [one for one in under_way if isinstance(one.command, PlaceOrder | PlaceOrderWithCargo)]
+    names = [one.command.robot for one in placed]
+    ids = [find_order(state, state.robots[name], one) for name, one in zip(names, placed, strict=True)]
+    return len(placed) - len({(name, id_) for name, id_ in zip(names, ids, strict=True) if id_ is not None})
 
 
 def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tuple[str, int], str]:
@@ -110,10 +119,9 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
     """The orders in a pane of `width` cells."""
     entries = listed(state, selected, all_robots)
     under_way = _under_way(state, selected, all_robots)
-    placed = sum(isinstance(record.command, PlaceOrder | PlaceOrderWithCargo) for record in under_way)
     robot = state.robots[selected]
     rows = _rows(state, entries, under_way, width, all_robots)
-    title = _title(robot, state, len(entries), placed, all_robots)
+    title = _title(robot, state, len(entries), _awaited(state, under_way), all_robots)
     buttons: tuple[Button, ...] = ()
     if not all_robots and rows:
         start = width - len(CLEAR) - 1

@@ -15,7 +15,10 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.view.command_line import command_text, message_line
 from fleet_tui.view.roles import Ink
+from fleet_tui.view.text import cell_width
 from tests.fleets import R0, T0, commanded, fleet, graph, labels, text_of, tick, told
+
+WIDE = 300
 
 COMMANDS: list[tuple[Command, str]] = [
     (PlaceOrder(R0, 1, 2), "robot_0 order Base -> 2"),
@@ -48,7 +51,7 @@ def test_commands_in_the_operators_words(command: Command, text: str) -> None:
 def test_where_a_command_stands(stages: list[Stage], words: str, said: str, ink: Ink) -> None:
     order = PlaceOrder(R0, 1, 2)
     state = told(fleet(), *commanded(1, order, *stages, words=words), tick(T0 + 3))
-    runs = message_line(state, "", 0.0)
+    runs = message_line(state, "", 0.0, WIDE)
     assert text_of(runs) == f" robot_0 order 1? -> 2?{said}"
     assert {found for text, found in runs if text.startswith(said.partition(" (")[0])} == {ink}
 
@@ -58,24 +61,38 @@ def pause(id_: int, at: float, *stages: Stage, robot: str = R0, words: str = "")
 
 
 def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -> None:
-    assert message_line(fleet(), "", 0.0) == ()
-    assert text_of(message_line(fleet(), "no order here", T0)) == " no order here"
+    assert message_line(fleet(), "", 0.0, WIDE) == ()
+    assert text_of(message_line(fleet(), "no order here", T0, WIDE)) == " no order here"
     together = [pause(2 + n, T0 + 10, robot=f"robot_{n}") for n in range(2)]
     bad = pause(4, T0 + 10, Stage.SENT, Stage.REFUSED, robot="robot_2", words="no")
     state = told(fleet(3), *together[0], *together[1], *bad, tick(T0 + 10))
-    text = text_of(message_line(state, "older", T0 + 9))
+    text = text_of(message_line(state, "older", T0 + 9, WIDE))
     assert text.count("pause") == 3 and "older" not in text
     assert text.index("robot_2") < text.index("robot_0")  # what went wrong must not be cut off
     # A command that ended badly stays in view, whatever is said or given after it.
-    newer = text_of(message_line(told(state, *pause(9, T0 + 12)), "newer", T0 + 11))
+    newer = text_of(message_line(told(state, *pause(9, T0 + 12)), "newer", T0 + 11, WIDE))
     assert "robot_2 pause: refused (no)" in newer and "newer" not in newer
     later = told(state, *pause(9, T0 + 12), tick(T0 + 41))
-    assert "refused" not in text_of(message_line(later, "", 0.0))
+    assert "refused" not in text_of(message_line(later, "", 0.0, WIDE))
 
 
 def test_pause_all_of_a_large_fleet_is_one_word() -> None:
     facts = [
         fact for n in range(9) for fact in pause(n, T0, Stage.NOT_SENT, robot=f"robot_{n}", words="no link")
     ]
-    text = text_of(message_line(told(fleet(9), *facts), "", 0.0))
+    text = text_of(message_line(told(fleet(9), *facts), "", 0.0, WIDE))
     assert text == " robot_0 pause and 8 more like it: not sent (no link)"
+
+
+@pytest.mark.parametrize("width", [120, 80])
+@pytest.mark.parametrize("said", ["", "robot_1 has no orders"])
+def test_how_each_command_stands_is_never_cut(width: int, said: str) -> None:
+    names = {1: "Base of the northern hall", 2: "Consumidores at the far end"}
+    facts = [
+        *commanded(1, PlaceOrder(R0, 1, 2), Stage.SENT, Stage.NO_ANSWER, words="from a service " * 9),
+        *commanded(2, PlaceOrder("robot_1", 1, 2), Stage.SENT, Stage.REFUSED, words="no " * 40),
+    ]
+    state = told(fleet(3), graph(1, 2), labels(names), *facts, tick(T0 + 1))
+    text = text_of(message_line(state, said, T0 + 1, width))
+    assert cell_width(text) <= width
+    assert "no answer" in text and "refused" in text and said in text

@@ -87,7 +87,7 @@ def tables(state: FleetState) -> Iterable[Table]:
 
 def lines(state: FleetState) -> Iterable[tuple[Run, ...]]:
     yield status_line(state, R0)
-    yield message_line(state, "", 0.0)
+    yield message_line(state, "", 0.0, 120)
     for table in tables(state):
         yield table.title
         yield from (row.runs for row in table.rows)

@@ -124,6 +124,8 @@ def test_what_is_under_way_stands_at_its_order_or_in_the_title() -> None:
     current, waiting, odd = lines(now)
     assert "cancel sent 1 s ago" in waiting and "cancel" not in (current + odd).replace(CANCEL, "")
     assert "+1 not seen here yet" in text_of(queue_table(now, R0, False, 100).title)
+    shown = told(state(), *commanded(2, PlaceOrder(R0, 1, 2), Stage.SENT), queue(T0 + 1, (900, 1, 2, "Q")))
+    assert "not seen" not in text_of(queue_table(shown, R0, False, 100).title)  # only its answer lacks
     clear = told(state(), *commanded(3, ClearOrders(R0), Stage.SENT), tick(T0 + 1))
     assert all("cancel sent 1 s ago" in line for line in lines(clear))
     ended = told(now, *(CommandAdvanced(id_, Stage.REFUSED, T0 + 1) for id_ in (1, 2)))
