@@ -67,7 +67,9 @@ class Terminal:
         for _, data in self.chunks[self._played : until]:
             self._stream.feed(data)
         self._played = until
-        return "\n".join(self._screen.display)
+        # Not Screen.display, which fails at half a wide character: so it is between two chunks.
+        rows = (self._screen.buffer[y] for y in range(HEIGHT))
+        return "\n".join("".join(row[x].data for x in range(WIDTH)) for row in rows)
 
     def wait_for(self, text: str, within: float = 20.0) -> None:
         end = time.monotonic() + within
