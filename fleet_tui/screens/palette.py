@@ -73,8 +73,9 @@ class Palette(Overlay):
         if command.is_command:
             lines = [one for one in command.completed if one.strip() != typed]
             found += [(visible(one), partial(self._go_on, one)) for one in lines[:SHOWN]]
-        if not found and command.problem:
-            found = [(command.problem, partial(self._go_on, line))]
+        if not found and typed:
+            said = command.problem or f"nothing is called {visible(typed)}: ? lists what there is"
+            found = [(said, partial(self._go_on, line))]
         self._found = found
         self._matches.show(text for text, _ in found)
 

@@ -104,8 +104,11 @@ def _in_line(parts: list[tuple[Run, ...]]) -> tuple[Run, ...]:
 
 
 def _squeezed(parts: list[tuple[Run, ...]], briefs: list[tuple[Run, ...]], width: int) -> tuple[Run, ...]:
-    """The first with as many of its words as there is room for; of each how it stands is never cut."""
+    """The first with as many of its words as there is room for; how one stands is never cut: those that
+    come last, which are well, are left out before."""
     first, rest = parts[0], briefs[1:]
+    while rest and width_of(_in_line([briefs[0], *rest])) > width:
+        rest.pop()
     room = width - width_of(_in_line([(), *rest]))
     if width_of(first[:2]) > room:
         first = (*briefs[0], *first[2:])

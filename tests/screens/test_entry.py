@@ -73,6 +73,15 @@ async def test_what_is_wrong_with_a_line_is_said_and_nothing_is_sent(server: Ros
         assert sent(server) == []
 
 
+async def test_what_means_nothing_is_said_to(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("colon")
+        await it.type("qqqq")
+        await it.shows("nothing is called qqqq")
+        await it.press("enter")
+        await it.shows("nothing is called qqqq")
+
+
 async def test_tab_completes_what_is_typed(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, ":ro\tbas\t\tcons\t")

@@ -96,3 +96,11 @@ def test_how_each_command_stands_is_never_cut(width: int, said: str) -> None:
     text = text_of(message_line(state, said, T0 + 1, width))
     assert cell_width(text) <= width
     assert "no answer" in text and "refused" in text and said in text
+
+
+def test_what_went_wrong_stays_where_there_is_no_room_for_all() -> None:
+    facts = [fact for n in range(6) for fact in pause(n, T0, Stage.SENT, robot=f"robot_{n % 3}")]
+    facts += pause(8, T0, Stage.SENT, Stage.REFUSED, robot="robot_1", words="no " * 40)
+    facts += commanded(9, CancelOrder("robot_2", 3), Stage.SENT, Stage.ACCEPTED)
+    text = text_of(message_line(told(fleet(3), *facts, tick(T0 + 1)), "", 0.0, 60))
+    assert text.startswith(" robot_1 pause: refused") and cell_width(text) <= 60
