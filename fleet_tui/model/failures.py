@@ -29,12 +29,9 @@ TOGETHER, MANY = 0.3, 5
 it is one alarm."""
 
 
-def failure(record: CommandRecord) -> str:
-    """How a command failed, in the words of the operator; empty where it didn't, or is not over, or
-    never left this console."""
-    if record.stage not in (Stage.REFUSED, Stage.NOT_CONFIRMED):
-        return ""
-    return f"{record.stage.value} ({record.words})" if record.words else record.stage.value
+def has_failed(record: CommandRecord) -> bool:
+    """Whether a command that left this console failed."""
+    return record.stage in (Stage.REFUSED, Stage.NOT_CONFIRMED)
 
 
 def _wish(robot: Robot, command: Command) -> str:
@@ -56,7 +53,7 @@ def _wish(robot: Robot, command: Command) -> str:
 def failed_commands(state: FleetState) -> Iterator[Condition]:
     """Commands that failed a short while ago: an alarm for each robot, or for each link where one
     wish for many robots failed."""
-    fresh = [record for record in state.commands if failure(record) and state.now - record.at < FAILED_FOR]
+    fresh = [record for record in state.commands if has_failed(record) and state.now - record.at < FAILED_FOR]
     if not fresh:
         return
     given = _given_together(state.commands)
@@ -80,8 +77,9 @@ def _failed(state: FleetState, key: Key, records: Sequence[CommandRecord]) -> Co
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
-        f"{wish}: {failure(last)}",
-        f"{wish} failed",
+        # How it failed comes first: it must not be cut at the right end.
+        f"{last.stage.value}: {wish}" + (f" ({last.words})" if last.words else ""),
+        f"failed: {wish}",
         parts=frozenset(str(record.id) for record in records),
     )
 

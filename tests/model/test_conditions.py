@@ -225,7 +225,7 @@ def failed(state: FleetState, id_: int, at: float, *stages: Stage, words: str = 
 def test_a_refused_command_is_an_alarm_in_the_robots_words() -> None:
     state = told(up(), graph(1, 2), labels({1: "Base", 2: "Store"}))
     state = failed(state, 7, T0)
-    assert alarm(state, "command").text == "order Base -> Store: refused (queue full)"
+    assert alarm(state, "command").text == "refused: order Base -> Store (queue full)"
     assert alarm(state, "command").condition.priority.name == "MEDIUM"
 
 
@@ -233,13 +233,13 @@ def test_not_confirmed_is_an_alarm_that_returns_after_a_while_and_stays_until_it
     state = failed(up(), 7, T0, Stage.ACCEPTED, words="")
     assert alarms(state) == {}
     state = told(state, battery(T0 + 6), tick(T0 + 6))
-    text = "order 1 -> 2: not confirmed (accepted; its queue has not been heard since)"
+    text = "not confirmed: order 1 -> 2 (accepted; its queue has not been heard since)"
     assert alarm(state, "command").text == text
     assert alarm(told(state, battery(T0 + 35), tick(T0 + 35)), "command").text == text
     state = told(state, battery(T0 + 40), tick(T0 + 40))
     assert (alarm(state, "command").stage, alarm(state, "command").text) == (
         AlarmStage.RETURNED,
-        "order 1 -> 2 failed",
+        "failed: order 1 -> 2",
     )
     assert alarms(told(state, events.AlarmAcknowledged())) == {}
 
@@ -266,7 +266,7 @@ def test_a_pause_that_failed_is_urgent_and_for_many_robots_one_alarm() -> None:
         state = told(state, *ended(n, T0, Stage.REFUSED), *[tick(T0 + n / 100)] * (n % 20 == 0))
     state = told(state, tick(T0 + 1))
     assert [one.key for one in state.alarms] == [(LINK, "many commands")]
-    assert state.alarms[0].text == "pause of 100 robots: refused"
+    assert state.alarms[0].text == "refused: pause of 100 robots"
     assert (state.alarms[0].condition.priority.name, state.alarms[0].count) == ("HIGH", 100)
 
 
