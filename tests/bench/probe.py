@@ -107,7 +107,8 @@ def beats() -> None:
             due = now
 
     def ticked(screen: MainScreen) -> None:
-        scene = screen.map.scene
+        view = getattr(screen, "map", None)  # the first ticks come before it
+        scene = getattr(view, "scene", None)
         width = scene.grid.frame.width if scene and scene.grid else 0
         if not noted["map"] or noted["map"][-1][1] != width:
             noted["map"].append((time.monotonic(), width))
