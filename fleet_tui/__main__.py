@@ -2,6 +2,7 @@
 
 import gc
 import os
+import signal
 import sys
 from typing import NoReturn
 
@@ -101,6 +102,7 @@ def main() -> None:
         code = end.code
         raise
     finally:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second Ctrl-C would only spoil the end of the first
         end_within(PATIENCE, code if isinstance(code, int) else int(code is not None))
 
 

@@ -8,6 +8,9 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
+from fleet_tui.config.profile import Profile
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import Command, Stage
@@ -39,8 +42,9 @@ WIRE = Path(__file__).parent / "wire"
 
 
 def fleet(robots: int = 1, floors: int = 1) -> FleetState:
-    """Robots and floors of a config, nothing heard yet, at T0."""
-    return initial_state(config_of("ws://site:9090", robots, floors), T0)
+    """Robots and floors of a config without a topic for pauses, nothing heard yet, at T0."""
+    config = config_of("ws://site:9090", robots, floors)
+    return initial_state(msgspec.structs.replace(config, profile=Profile()), T0)
 
 
 def told(state: FleetState, *facts: Event) -> FleetState:

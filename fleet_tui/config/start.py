@@ -11,12 +11,7 @@ def initial_state(config: Config, now: float) -> FleetState:
     alarms = config.alarms
     return FleetState(
         floors={floor.name: Floor(floor.name, floor.frame) for floor in config.floors},
-        robots={
-            robot.name: Robot(
-                robot.name, number, robot.link, {floor: Chart() for floor in config.floors_of(robot)}
-            )
-            for number, robot in enumerate(config.robots, 1)
-        },
+        robots=_robots(config),
         links={name: LinkState(name, link.shown, since=now) for name, link in config.bridges.items()},
         limits=Limits(
             alarms.offline_after,
@@ -33,3 +28,16 @@ def initial_state(config: Config, now: float) -> FleetState:
         ),
         now=now,
     )
+
+
+def _robots(config: Config) -> dict[str, Robot]:
+    return {
+        robot.name: Robot(
+            robot.name,
+            number,
+            robot.link,
+            {floor: Chart() for floor in config.floors_of(robot)},
+            says_paused=bool(config.profile.topic("paused", robot.name)),
+        )
+        for number, robot in enumerate(config.robots, 1)
+    }

@@ -6,6 +6,7 @@ import click
 
 from fleet_tui.config.load import find, load
 from fleet_tui.headless.config_commands import config
+from fleet_tui.headless.order_commands import orders
 from fleet_tui.options import common, merged, timeout
 from fleet_tui.view.text import visible
 
@@ -15,7 +16,8 @@ def headless() -> None:
     """Holds the commands; the command line shows them as its own."""
 
 
-headless.add_command(config)
+for command in (config, *orders.commands.values()):
+    headless.add_command(command)
 
 
 @headless.command()

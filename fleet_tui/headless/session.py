@@ -14,9 +14,6 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.store import Store
 
-SETTLES = 0.5
-"""Seconds without any link after which a first refusal counts as the answer."""
-
 
 class WaitingStore(Store):
     """A store on which another thread can wait."""

@@ -48,6 +48,8 @@ class CommandChannel:
         self._silence = silence
         self._path = CommandPath.UNTRIED
         self._path_reason = ""
+        self._connected = False
+        self._told: CommandPathChanged | None = None
         self._heartbeat: asyncio.Task[None] | None = None
         # A task that nobody holds may be collected in the middle.
         self._under_way: set[asyncio.Task[None]] = set()
@@ -55,15 +57,18 @@ class CommandChannel:
         self._calls = Calls(self.connection)
 
     def _set_path(self, path: CommandPath, reason: str = "") -> None:
-        if (path, reason) != (self._path, self._path_reason):
-            self._path, self._path_reason = path, reason
-            self._writer.store.tell(CommandPathChanged(self._link, path, reason))
+        told = CommandPathChanged(self._link, path, reason, self._connected)
+        if told != self._told:
+            self._path, self._path_reason, self._told = path, reason, told
+            self._writer.store.tell(told)
 
     def on_connecting(self) -> None:
         """A try has begun."""
 
     def on_open(self) -> None:
-        """Find out whether commands get through, and keep finding out."""
+        """Find out whether commands get through, and keep finding out. A pause need not wait for that."""
+        self._connected = True
+        self._set_path(self._path, self._path_reason)
         self._heartbeat = asyncio.ensure_future(self._beat())
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
@@ -71,6 +76,7 @@ class CommandChannel:
         if self._heartbeat is not None:
             self._heartbeat.cancel()
         self._calls.on_lost()
+        self._connected = False
         self._set_path(CommandPath.DEAD, reason or "connection lost")
 
     async def _beat(self) -> None:

@@ -26,9 +26,9 @@ class Link:
         self._commands = CommandChannel(name, bridge, interface, writer, timeout, self._telemetry.silence)
 
     def open(self) -> None:
-        """Connect, and stay connected."""
-        self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
+        """Connect, and stay connected; commands first, so that no subscribing delays a pause."""
         self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
+        self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command; how it goes on arrives in the store as CommandAdvanced.

@@ -146,9 +146,8 @@ def _apply_to_link(
         case events.LinkHeard():
             return _with_link(state, replace(link, heard=event.at))
         case events.CommandPathChanged():
-            return _with_link(
-                state, replace(link, command_path=event.path, command_reason=brief(event.reason))
-            )
+            changed = replace(link, command_path=event.path, command_reason=brief(event.reason))
+            return _with_link(state, replace(changed, commands_connected=event.connected))
         case events.FrameRejected():
             return _with_link(
                 state, replace(link, faults=link.faults + 1, last_fault=brief(event.text), fault_at=state.now)

@@ -123,7 +123,7 @@ def _paused(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool
     if wanted and record.before.moving:
         stopped = _stopped(state, robot, record)
         return Step(Stage.CONFIRMED, state.now, "it was seen to stop") if stopped else None
-    return taken
+    return None if robot.says_paused else taken
 
 
 def _seen(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
@@ -152,6 +152,8 @@ def _instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) ->
     wanted = isinstance(record.command, PauseRobot)
     if robot.paused is not None:
         return "it reported no pause" if wanted else "it reported a pause"
+    if robot.says_paused:
+        return "the topic that tells its pauses has not been heard"
     if not wanted or not record.before.moving or _is_overtaken(state, record):
         return "nothing shows it"
     if robot.pose is None or robot.pose.at - record.issued_at < STANDS_AFTER:

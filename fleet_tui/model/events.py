@@ -150,11 +150,12 @@ class LinkHeard(Struct, frozen=True):
 
 
 class CommandPathChanged(Struct, frozen=True):
-    """Commands would, or would not, get through now."""
+    """Commands would, or would not, get through now; `connected`: there is a connection for them."""
 
     link: str
     path: CommandPath
     reason: str = ""
+    connected: bool = False
 
 
 class CommandIssued(Struct, frozen=True):

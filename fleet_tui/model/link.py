@@ -23,8 +23,8 @@ class CommandPath(Enum):
 @dataclass(frozen=True, slots=True)
 class LinkState:
     """A bridge: `since` is when the phase began, `next_try` when it is tried again, both
-    monotonic seconds; `reason` says in plain words why there is no link; `fault_at` is when a bad
-    frame came last."""
+    monotonic seconds; `reason` says in plain words why there is no link; `commands_connected`: there is
+    a connection for commands, tried or not; `fault_at` is when a bad frame came last."""
 
     name: str
     url: str
@@ -35,6 +35,7 @@ class LinkState:
     heard: float | None = None
     command_path: CommandPath = CommandPath.UNTRIED
     command_reason: str = ""
+    commands_connected: bool = False
     faults: int = 0
     last_fault: str = ""
     fault_at: float | None = None

@@ -64,7 +64,8 @@ class Robot:
     last telemetry; `floor` is the one whose frame its pose names; `paused_at` is where it stood
     when it accepted our own pause; `standing` is the pose it has not left, and since when; `place`
     is coarser: where it got to, and since when it gets no further; `jumps` are the metres of its
-    pose's last leaps that no robot drives, each with its time; `fault_at` is when bad data came last."""
+    pose's last leaps that no robot drives, each with its time; `fault_at` is when bad data came last;
+    `says_paused`: it has a topic for that, heard or not."""
 
     name: str
     number: int
@@ -80,6 +81,7 @@ class Robot:
     cargo: Reading[bool] | None = None
     obstacle: Reading[float] | None = None
     queue: Reading[OrderQueue] | None = None
+    says_paused: bool = False
     paused: Reading[bool] | None = None
     paused_by_us: bool = False
     paused_at: Pose | None = None

@@ -1,10 +1,13 @@
 """The command line against a loopback simulator, as another program would run it."""
 
 import asyncio
+import json
 import os
 import sys
 from dataclasses import dataclass
 from pathlib import Path
+
+from fleet_tui.simulator.server import RosbridgeServer
 
 ROBOT = '[[robots]]\nname = "{}"\n'
 
@@ -29,18 +32,40 @@ def config_file(folder: Path, url: str, robots: int = 1, floors: int = 1) -> Pat
     return path
 
 
-async def run(folder: Path, *args: str) -> Ended:
-    """Run `fleet-tui` with the config of a folder, while this loop goes on serving."""
-    process = await asyncio.create_subprocess_exec(
+async def started(
+    folder: Path, *args: str, stdin: int = asyncio.subprocess.DEVNULL
+) -> asyncio.subprocess.Process:
+    """`fleet-tui` with the config of a folder, running."""
+    return await asyncio.create_subprocess_exec(
         sys.executable,
         "-m",
         "fleet_tui",
         *args,
         cwd=folder,
         env={**os.environ, "XDG_STATE_HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "COLUMNS": "100"},
-        stdin=asyncio.subprocess.DEVNULL,
+        stdin=stdin,
         stdout=asyncio.subprocess.PIPE,
         stderr=asyncio.subprocess.PIPE,
     )
-    out, err = await asyncio.wait_for(process.communicate(), 30)
+
+
+async def run(folder: Path, *args: str, stdin: str | None = None) -> Ended:
+    """Run `fleet-tui` with the config of a folder to its end, while this loop goes on serving."""
+    way = asyncio.subprocess.DEVNULL if stdin is None else asyncio.subprocess.PIPE
+    process = await started(folder, *args, stdin=way)
+    out, err = await asyncio.wait_for(process.communicate(None if stdin is None else stdin.encode()), 30)
     return Ended(process.returncode or 0, out.decode(), err.decode())
+
+
+def asked(server: RosbridgeServer) -> list[str]:
+    """The calls that reached the wire: the robot and the service."""
+    return [service.replace("/Application_layout/", " ")[1:] for service, _ in server.calls]
+
+
+def audited(folder: Path) -> list[str]:
+    """What the audit log has of commands: robot, command, stage."""
+    lines = (folder / "fleet-tui" / "audit.jsonl").read_text().splitlines()
+    records = [json.loads(line) for line in lines]
+    return [
+        f"{one['robot']} {one['what']} {one['change']}" for one in records if one.get("kind") == "command"
+    ]

@@ -1,5 +1,7 @@
 """The life of a command: only along the table, one end, and the truth that telemetry tells of it."""
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
@@ -153,6 +155,20 @@ def test_where_nothing_shows_it_an_accepted_pause_is_only_accepted(command: Comm
     parked = up(pose(T0 - 50), pose(T0), *commanded(1, command, SENT, ACCEPTED), tick(T0))
     assert only(parked).stage is Stage.TAKEN
     assert "accepted" in Stage.TAKEN.value
+
+
+def test_a_pause_that_a_topic_is_to_show_waits_for_it() -> None:
+    """A pause given before anything was heard, as from a shell, is not taken for one that nothing shows."""
+    state = up()
+    state = replace(state, robots={R0: replace(state.robots[R0], says_paused=True)})
+    state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0))
+    assert only(state).stage is ACCEPTED
+    assert only(told(state, PausedReported(R0, T0 + 1, True), tick(T0 + 1))).stage is Stage.CONFIRMED
+    silent = only(told(state, tick(T0 + PATIENCE)))
+    assert (silent.stage, silent.words) == (
+        Stage.NOT_CONFIRMED,
+        "accepted; the topic that tells its pauses has not been heard",
+    )
 
 
 def test_a_robot_that_was_driving_and_stands_still_is_seen_to_have_paused() -> None:

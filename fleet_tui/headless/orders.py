@@ -1,0 +1,151 @@
+"""`fleet-tui order`, `cancel`, `clear`, `pause`, `resume` and `run`: commands without a screen."""
+
+import signal
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+
+import click
+
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.errors import CommandError
+from fleet_tui.headless.outcome import NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, tell
+from fleet_tui.headless.sending import LINK_WITHIN, How, Sending, reaches, unreported
+from fleet_tui.headless.session import session
+from fleet_tui.journal.audit import auditing
+from fleet_tui.log_file import state_folder
+from fleet_tui.model.checks import no_link
+from fleet_tui.model.commands import ResumeRobot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.grammar import ALL, find_robot, parse_words
+from fleet_tui.model.problem import Rights
+from fleet_tui.model.robot import Robot
+from fleet_tui.view.command_line import command_text
+from fleet_tui.view.text import visible
+
+LABELS_WITHIN = 1.0
+"""Seconds more for labels, which a floor need not have, and for the robot's word on whether it is paused."""
+
+LOOK = "fleet-tui status and fleet-tui audit show what became of it"
+
+Say = Callable[..., None]
+
+
+def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> How:
+    """How the config and the options let commands be given."""
+    rights = Rights(config.operator.read_only, config.operator.armed)
+    return How(rights, timeout, yes, until_done)
+
+
+def forbidden(config: Config) -> str:
+    """Why this console may not command, empty where it may."""
+    if config.operator.read_only:
+        return f"this console is read-only: operator.read_only in {config.path}"
+    return "" if config.operator.armed else f"this console is not armed: operator.armed in {config.path}"
+
+
+def robots_of(config: Config, word: str) -> list[str]:
+    """The robots that a word means. Raises click's UsageError, naming the nearest, where there is none."""
+    state = initial_state(config, 0.0)
+    try:
+        return list(state.robots) if word.casefold() == ALL else [find_robot(word, state).name]
+    except CommandError as problem:
+        raise click.UsageError(visible(str(problem))) from None
+
+
+@contextmanager
+def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
+    """A link to send on, with the audit log kept; Ctrl-C says what is not known."""
+    with session(config) as (link, store), auditing(state_folder(), config, store) as audit:
+        given = Sending(link, store, asked)
+        try:
+            yield given
+        except KeyboardInterrupt:
+            signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second one would only spoil what is said now
+            _say_what_is_open(given, say)
+            raise
+        finally:
+            for note in audit.notes:
+                say(note, err=True)
+
+
+def _say_what_is_open(given: Sending, say: Say) -> None:
+    under_way = given.under_way
+    for record in under_way:
+        known = f"order {record.order_id} is in the queue, and stays there"
+        known = known if record.ended else f"it was {record.stage.value}, and may still be carried out"
+        say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
+    if not under_way:
+        say("interrupted: nothing more was sent", err=True)
+
+
+def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
+    """Wait for a link to each of these robots and, where they matter, for their reports."""
+
+    def comes(holds: Callable[[FleetState, Robot], object], seconds: float) -> None:
+        given.store.wait(
+            lambda state: all(holds(state, state.robots[name]) for name in robots), min(seconds, given.left)
+        )
+
+    if not reports:
+        comes(reaches, LINK_WITHIN)
+        return
+    comes(lambda state, robot: reaches(state, robot) and not unreported(robot), LINK_WITHIN)
+    if all(reaches(given.state, given.state.robots[name]) for name in robots):
+        comes(lambda _, robot: _has_labels(robot) and _tells_pause(robot), LABELS_WITHIN)
+
+
+def unreachable(state: FleetState, robots: Iterable[str]) -> str:
+    """Why the first of these robots that can't be reached can't be, empty where all can."""
+    asked = (no_link(state, state.robots[name], ResumeRobot(name)) for name in robots)
+    return next((problem.text for found in asked for problem in found), "")
+
+
+def _has_labels(robot: Robot) -> bool:
+    """Whether the labels of every floor have come."""
+    return all(chart.labels for chart in robot.charts.values())
+
+
+def _tells_pause(robot: Robot) -> bool:
+    return robot.paused is not None or not robot.says_paused
+
+
+def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say: Say) -> int:
+    """Give one command, in the words of the command language; the exit code."""
+    robots = robots_of(config, words[1])
+
+    def unsent(reason: str, code: int) -> int:
+        typed = visible(" ".join(words))
+        return said([Outcome(robots[0], typed, typed, NOT_SENT, reason, code)], as_json, say)
+
+    if reason := forbidden(config):
+        return unsent(reason, NOT_DONE)
+    with sending(config, asked, say) as given:
+        await_reports(given, robots, words[0] != "resume")
+        state = given.state
+        if reason := unreachable(state, robots):
+            return unsent(reason, NO_LINK)
+        try:
+            wish = parse_words(words, state)
+        except CommandError as wrong:
+            absent = unreported(state.robots[robots[0]])
+            if absent:
+                return unsent(f"{wrong}; never came: {', '.join(absent)}", NOT_DONE)
+            raise click.UsageError(visible(str(wrong))) from None
+        return said(given.give(wish), as_json, say)
+
+
+def pause(config: Config, word: str, asked: How, as_json: bool, say: Say) -> int:
+    """Pause a robot, or all, on each bridge as soon as there is a connection; the exit code."""
+    robots = robots_of(config, word)
+    with sending(config, asked, say) as given:
+        return said(given.pause(robots), as_json, say)
+
+
+def said(outcomes: Iterable[Outcome], as_json: bool, say: Say) -> int:
+    """Say each outcome when it is there; the exit code of all."""
+    codes = list[int]()
+    for outcome in outcomes:
+        tell(outcome, as_json, say)
+        codes.append(outcome.code)
+    return exit_code(codes)

@@ -1,0 +1,82 @@
+"""What became of one command, as a line or as JSON. docs/commands.md tells the schema."""
+
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass
+
+from fleet_tui.model.commands import Command, CommandRecord, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.grammar import written
+from fleet_tui.view.command_line import command_text
+from fleet_tui.view.text import visible
+
+VERSION = 1
+DONE, NOT_DONE, USAGE, NO_LINK = 0, 1, 2, 3
+SUCCESSES = frozenset({Stage.CONFIRMED, Stage.TAKEN})
+NOT_SENT = Stage.NOT_SENT.value
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """`command` as it can be typed, `text` the same in words; `outcome` the stage at which it ended, with
+    the robot's or the console's own `words`; `code` the exit code that it asks for."""
+
+    robot: str
+    command: str
+    text: str
+    outcome: str
+    words: str
+    code: int
+    order_id: int | None = None
+    seconds: float | None = None
+
+    def line(self) -> str:
+        """The outcome in one line, harmless to a terminal."""
+        return visible(f"{self.text}: {self.outcome}" + (f" ({self.words})" if self.words else ""))
+
+
+def unsent(state: FleetState, command: Command, words: str, code: int, outcome: str = NOT_SENT) -> Outcome:
+    """The outcome of a command that never left."""
+    return _outcome(state, command, outcome, words, code)
+
+
+def ended(state: FleetState, record: CommandRecord, waited: float) -> Outcome:
+    """The outcome of a command that was sent; `waited`: for how many seconds, where it has not ended."""
+    words, code, outcome = record.words, NOT_DONE, record.stage.value
+    if record.stage in SUCCESSES:
+        code = DONE
+    elif not record.ended:
+        why = f"it was {outcome} {words}".strip()
+        outcome = Stage.UNKNOWN.value
+        words = f"{why}; nothing more came within {waited:.0f} s: it may still be carried out"
+    seconds = round(record.at - record.issued_at, 3) if record.ended else None
+    return _outcome(state, record.command, outcome, words, code, record.order_id, seconds)
+
+
+def _outcome(
+    state: FleetState,
+    command: Command,
+    outcome: str,
+    words: str,
+    code: int,
+    order_id: int | None = None,
+    seconds: float | None = None,
+) -> Outcome:
+    typed, text = written(command, state), command_text(state, command)
+    return Outcome(command.robot, typed, text, outcome, words, code, order_id, seconds)
+
+
+def tell(outcome: Outcome, as_json: bool, say: Callable[..., None]) -> None:
+    """Say an outcome: JSON to standard output, a line to standard output or, where it is bad, to errors."""
+    if as_json:
+        values = {"version": VERSION, **asdict(outcome), "done": outcome.code == DONE}
+        del values["text"], values["code"]
+        say(json.dumps(values))
+    else:
+        say(outcome.line(), err=outcome.code != DONE)
+
+
+def exit_code(codes: Iterable[int]) -> int:
+    """One exit code for several: no link and wrong usage only where that is all there is to say."""
+    found = set(codes) or {DONE}
+    return found.pop() if len(found) == 1 else NOT_DONE

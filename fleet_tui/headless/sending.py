@@ -1,0 +1,172 @@
+"""From a wish to the outcome of each of its commands: checked, sent, waited for."""
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+from fleet_tui.headless.driving import Drive
+from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, ended, unsent
+from fleet_tui.headless.session import WaitingStore
+from fleet_tui.link.fleet_link import FleetLink
+from fleet_tui.model.checks import problems
+from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Wish
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.problem import Problem, Rights
+from fleet_tui.model.robot import Robot
+
+LINK_WITHIN = 5.0
+"""Seconds to wait at most for a link and for what a robot reports."""
+
+CODES = {"no link": NO_LINK, "unknown vertex": USAGE}
+
+
+@dataclass(frozen=True, slots=True)
+class How:
+    """How commands are to be given. `timeout`: seconds to wait at most for all that a line asks; `yes`:
+    warnings don't hold it back; `until_done`: an order is done when it was driven."""
+
+    rights: Rights
+    timeout: float
+    yes: bool = False
+    until_done: bool = False
+
+
+def unreported(robot: Robot) -> list[str]:
+    """What an order or a cancel is checked and confirmed against, of what has not come."""
+    values: dict[str, object] = {"queue": robot.queue, "cargo": robot.cargo}
+    values |= {f"graph of {floor}": chart.graph for floor, chart in robot.charts.items()}
+    return [name for name, value in values.items() if value is None]
+
+
+def reaches(state: FleetState, robot: Robot) -> bool:
+    """Whether commands to a robot are known to get through."""
+    link = state.links[robot.link]
+    return link.phase is Phase.UP and link.command_path is CommandPath.ALIVE
+
+
+class Sending:
+    """Gives commands on a session, and keeps the record of each: the state forgets old ones."""
+
+    def __init__(self, link: FleetLink, store: WaitingStore, how: How) -> None:
+        self._link = link
+        self.store = store
+        self._how = how
+        self._records: dict[int, CommandRecord] = {}
+        self._driven: dict[int, Outcome] = {}
+        store.watchers.append(self._keep)
+        self.begin()
+
+    def begin(self) -> None:
+        """The time that a line may take begins now."""
+        self._deadline = time.monotonic() + self._how.timeout
+
+    def _keep(self, before: FleetState, after: FleetState) -> None:
+        self._records.update((record.id, record) for record in after.commands)
+
+    @property
+    def state(self) -> FleetState:
+        """The newest picture of the fleet."""
+        return self.store.state
+
+    @property
+    def left(self) -> float:
+        """Seconds until the time is up."""
+        return max(0.0, self._deadline - time.monotonic())
+
+    @property
+    def under_way(self) -> list[CommandRecord]:
+        """What was given and of which the last is not known."""
+        return [record for id_, record in self._records.items() if not record.ended or id_ in self._driven]
+
+    def give(self, wish: Wish) -> Iterator[Outcome]:
+        """Check a wish, send it, and wait for the outcome of each command. To one robot they are sent one
+        after the other, none after one that went wrong; to several, all at once."""
+        wrong = self._problems(wish)
+        if wrong:
+            yield from self._hold_back(wish.commands, wrong)
+        elif len({command.robot for command in wish.commands}) > 1:
+            yield from self.await_ends([self._link.submit(command) for command in wish.commands])
+        else:
+            yield from self._one_after_the_other(wish.commands)
+
+    def check(self, wish: Wish) -> list[Outcome]:
+        """What would hold a wish back now, nothing where it would be sent."""
+        wrong = self._problems(wish)
+        return list(self._hold_back(wish.commands, wrong)) if wrong else []
+
+    def _problems(self, wish: Wish) -> list[Problem]:
+        found = problems(self.state, wish, self._how.rights)
+        asked = [command for command in wish.commands if not isinstance(command, PauseRobot | ResumeRobot)]
+        for name in dict.fromkeys(command.robot for command in asked):
+            absent = unreported(self.state.robots[name])
+            if absent:
+                found.append(Problem("never came", f"{name}: never came: {', '.join(absent)}", blocks=False))
+        return [problem for problem in found if problem.blocks or not self._how.yes]
+
+    def _hold_back(self, commands: Sequence[Command], wrong: list[Problem]) -> Iterator[Outcome]:
+        words = ", ".join(problem.text for problem in wrong)
+        words += "" if wrong[0].blocks else ": --yes sends it anyway"
+        code = CODES.get(wrong[0].check, NOT_DONE) if wrong[0].blocks else NOT_DONE
+        yield from (unsent(self.state, command, words, code) for command in commands)
+
+    def _one_after_the_other(self, commands: Sequence[Command]) -> Iterator[Outcome]:
+        for number, command in enumerate(commands):
+            command_id = self._link.submit(command)
+            (outcome,) = self.await_ends([command_id])
+            if outcome.code == DONE and self._how.until_done:
+                self._driven[command_id] = outcome
+                continue
+            yield outcome
+            if outcome.code != DONE:
+                rest = commands[number + 1 :]
+                yield from (unsent(self.state, one, "the one before went wrong", NOT_DONE) for one in rest)
+                break
+        while self._driven:
+            command_id, outcome = next(iter(self._driven.items()))
+            driven = Drive(self._records[command_id], outcome).follow(self.store, self.left)
+            del self._driven[command_id]
+            yield driven
+
+    def pause(self, robots: Sequence[str]) -> Iterator[Outcome]:
+        """Pause robots, those of a bridge as soon as it can be reached, however slow the others are."""
+        ids, waiting = list[int](), list(robots)
+        until = time.monotonic() + min(LINK_WITHIN, self.left)
+        while waiting:
+            now = self._reached(waiting, until - time.monotonic())
+            ids += [self._link.submit(PauseRobot(name)) for name in now]
+            waiting = [name for name in waiting if name not in now]
+        yield from self.await_ends(ids)
+
+    def _reached(self, waiting: list[str], seconds: float) -> list[str]:
+        """The robots that a pause can be sent to; all of them when it is no use to wait any longer."""
+
+        def connected(state: FleetState) -> list[str]:
+            links = {name: state.links[state.robots[name].link] for name in waiting}
+            return [name for name, link in links.items() if link.commands_connected]
+
+        if self._how.rights.read_only or not self.store.wait(connected, seconds):
+            return waiting
+        return connected(self.state)
+
+    def await_ends(self, ids: Sequence[int]) -> Iterator[Outcome]:
+        """Wait for the end of each command."""
+        for command_id in ids:
+            self.store.wait(partial(self._has_ended, command_id), self.left)
+            record = self._records.get(command_id)
+            if record is not None:
+                yield self._with_link(ended(self.state, record, self._how.timeout), record)
+
+    def _has_ended(self, command_id: int, _: FleetState) -> bool:
+        return command_id in self._records and self._records[command_id].ended
+
+    def _with_link(self, outcome: Outcome, record: CommandRecord) -> Outcome:
+        """The exit code of no link, where that kept it from being sent."""
+        if record.stage is not Stage.NOT_SENT or self._how.rights.read_only:
+            return outcome
+        link = self.state.links[self.state.robots[record.command.robot].link]
+        if link.commands_connected and link.command_path is not CommandPath.DEAD:
+            return outcome
+        words = f"{outcome.words}: {link.command_reason}" if link.command_reason else outcome.words
+        return replace(outcome, words=words, code=NO_LINK)
