@@ -30,15 +30,20 @@ COLOURLESS = ("dumb", "unknown", "vt100", "vt102", "vt220")
 MULTIPLEXERS = {"tmux": "TMUX", "screen": "STY"}
 
 
-def _drawing(wanted: str) -> Drawing:
-    """Braille where the terminal can: the Linux console's font has none, nor has a plain locale."""
-    if wanted != "auto":
-        return Drawing(wanted)
+def _has_unicode() -> bool:
+    """Whether the terminal shows more than ASCII: the Linux console's font does not, nor a plain locale."""
     try:
         unicode = codecs.lookup(sys.stdout.encoding or "ascii").name == "utf-8"
     except LookupError:
         unicode = False
-    return Drawing.BRAILLE if unicode and os.environ.get("TERM") != "linux" else Drawing.ASCII
+    return unicode and os.environ.get("TERM") != "linux"
+
+
+def _drawing(wanted: str) -> Drawing:
+    """What is wanted, else braille where the terminal can."""
+    if wanted != "auto":
+        return Drawing(wanted)
+    return Drawing.BRAILLE if _has_unicode() else Drawing.ASCII
 
 
 def _colour() -> bool:
@@ -92,6 +97,10 @@ def open_console(
     mode, colour = _drawing(drawing or config.ui.drawing), _colour()
     app = FleetApp(config, store, themes, mode, colour)
     app.main.terminal = _terminal(mode, colour)
+    if mode is Drawing.ASCII and not _has_unicode():
+        from fleet_tui.terminal.plain_driver import PlainDriver
+
+        app.driver_class = PlainDriver
     for warning in warnings:
         LOG.warning("%s", warning)
     if warnings:
