@@ -1,11 +1,15 @@
 """Fixtures that several rooms share."""
 
+import signal
 from collections.abc import AsyncIterator
 
 import pytest
 
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
+
+# In the background of a shell SIGINT is ignored; programs that a test interrupts would inherit that.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture
