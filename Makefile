@@ -40,7 +40,7 @@ faults: $(READY)
 # Coverage-guided, and no part of the tests: atheris has no wheels for some systems.
 fuzz: $(READY)
 	@$(BIN)/pip install --quiet --disable-pip-version-check atheris
-	@$(BIN)/python -m tests.fuzz -max_total_time=$(or $(SECONDS),60) -rss_limit_mb=1500 -artifact_prefix=$(VENV)/
+	@$(BIN)/python -m tests.fuzz -max_total_time=$(or $(SECONDS),60) -rss_limit_mb=1500 -timeout=20 -artifact_prefix=$(VENV)/
 
 format: $(READY)
 	@$(BIN)/ruff format .

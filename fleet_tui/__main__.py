@@ -1,15 +1,21 @@
 """`python -m fleet_tui` and the `fleet-tui` command: every end of the command line has its exit code."""
 
+import errno
 import gc
 import os
 import signal
 import sys
-from typing import NoReturn
+import traceback
+from typing import IO, TYPE_CHECKING, Any, NoReturn
 
 from fleet_tui.errors import ConfigError, FleetError
 from fleet_tui.terminal.ending import PATIENCE, end_within
 from fleet_tui.view.text import visible
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
+FULL = (errno.ENOSPC, errno.EDQUOT)
 MOST = 100
 """Problems of a configuration that are listed at once."""
 
@@ -61,6 +67,23 @@ def _run_command() -> None:
         _end(2, f"fleet-tui: {problem.format_message()}", "fleet-tui --help lists what there is.")
 
 
+def _open_closed_streams() -> None:
+    """Cron jobs and services may close them: what is opened next would take their places."""
+    sys.stdin = sys.stdin or _nothing("r")
+    sys.stdout = sys.stdout or _nothing("w")
+    sys.stderr = sys.stderr or _nothing("w")
+
+
+def _nothing(mode: str) -> IO[Any]:
+    return os.fdopen(os.open(os.devnull, os.O_RDWR), mode)
+
+
+def _words(problem: Exception, log: "Path | None") -> str:
+    if isinstance(problem, OSError) and problem.errno in FULL and problem.filename is None:
+        return f"the output can't be written: {problem.strerror}"
+    return f"internal error: {problem} (details in {log}, or with --debug)"
+
+
 def _run() -> None:
     """Run the command line."""
     # Tracebacks are for --debug, wherever it stands.
@@ -82,20 +105,22 @@ def _run() -> None:
         _end(1, f"fleet-tui: {problem}")
     except Exception as problem:
         if debug:
-            raise
+            # As Python would say it, but for what the words of an exception could do to a terminal.
+            _end(1, *traceback.format_exc().splitlines())
         import logging
 
         from fleet_tui.log_file import log_to_file
 
         path = log_to_file(debug)
         logging.getLogger(__name__).exception("fatal")
-        _end(1, f"fleet-tui: internal error: {problem} (details in {path}, or with --debug)")
+        _end(1, f"fleet-tui: {_words(problem, path)}")
 
 
 def main() -> None:
     """Run the command line; every end has its exit code. What hangs in a thread then is not waited for."""
     code: object = 1
     try:
+        _open_closed_streams()
         _run()
         code = 0
     except SystemExit as end:

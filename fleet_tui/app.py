@@ -3,13 +3,14 @@
 import logging
 import time
 from functools import partial
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual.binding import BindingType
 from textual.theme import Theme
 
 from fleet_tui.config.schema import Config
-from fleet_tui.keys import keymap
+from fleet_tui.door import Door, Opening, to_the_fleet
+from fleet_tui.keymap import keymap
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
 from fleet_tui.screens.main import MainScreen
@@ -21,19 +22,19 @@ from fleet_tui.themes import FleetTheme
 from fleet_tui.view.drawing import Drawing
 from fleet_tui.widgets.bindings import bindings, textual_keymap
 
-if TYPE_CHECKING:
-    from fleet_tui.link.fleet_link import FleetLink
-
 LOG = logging.getLogger(__name__)
 
 
 def clock(wall: float) -> str:
-    """Unix seconds as a local time of day."""
-    return time.strftime("%H:%M:%S", time.localtime(wall)) if wall else ""
+    """Unix seconds as a local time of day; a recording may say what is none."""
+    try:
+        return time.strftime("%H:%M:%S", time.localtime(wall)) if wall else ""
+    except (OverflowError, ValueError, OSError):
+        return "no time"
 
 
 class FleetApp(PaintFirst, inherit_bindings=False):
-    """The console. The link is made last: importing it takes longer than painting."""
+    """The console. Its door is opened last: importing a link takes longer than painting."""
 
     TITLE = "fleet-tui"
     CSS_PATH = "fleet.tcss"
@@ -47,13 +48,15 @@ class FleetApp(PaintFirst, inherit_bindings=False):
         themes: dict[str, FleetTheme],
         drawing: Drawing,
         colour: bool = True,
+        opening: Opening = to_the_fleet,
     ) -> None:
         # Without colour Textual must leave the terminal's own, or it sends greys.
         super().__init__(Theme(**themes[config.ui.theme].textual()), ansi_color=not colour)
         self._config, self._themes = config, themes
         self._drawing, self._colour = drawing, colour
         self.store = store
-        self._link: FleetLink | None = None
+        self.opening = opening
+        self._door: Door | None = None
         self._restore = terminal_restorer()
         keys, _ = keymap(config.keys)
         self.main = MainScreen(self.store, self.submit, self.tell, self._show_map, keys, clock)
@@ -63,7 +66,8 @@ class FleetApp(PaintFirst, inherit_bindings=False):
         self.main.filled = self.show_first
         self.main.set_inks(themes[config.ui.theme].styles(colour))
         # Only what differs: Textual goes through the whole keymap at every key.
-        self.set_keymap(textual_keymap({id_: keys[id_] for id_ in config.keys if id_ in keys}))
+        usual, _ = keymap({})
+        self.set_keymap(textual_keymap({id_: key for id_, key in keys.items() if key != usual[id_]}))
 
     def get_default_screen(self) -> MainScreen:
         """The one screen; everything else opens over its map."""
@@ -74,7 +78,8 @@ class FleetApp(PaintFirst, inherit_bindings=False):
         if not self.is_headless:
             leave_on_signals(self.exit, self._restore)
         await self.stand()
-        self.set_interval(1 / self._config.ui.ticks_per_second, self.main.tick)
+        self.budget.every = 1 / self._config.ui.ticks_per_second
+        self.set_interval(self.budget.every, partial(self.budget.ticks.timed, self.main.tick))
         self.call_after_refresh(self._connect)
 
     async def furnish(self) -> None:
@@ -84,48 +89,37 @@ class FleetApp(PaintFirst, inherit_bindings=False):
         self.main.tick()
 
     def _connect(self) -> None:
-        self.run_worker(self._open_link, thread=True, exit_on_error=False)
+        self.run_worker(self._open_door, thread=True, exit_on_error=False)
 
-    def _open_link(self) -> None:
+    def _open_door(self) -> None:
         try:
-            from fleet_tui.link.fleet_link import FleetLink
-
-            link = FleetLink(self._config, self.store)
-            link.open()
+            self.opening(self._config, self.store, self._enter)
         except Exception as problem:
             LOG.exception("the link can't be opened")
             self.call_from_thread(self.main.say, f"the link can't be opened: {problem} (see the log file)")
-            return
-        self._link = link
-        self._load_maps(link)
 
-    def _load_maps(self, link: "FleetLink") -> None:
-        from fleet_tui.map_files import load_floor_map
-
-        for floor in self._config.floors:
-            if floor.map:
-                path = self._config.beside(floor.map)
-                link.tell(load_floor_map(floor.name, path, self._config.profile.origin == "added"))
+    def _enter(self, door: Door) -> None:
+        self._door = self.main.door = door
 
     def submit(self, command: Command) -> None:
         """Send a command now, or say why not."""
-        if self._link is None:
+        if self._door is None:
             self.main.say("not sent: the console is still starting")
         elif not self.main.armed:
             self.main.say("not sent: this console is not armed, : Arm lets commands leave")
         else:
-            self._link.submit(command)
+            self._door.submit(command)
 
     def tell(self, event: Event) -> None:
         """Tell the store something that happened here."""
-        if self._link is not None:
-            self._link.tell(event)
+        if self._door is not None:
+            self._door.tell(event)
 
     def _show_map(self, robot: str, floor: str) -> bool:
         """Ask for a live map; False while there is nobody to ask."""
-        if self._link is None:
+        if self._door is None:
             return False
-        self._link.show_map(robot, floor)
+        self._door.show_map(robot, floor)
         return True
 
     def use_theme(self, name: str) -> None:
@@ -145,5 +139,5 @@ class FleetApp(PaintFirst, inherit_bindings=False):
 
     def on_unmount(self) -> None:
         """Close the connections before the loop goes."""
-        if self._link is not None:
-            self._link.close()
+        if self._door is not None:
+            self._door.close()

@@ -30,9 +30,11 @@ class Commands(NearestGroup):
 
     def _others(self) -> dict[str, click.Command]:
         from fleet_tui.headless.commands import headless
+        from fleet_tui.replayed import replayed
+        from fleet_tui.serve.commands import served
         from fleet_tui.simulated import simulated
 
-        return {**headless.commands, **simulated.commands}
+        return {**headless.commands, **simulated.commands, **served.commands, **replayed.commands}
 
 
 @click.group(

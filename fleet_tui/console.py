@@ -3,10 +3,14 @@
 import codecs
 import logging
 import os
+import shutil
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -15,17 +19,23 @@ from fleet_tui.config.access import access_problems, unsafe_places
 from fleet_tui.config.load import user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
+from fleet_tui.door import Door, to_the_fleet
 from fleet_tui.errors import ConfigError, FleetError, did_you_mean
 from fleet_tui.log_file import log_to_file, state_folder
 from fleet_tui.store import Store
 from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.drawing import Drawing
 
+if TYPE_CHECKING:
+    from fleet_tui.journal.recordings import Recordings
+    from fleet_tui.playback.player import Player
+
 LOG = logging.getLogger(__name__)
 
 COLOURLESS = ("dumb", "unknown", "vt100", "vt102", "vt220")
 """Terminals (TERM) without colour, of which Textual would ask the full 24 bits."""
-
+IN_BROWSER = "TEXTUAL_DRIVER"
+"""Set by `fleet-tui serve`: pipes to a browser stand for the terminal."""
 
 MULTIPLEXERS = {"tmux": "TMUX", "screen": "STY"}
 
@@ -58,7 +68,7 @@ def _colour() -> bool:
 def _terminal(drawing: Drawing, colour: bool) -> str:
     """What was found out about the terminal, and what follows from it."""
     term, colorterm = os.environ.get("TERM", "not set"), os.environ.get("COLORTERM", "not set")
-    size = os.get_terminal_size()
+    size = shutil.get_terminal_size()
     inside = next((name for name, mark in MULTIPLEXERS.items() if os.environ.get(mark)), "none")
     return (
         f"Terminal: {size.columns} x {size.lines}, TERM {term}, COLORTERM {colorterm},"
@@ -66,6 +76,12 @@ def _terminal(drawing: Drawing, colour: bool) -> str:
         f"So the map starts as {drawing.value} (m or --drawing change it), colours are"
         f" {'on' if colour else 'off: NO_COLOR, or a terminal without'}."
     )
+
+
+def _need_terminal() -> None:
+    streams = (sys.stdin, sys.stdout, sys.stderr)
+    if IN_BROWSER not in os.environ and not all(stream.isatty() for stream in streams):
+        raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")
 
 
 def _refuse(config: Config, themes: Mapping[str, FleetTheme]) -> None:
@@ -82,20 +98,58 @@ def open_console(
     config: Config, read_only: bool, drawing: str | None, debug: bool, demo: bool = False
 ) -> None:
     """Run the console until the operator leaves. What a `demo` did is marked in the audit log."""
-    if not all(stream.isatty() for stream in (sys.stdin, sys.stdout, sys.stderr)):
-        raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")
-    themes, problems = load_themes(user_folder() / "themes")
-    _refuse(config, themes)
     if read_only:
         config = msgspec.structs.replace(
             config, operator=msgspec.structs.replace(config.operator, read_only=True)
         )
+    store = Store(initial_state(config, time.monotonic()))
+    _run(_ready(config, drawing, debug, partial(FleetApp, config, store)), config, demo)
+
+
+def recorded(recordings: "Recordings", config: Config, store: Store, stands: Callable[[Door], None]) -> None:
+    """Open the door to the fleet; what goes through it is recorded."""
+
+    def keep(door: Door) -> None:
+        stands(door)
+        recordings.keep_recent()
+
+    to_the_fleet(config, store, keep, recordings.taps)
+
+
+def open_replay(config: Config, player: "Player", drawing: str | None, debug: bool) -> None:
+    """Run the console on a recording. No link is made, no audit log kept, no bell rung."""
+    _to_the_end(_ready(config, drawing, debug, partial(replaying, config, player)))
+
+
+def replaying(
+    config: Config, player: "Player", themes: dict[str, FleetTheme], mode: Drawing, colour: bool = True
+) -> FleetApp:
+    """The app on a recording."""
+    from fleet_tui.playback.door import Wall
+
+    app = FleetApp(config, Store(player.state), themes, mode, colour, Wall(player).open)
+    app.main.player, app.main.read_only = player, True
+    app.main.announce = lambda _state: None
+    app.main.tell = lambda _event: app.main.say("nothing is acknowledged or shelved: this is a recording")
+    return app
+
+
+def _ready(
+    config: Config,
+    drawing: str | None,
+    debug: bool,
+    make: Callable[[dict[str, FleetTheme], Drawing, bool], FleetApp],
+) -> FleetApp:
+    """What `make` makes of themes, the way the map is drawn, and whether there is colour; fit for this
+    terminal. Raises FleetError where it can't run."""
+    _need_terminal()
+    themes, problems = load_themes(user_folder() / "themes")
+    _refuse(config, themes)
     warnings = [*unsafe_places(config), *(f"theme {problem}" for problem in problems)]
     if log_to_file(debug) is None:
         warnings.append(f"nothing is logged: {state_folder()} can't be written")
-    store = Store(initial_state(config, time.monotonic()))
     mode, colour = _drawing(drawing or config.ui.drawing), _colour()
-    app = FleetApp(config, store, themes, mode, colour)
+    app = make(themes, mode, colour)
     app.main.terminal = _terminal(mode, colour)
     if mode is Drawing.ASCII and not _has_unicode():
         from fleet_tui.terminal.plain_driver import PlainDriver
@@ -105,20 +159,34 @@ def open_console(
         LOG.warning("%s", warning)
     if warnings:
         app.main.said = warnings[0] + (f" and {len(warnings) - 1} more" if warnings[1:] else "")
-    _run(app, config, demo)
+    return app
+
+
+def _to_the_end(app: FleetApp) -> None:
+    app.run()
     if app.return_code:
         raise FleetError("the console ended with an error: the log file says more")
 
 
 def _run(app: FleetApp, config: Config, demo: bool) -> None:
-    """Run it; the audit log is opened after the first picture and before the link."""
+    """Run it; the journal is opened after the first picture and before the link."""
     with ExitStack() as until_the_end:
 
-        def open_audit() -> None:
+        def open_journal() -> None:
             from fleet_tui.journal.audit import auditing
+            from fleet_tui.journal.recordings import Recordings
 
             keeping = auditing(state_folder(), config, app.store, demo)
             app.main.audit = until_the_end.enter_context(keeping)
+            app.main.recordings = Recordings(config, app.store, state_folder(), demo)
+            until_the_end.callback(app.main.recordings.close)
+            app.opening = partial(recorded, app.main.recordings)
 
-        app.main.open_audit = open_audit
-        app.run()
+        def pack(shot: str, is_over: Callable[[], bool]) -> Path:
+            from fleet_tui.journal.incident import pack
+
+            recent = app.main.recordings.recent() if app.main.recordings is not None else []
+            return pack(config, state_folder(), shot, recent, is_over)
+
+        app.main.open_journal, app.main.pack = open_journal, pack
+        _to_the_end(app)

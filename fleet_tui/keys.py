@@ -1,16 +1,13 @@
 """Every key of the console in one table: bindings, help, palette and the config check come from it."""
 
-from collections.abc import Iterable, Mapping
-
 from msgspec import Struct
-
-from fleet_tui.errors import did_you_mean
 
 
 class Key(Struct, frozen=True):
     """`id` names it in the config; `keys` are the defaults; `action` is Textual's action string;
-    `pane` is where it works: "map", "table", "console", or "anywhere", which reaches through text
-    fields, forms and modals; `hint` is the footer's word, empty to stay out of the footer."""
+    `pane` is where it works: "map", "table", "console", "recording" (everywhere while one is played),
+    "diagnostics" (that screen alone), or "anywhere", which reaches through text fields, forms and
+    modals; `hint` is the footer's word, empty to stay out of the footer."""
 
     id: str
     keys: tuple[str, ...]
@@ -25,9 +22,19 @@ class Key(Struct, frozen=True):
         return "map" if self.action.startswith("on_map") else self.pane
 
 
+PAGES = {
+    "Link": "is it there, round trip, rates, reconnects, drops",
+    "Topics": "rate, age, errors of each; Enter shows its last message",
+    "Raw": "the last message of a topic",
+    "Log": "what the robots log (/rosout)",
+    "Health": "what they report of themselves (/diagnostics)",
+    "Console": "what its pictures cost, and its own log",
+}
+"""The pages of the diagnostics screen, each with what is on it."""
+
 KEYS: tuple[Key, ...] = (
     Key("help", ("?",), "help", "Help: every key, searchable", hint="help"),
-    Key("help_anywhere", ("f1",), "help", "Help, also while typing", pane="anywhere"),
+    Key("help_anywhere", ("f1",), "help", "Help, also while typing", pane="anywhere", hint="help"),
     Key(
         "palette",
         (":", "ctrl+p"),
@@ -62,6 +69,7 @@ KEYS: tuple[Key, ...] = (
         "pause_all",
         "Pause every robot, also while typing. Not a safety device",
         pane="anywhere",
+        hint="pause all",
     ),
     Key(
         "all_orders",
@@ -70,10 +78,39 @@ KEYS: tuple[Key, ...] = (
         "Queue: orders of the selected robot, or of all robots",
         hint="all orders",
     ),
+    Key("diagnostics", ("d",), "diagnostics", "Diagnostics: links, topics, raw messages, logs, live"),
+    Key("record", (), "record", "Record: start or stop a recording"),
     Key("audit", ("L",), "audit", "Audit log: every command and alarm, and how it went on"),
+    Key("bundle", ("b",), "bundle", "Incident bundle: recording, log, doctor's report in one archive"),
     Key("arm", (), "arm", "Arm: let commands leave this console, or no longer"),
     Key("acknowledge", ("a",), "acknowledge", "Acknowledge the alarm under the cursor", hint="ack"),
     Key("acknowledge_all", ("A",), "acknowledge_all", "Acknowledge all alarms"),
+    Key("play", ("space",), "playback('toggle')", "Play or stop", pane="recording", hint="play/stop"),
+    Key("skip_back", ("<",), "playback('skip', -10)", "10 s back", pane="recording"),
+    Key("skip_on", (">",), "playback('skip', 10)", "10 s on", pane="recording", hint="10 s"),
+    Key(
+        "previous_mark", ("(",), "playback('to_mark', -1)", "Previous alarm, command or gap", pane="recording"
+    ),
+    Key("next_mark", (")",), "playback('to_mark', 1)", "Next alarm, command or gap", "recording", "mark"),
+    Key("step_back", (",",), "playback('step', -1)", "One tick back: 0.1 s", pane="recording"),
+    Key("step_on", (".",), "playback('step', 1)", "One tick on: 0.1 s", pane="recording", hint="step"),
+    Key("record_back", (";",), "playback('step_record', -1)", "One record back", pane="recording"),
+    Key(
+        "record_on", ("'",), "playback('step_record', 1)", "One record on: a message, or a fact", "recording"
+    ),
+    Key("faster", ("F",), "playback('change_speed', 1)", "Faster: up to x64", "recording", "faster"),
+    Key("slower", ("S",), "playback('change_speed', -1)", "Slower: down to x0.25", "recording", "slower"),
+    Key("usual_speed", ("backspace",), "playback('change_speed', 0)", "As fast as it was", pane="recording"),
+    Key(
+        "go_to_time",
+        ("@",),
+        "go_to_time",
+        "Go to a time: 12:04:31, or +1m30s from the beginning",
+        "recording",
+        "time",
+    ),
+    Key("to_beginning", ("home",), "playback('to_end', -1)", "To the beginning", pane="recording"),
+    Key("to_the_end", ("end",), "playback('to_end', 1)", "To the end", pane="recording"),
     Key("zoom_in", ("+", "="), "on_map('zoom_in')", "Zoom in", hint="zoom"),
     Key("zoom_out", ("-",), "on_map('zoom_out')", "Zoom out"),
     Key("fit", ("0",), "on_map('fit')", "Fit the whole floor", hint="fit"),
@@ -100,6 +137,42 @@ KEYS: tuple[Key, ...] = (
         "Order from the vertex (with cargo: to it), or select the robot, under the cursor",
         pane="map",
     ),
+    *(
+        Key(f"page_{name.lower()}", (str(n),), f"page({n})", f"Page {n}: {text}", pane="diagnostics")
+        for n, (name, text) in enumerate(PAGES.items(), 1)
+    ),
+    Key("next_page", ("tab",), "step_page(1)", "Next page", pane="diagnostics"),
+    Key("previous_page", ("shift+tab",), "step_page(-1)", "Previous page", pane="diagnostics"),
+    Key(
+        "filter",
+        ("/",),
+        "filter",
+        "Filter the rows by text; Enter or Esc leaves it",
+        pane="diagnostics",
+    ),
+    Key(
+        "freeze",
+        ("space", "f"),
+        "freeze",
+        "Freeze the message or the robots' log, or go on",
+        pane="diagnostics",
+    ),
+    Key(
+        "copy",
+        ("y",),
+        "copy",
+        "Copy the message, or the row, to the clipboard (OSC 52)",
+        pane="diagnostics",
+    ),
+    Key(
+        "level",
+        ("v",),
+        "level",
+        "Robots' log: all levels, or only the worse ones",
+        pane="diagnostics",
+    ),
+    Key("bad", ("b",), "bad", "Raw: the last message, or the last bad one", pane="diagnostics"),
+    Key("leave", ("escape", "q"), "leave", "One level back", pane="diagnostics"),
     Key("row_up", ("up", "k"), "move(-1)", "Row up", pane="table"),
     Key("row_down", ("down", "j"), "move(1)", "Row down", pane="table"),
     Key("column_left", ("left", "h"), "slide(-1)", "Scroll left", pane="table"),
@@ -108,82 +181,3 @@ KEYS: tuple[Key, ...] = (
     Key("page_down", ("pagedown",), "move(10)", "Ten rows down", pane="table"),
     Key("menu", ("enter",), "menu", "Menu of the row", pane="table", hint="menu"),
 )
-
-_BY_ID = {key.id: key for key in KEYS}
-
-# Textual's names of keys that print nothing.
-_NAMED = frozenset(
-    [*("enter", "tab", "escape", "space", "backspace", "delete", "insert", "home", "end")]
-    + [*("pageup", "pagedown", "up", "down", "left", "right")]
-    + [f"f{n}" for n in range(1, 25)]
-)
-# Ctrl-C never commands a robot; these arrive from a terminal as other keys.
-_FORBIDDEN = {
-    "ctrl+c": "Ctrl-C is kept free",
-    "ctrl+i": "a terminal sends it as tab",
-    "ctrl+m": "a terminal sends it as enter",
-    "ctrl+[": "a terminal sends it as escape",
-}
-
-
-def _problem_of_key(key: str) -> str | None:
-    """Why a key can't be bound, None where it can."""
-    if key in _FORBIDDEN:
-        return _FORBIDDEN[key]
-    *modifiers, last = key.split("+") if len(key) > 1 else [key]
-    known = (len(last) == 1 and last.isprintable() and not last.isspace()) or last in _NAMED
-    if not known:
-        return f"no such key{did_you_mean(last, _NAMED)}"
-    if len(last) == 1 and "shift" in modifiers:
-        return "write the shifted character itself"
-    if len(last) == 1 and last.isupper() and "ctrl" in modifiers:
-        return f"a terminal sends it as {key.lower()}"
-    wrong = [name for name in modifiers if name not in ("ctrl", "shift", "alt")]
-    return f"no such modifier {wrong[0]}, use ctrl, shift or alt" if wrong else None
-
-
-def _types_nothing(key: str) -> bool:
-    """Whether a key means nothing to a text field: a space or an arrow would be taken from it."""
-    *modifiers, last = key.split("+")
-    return "ctrl" in modifiers or "alt" in modifiers or (len(last) > 1 and last[1:].isdigit())
-
-
-def _same_place(one: Key, other: Key) -> bool:
-    """Whether two keys can be pressed at the same moment."""
-    return one.pane == other.pane or not {"console", "anywhere"}.isdisjoint((one.pane, other.pane))
-
-
-def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list[str]]:
-    """The keys of every id after the config's `changes` (id = "key" or "key,key"), and one line
-    for each problem: unknown id, impossible key, two ids on one key."""
-    problems = []
-    chosen = {key.id: key.keys for key in KEYS}
-    for id_, text in changes.items():
-        if id_ not in _BY_ID:
-            problems.append(f"keys.{id_}: no such key id{did_you_mean(id_, _BY_ID)}")
-            continue
-        keys = ("," if text == "," else part.strip() for part in ([text] if text == "," else text.split(",")))
-        chosen[id_] = tuple(keys)
-        for key in chosen[id_]:
-            wrong = _problem_of_key(key)
-            if _BY_ID[id_].pane == "anywhere" and not _types_nothing(key):
-                wrong = "works while typing too, so it must be a function key or a ctrl key"
-            if wrong:
-                problems.append(f"keys.{id_}: {key!r}: {wrong}")
-    problems.extend(_clashes(chosen))
-    return chosen, problems
-
-
-def _clashes(chosen: Mapping[str, Iterable[str]]) -> list[str]:
-    taken: dict[str, list[Key]] = {}
-    problems = []
-    for id_, keys in chosen.items():
-        this = _BY_ID[id_]
-        for key in keys:
-            for other in taken.setdefault(key, []):
-                if _same_place(this, other):
-                    problems.append(
-                        f"keys.{id_}: {key!r} is taken by {other.id}: give one of them another key"
-                    )
-            taken[key].append(this)
-    return problems

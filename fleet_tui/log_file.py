@@ -1,8 +1,12 @@
 """The log file. Nothing may reach stderr while the screen is open: it would tear it."""
 
+import atexit
 import logging
 import logging.handlers
 import os
+import queue
+from collections import deque
+from copy import copy
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +17,12 @@ from fleet_tui.view.text import visible
 
 MAX_BYTES, KEPT = 2 * 2**20, 3
 """A file's size, and how many older ones are kept beside it."""
+TAIL_LINES = 500
+"""Lines that are kept in memory, too."""
 LONGEST_LINE = 4000
 """Characters of a message."""
+WAITING = 10_000
+"""Messages that wait for a disk that hangs; more are lost, and counted."""
 
 
 class _Visible(logging.Formatter):
@@ -29,6 +37,23 @@ class _Visible(logging.Formatter):
         return "\n".join(map(visible, super().formatException(ei).split("\n")))
 
 
+class Tail(logging.Handler):
+    """The newest lines, for the diagnostics screen: they are there also where no file can be written."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.lines: deque[str] = deque(maxlen=TAIL_LINES)
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Keep a line; a traceback is in the file."""
+        record = copy(record)
+        record.exc_info = record.exc_text = record.stack_info = None
+        self.lines.append(self.format(record))
+
+
+TAIL = Tail()
+
+
 class _Private(logging.handlers.RotatingFileHandler):
     """A rotating log that only its owner reads."""
 
@@ -36,6 +61,32 @@ class _Private(logging.handlers.RotatingFileHandler):
         stream = super()._open()
         Path(self.baseFilename).chmod(0o600)
         return stream
+
+
+class _Waiting(logging.handlers.QueueHandler):
+    """Messages on their way to the file; how many were lost is said as soon as there is room again."""
+
+    lost = 0
+
+    def enqueue(self, record: logging.LogRecord) -> None:
+        """Let it wait, if it can. Under the handler's lock."""
+        try:
+            if self.lost:
+                words = f"{self.lost} messages before this one are lost: the disk did not answer"
+                about = {"name": __name__, "levelno": logging.WARNING, "levelname": "WARNING", "msg": words}
+                super().enqueue(self.prepare(logging.makeLogRecord(about)))
+                self.lost = 0
+            super().enqueue(record)
+        except queue.Full:
+            self.lost += 1
+
+
+class _Writing(logging.handlers.QueueListener):
+    """Writes them, on a thread of its own."""
+
+    def enqueue_sentinel(self) -> None:
+        """The last word waits until there is room for it; the process ends without it, in time."""
+        self.queue.put(self._sentinel)  # type: ignore[attr-defined]  # public, and its documented use
 
 
 def state_folder() -> Path:
@@ -46,21 +97,28 @@ def state_folder() -> Path:
 def log_to_file(debug: bool) -> Path | None:
     """Send logging and warnings to the log file, or nowhere if there can be none."""
     logging.captureWarnings(True)
-    logging.raiseExceptions = False  # a line that can't be written must not go to stderr instead
     # A full disk costs the line. Said on stderr it would cost the screen.
     logging.raiseExceptions = False
     root = logging.getLogger()
     root.setLevel(logging.DEBUG if debug else logging.INFO)
     path = state_folder() / "fleet-tui.log"
-    handler: logging.Handler
+    TAIL.setFormatter(_Visible("%(asctime)s %(levelname)s %(name)s: %(message)s", "%H:%M:%S"))
     try:
         path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-        handler = _Private(path, maxBytes=MAX_BYTES, backupCount=KEPT, encoding="utf-8")
+        if path.exists() and not path.is_file():
+            raise FileExistsError(path)  # opening a pipe would wait for who reads it
+        file = _Private(path, maxBytes=MAX_BYTES, backupCount=KEPT, encoding="utf-8")
     except OSError:
-        root.handlers = [logging.NullHandler()]
+        root.handlers = [TAIL]
         return None
+    # A disk may hang, and neither the screen nor the network may with it: a thread of its own writes.
+    lines: queue.Queue[logging.LogRecord] = queue.Queue(WAITING)
+    handler = _Waiting(lines)
     handler.setFormatter(_Visible(f"%(asctime)s {os.getpid()} %(levelname)s %(name)s: %(message)s"))
-    root.handlers = [handler]
+    root.handlers = [handler, TAIL]
+    listener = _Writing(lines, file)
+    listener.start()
+    atexit.register(listener.stop)
     for chatty in ("asyncio", "roslibpy", "autobahn", "markdown_it", "PIL"):
         logging.getLogger(chatty).setLevel(logging.DEBUG if debug else logging.WARNING)
     return path

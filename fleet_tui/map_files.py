@@ -11,20 +11,18 @@ import yaml
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 
-from fleet_tui.config.small_file import read_text
+from fleet_tui.config.small_file import open_file, read_text
 from fleet_tui.errors import MapError
 from fleet_tui.model.events import FloorMapLoaded
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.grid import MAX_PIXELS, OccupancyGrid, check_frame
 from fleet_tui.model.occupancy import (
     CLASS_OF_CELL,
     FREE,
-    MAX_PIXELS,
     OCCUPIED,
     UNKNOWN,
     Classes,
     build_grid,
-    check_frame,
 )
 
 MODES = ("trinary", "scale", "raw")
@@ -129,7 +127,7 @@ def _classes(path: Path, reading: Reading) -> Classes:
         with warnings.catch_warnings():
             # Pillow's own limit is lower than ours and warns on stderr, which would tear the screen.
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            with Image.open(path, formats=FORMATS) as image:
+            with open_file(path) as file, Image.open(file, formats=FORMATS) as image:
                 if image.width * image.height > MAX_PIXELS:
                     raise MapError(f"{image.width} x {image.height} px is over {MAX_PIXELS:,} px")
                 return _classified(image, reading)

@@ -29,10 +29,15 @@ def common(command: F) -> F:
     return click.option("--debug", is_flag=True, help="Show tracebacks, log everything.")(command)
 
 
+def drawing_mode(command: F) -> F:
+    """`--drawing`."""
+    modes = click.Choice(["auto", "braille", "half-block", "ascii"])
+    return click.option("--drawing", type=modes, help="How the map is drawn.")(command)
+
+
 def screen(command: F) -> F:
     """What the console can be told."""
-    modes = click.Choice(["auto", "braille", "half-block", "ascii"])
-    command = click.option("--drawing", type=modes, help="How the map is drawn.")(command)
+    command = drawing_mode(command)
     return click.option("--read-only", is_flag=True, help="Watch only: no command leaves.")(command)
 
 

@@ -2,13 +2,18 @@
 
 import time
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from contextlib import AsyncExitStack, asynccontextmanager
+from functools import partial
+from pathlib import Path
 
 from textual.pilot import Pilot
 
 from fleet_tui.app import FleetApp
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
+from fleet_tui.console import recorded
+from fleet_tui.door import to_the_fleet
+from fleet_tui.journal.recordings import Recordings
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.themes import load_themes
@@ -72,12 +77,22 @@ def _ready(state: FleetState) -> bool:
 
 @asynccontextmanager
 async def console(
-    config: Config, size: tuple[int, int] = (120, 40), wait: bool = True, colour: bool = True
+    config: Config,
+    size: tuple[int, int] = (120, 40),
+    wait: bool = True,
+    colour: bool = True,
+    state_folder: Path | None = None,
 ) -> AsyncIterator[Console]:
-    """Run the console until all telemetry has come."""
+    """Run the console until all telemetry has come. With a `state_folder` it records, too."""
     store = WatchedStore(initial_state(config, time.monotonic()))
-    app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour)
-    async with app.run_test(size=size) as pilot:
+    recordings = Recordings(config, store, state_folder) if state_folder else None
+    opening = partial(recorded, recordings) if recordings else to_the_fleet
+    app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, opening)
+    app.main.recordings = recordings
+    async with AsyncExitStack() as stack:
+        if recordings:
+            stack.callback(recordings.close)
+        pilot = await stack.enter_async_context(app.run_test(size=size))
         running = Console(app, store, pilot)
         if wait:
             await running.until(_ready)

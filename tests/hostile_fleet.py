@@ -56,6 +56,14 @@ def _queue(msg: Any, text: str) -> Any:
     return msg | {"orders": orders, "current_order_id": 3, "last_order_id": 99}
 
 
+def _health(_msg: Any, _text: str) -> Any:
+    values = [{"key": text, "value": text} for text in EVIL]
+    parts = [
+        {"level": 1, "name": text, "message": text, "hardware_id": text, "values": values} for text in EVIL
+    ]
+    return {"status": parts}
+
+
 def _pose(msg: Any, text: str) -> Any:
     return msg | {"header": msg["header"] | {"frame_id": text}}
 
@@ -90,6 +98,7 @@ def spoil(server: RosbridgeServer) -> None:
         topics[name] = replace(topics["/robot_0/pose"], name=name)
     topics["/robot_1/pose"] = _spoilt(topics["/robot_1/pose"], _pose)
     topics["/robot_2/battery"] = _spoilt(topics["/robot_2/battery"], _data)
+    topics["/diagnostics"] = _spoilt(topics["/diagnostics"], _health)
     for number, service in enumerate(server.services):
         server.answers[service] = _fails if "Pause" in service else _evil(EVIL[number % len(EVIL)])
 
@@ -114,6 +123,8 @@ async def _serve() -> None:
     print(server.url, flush=True)
     ended = asyncio.get_running_loop().run_in_executor(None, os.read, sys.stdin.fileno(), 1)
     for text in cycle(EVIL):
+        for evil in EVIL:
+            server.publish_raw("/rosout", {"level": 2, "name": evil, "msg": evil})
         for frame in _frames(text):
             await asyncio.wait([ended], timeout=EVERY)
             if ended.done():

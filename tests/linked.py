@@ -7,6 +7,7 @@ from contextlib import asynccontextmanager
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.link.fleet_link import FleetLink
+from fleet_tui.link.tap import Tap
 from fleet_tui.model.commands import Command, CommandRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
@@ -14,9 +15,9 @@ from tests.watched import WatchedStore
 
 
 @asynccontextmanager
-async def linked(config: Config) -> AsyncIterator[tuple[FleetLink, WatchedStore]]:
+async def linked(config: Config, tap: Tap | None = None) -> AsyncIterator[tuple[FleetLink, WatchedStore]]:
     store = WatchedStore(initial_state(config, time.monotonic()))
-    link = FleetLink(config, store)
+    link = FleetLink(config, store, tap)
     link.open()
     try:
         yield link, store

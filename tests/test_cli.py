@@ -25,6 +25,10 @@ cancel = "o"
 [ui]
 theme = "drak"
 """
+RECORD = (
+    '{"version":1,"time":"2026-11-21T09:23:29.649+00:00","operator":"ana","console":"vm:1","run":"1",'
+    '"kind":"console","what":"console","change":"opened"}\n'
+)
 GOOD = '[[floors]]\nname = "floor_0"\n[[robots]]\nname = "robot_0"\n'
 
 
@@ -141,3 +145,21 @@ def test_an_option_that_a_command_would_ignore_is_refused(tmp_path: Path) -> Non
     done = run("--read-only", "check", cwd=tmp_path)
     assert done.returncode == 2
     assert "--read-only means nothing to check" in done.stderr
+
+
+@pytest.mark.parametrize("line", [["check"], ["config", "show"], ["audit"], ["doctor", "--timeout", "1"]])
+def test_an_output_that_takes_nothing_is_named(tmp_path: Path, line: list[str]) -> None:
+    (tmp_path / "config.toml").write_text(GOOD)
+    (tmp_path / "fleet-tui").mkdir()
+    (tmp_path / "fleet-tui" / "audit.jsonl").write_text(RECORD)
+    command = [sys.executable, "-m", "fleet_tui", *line]
+    place = {**os.environ, "XDG_STATE_HOME": str(tmp_path)}
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            command, cwd=tmp_path, env=place, stdout=full, stderr=subprocess.PIPE, text=True
+        )
+    assert done.returncode == 1
+    assert done.stderr == "fleet-tui: the output can't be written: No space left on device\n"
+    closed = ["/bin/sh", "-c", '"$@" <&- >&- 2>err', "-", *command]
+    assert subprocess.run(closed, cwd=tmp_path, env=place).returncode == (3 if "doctor" in line else 0)
+    assert "error" not in (tmp_path / "err").read_text()

@@ -79,6 +79,27 @@ def test_what_was_given_comes_back_visible(tmp_path: Path, args: tuple[str | byt
     assert done.returncode in (0, 2, 3)
 
 
+FAILS = """
+import sys
+import fleet_tui.config.load as load
+from fleet_tui.__main__ import main
+
+def find(given):
+    raise RuntimeError("\x1b]52;c;eA==\x07 first\\n\x9b31m second")
+
+load.find = find
+sys.argv = ["fleet-tui", "--debug"]
+main()
+"""
+
+
+def test_a_traceback_that_was_asked_for_is_visible_text(tmp_path: Path) -> None:
+    env = {**os.environ, "XDG_STATE_HOME": str(tmp_path), "PYTHONUTF8": "1"}
+    done = subprocess.run([sys.executable, "-c", FAILS], capture_output=True, env=env, check=False)
+    assert done.returncode == 1 and done.stderr.startswith(b"Traceback") and b" second\n" in done.stderr
+    assert harmless(done.stdout + done.stderr)
+
+
 @pytest.fixture
 def hostile(tmp_path: Path) -> Iterator[Path]:
     robots = "".join(f'[[robots]]\nname = "robot_{n}"\n' for n in range(ROBOTS))

@@ -12,7 +12,7 @@ from fleet_tui.robots import KINDS
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "fleet_tui"
 FILES = sorted(PACKAGE.rglob("*.py"))
-PURE = ["model", "view", "robots", "rosbridge", "keys.py", "store.py"]
+PURE = ["model", "view", "robots", "rosbridge", "keys.py", "keymap.py", "store.py"]
 PURE_SIMULATOR = ["world.py", "warehouse.py", "robot.py", "floorplan.py"]
 FORBIDDEN_NAMES = ("Manager", "Helper", "Utils", "Handler", "Data", "Info")
 IMPURE_CALLS = {"open", "print", "input", "now", "today", "monotonic", "perf_counter", "time_ns", "read_text"}

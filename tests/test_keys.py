@@ -4,7 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.keys import KEYS, Key, keymap
+from fleet_tui.keymap import keymap
+from fleet_tui.keys import KEYS, Key
 
 IDS = [key.id for key in KEYS]
 # The operator's page, by what each key does. What is not there yet is in no table.
@@ -59,7 +60,7 @@ PROMISED = {
 
 
 # The palette reaches them; the config can give them a key.
-WITHOUT_A_KEY = {"arm"}
+WITHOUT_A_KEY = {"arm", "record"}
 
 
 def test_the_defaults_have_no_clash() -> None:
@@ -76,7 +77,7 @@ def test_every_default_is_the_promised_key(key: Key) -> None:
 
 def test_no_promised_key_of_the_console_does_something_else() -> None:
     promised = {name for keys in PROMISED.values() for name in keys}
-    others = [key for key in KEYS if key.id not in PROMISED and key.pane != "table"]
+    others = [key for key in KEYS if key.id not in PROMISED and key.pane not in ("table", "diagnostics")]
     assert [key.id for key in others if promised & set(key.keys)] == []
 
 
@@ -96,10 +97,18 @@ def test_a_key_is_changed_and_only_that() -> None:
     assert problems == []
     assert (chosen["order"], chosen["palette"], chosen["help"]) == (("O",), ("ctrl+k", "f5"), (",",))
     before, _ = keymap({})
-    changed = {"order", "palette", "help"}
+    changed = {"order", "palette", "help", "step_back"}
     assert {id_: keys for id_, keys in chosen.items() if id_ not in changed} == {
         id_: keys for id_, keys in before.items() if id_ not in changed
     }
+
+
+def test_a_recording_leaves_a_key_to_what_the_config_gives_it_to() -> None:
+    chosen, problems = keymap({"pause": "space", "order": "@,O"})
+    assert problems == []
+    assert (chosen["play"], chosen["go_to_time"]) == ((), ())
+    assert chosen["skip_on"] == (">",)
+    assert keymap({"pause": "space", "play": "space"})[1] != []
 
 
 def test_two_ids_may_change_places() -> None:

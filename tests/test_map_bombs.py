@@ -105,8 +105,10 @@ def test_a_yaml_that_is_a_bomb(tmp_path: Path, name: str) -> None:
 def test_a_file_without_an_end(tmp_path: Path) -> None:
     (tmp_path / "m.yaml").symlink_to("/dev/zero")
     (tmp_path / "m.png").symlink_to("/dev/zero")
-    assert "over 65,536 bytes" in problem(tmp_path / "m.yaml")
-    assert "is no image" in problem(tmp_path / "m.png")
+    for name in ("m.yaml", "m.png"):
+        assert "it is no regular file" in problem(tmp_path / name)
+    (tmp_path / "long.yaml").write_text("#" * 70_000)
+    assert "over 65,536 bytes" in problem(tmp_path / "long.yaml")
 
 
 MEASURED = """

@@ -79,7 +79,7 @@ def look(terminal: Terminal, *texts: str) -> None:
     for aligned in (("─ Fleet", "─ Alarms", "─ Queue"), ("[Cancel]",)):
         places = {row.find(text) for row in shown for text in aligned} - {-1}
         assert len(places) <= 1, "\n".join(shown)
-    assert shown[-1].rstrip().endswith(("command", "messages"))
+    assert shown[-1].rstrip().endswith(("command", "messages", "pause all"))
 
 
 def leave(terminal: Terminal, text: str, key: str = "\x1b") -> None:
@@ -131,6 +131,11 @@ OPENS = (
     ("?", "Help: every key", "\x1b"),
     ("w", "Why does robot_0 stand still?", "\x1b"),
     ("L", "evil␛]52;… robot_0 pause: refused", "\x1b"),
+    ("d", "no link for", "\x1b"),
+    ("d2", "▲ bad data", "\x1b"),
+    ("d4", "INFO  ␛]52;c;aGFja2Vk␇", "\x1b"),
+    ("d5", f"▲ WARN    {visible(EVIL[0])}", "\x1b"),
+    ("d6", "log, newest first: ", "\x1b"),
     ("s", "Robot: robot_0", "s"),
 )
 

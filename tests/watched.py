@@ -22,6 +22,13 @@ class WatchedStore(Store):
     def tell(self, event: Event) -> None:
         super().tell(event)
         self.events.append(event)
+        self._wake()
+
+    def put(self, state: FleetState) -> None:
+        super().put(state)
+        self._wake()
+
+    def _wake(self) -> None:
         if not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._told.set)
 

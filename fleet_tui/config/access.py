@@ -6,6 +6,8 @@ import stat
 from collections.abc import Callable, Iterator
 from functools import partial
 
+import msgspec
+
 from fleet_tui.config.schema import LINK_FILES, Config, Link, link_key
 from fleet_tui.errors import ConfigError
 
@@ -13,6 +15,19 @@ SECRETS = ("authorization", "rosauth")
 SECRET_FILES = ("authorization_file", "rosauth_file")
 PUBLIC = ("ca_file", "client_cert")
 LONGEST = 16_384  # bytes of a header that servers take
+NOT_SHOWN = ("authorization_file", "authorization_env", "rosauth_file", "rosauth_env", "client_key")
+"""Keys of a link whose value may be secret, or may have been written where its file or variable belongs."""
+
+
+def without_secrets(config: Config) -> Config:
+    """The configuration as it may be shown and handed on."""
+
+    def public(link: Link) -> Link:
+        hidden = {key: "***" for key in NOT_SHOWN if getattr(link, key)}
+        return msgspec.structs.replace(link, url=link.shown, **hidden)
+
+    links = {name: public(link) for name, link in config.links.items()}
+    return msgspec.structs.replace(config, rosbridge=public(config.rosbridge), links=links)
 
 
 def access_problems(config: Config) -> list[str]:

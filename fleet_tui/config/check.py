@@ -8,7 +8,7 @@ from urllib.parse import urlsplit
 from fleet_tui.config.profile import FIELDS, FLOOR_TOPICS, SERVICES, TOPICS, Profile
 from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config, Link, link_key
 from fleet_tui.errors import did_you_mean
-from fleet_tui.keys import keymap
+from fleet_tui.keymap import keymap
 from fleet_tui.model.alarm import Priority
 
 # ROS graph names, and what is harmless beside them.

@@ -2,11 +2,13 @@
 
 import re
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeVar
 
 import msgspec
 
 from fleet_tui.config.profile import Profile
+
+S = TypeVar("S", bound=msgspec.Struct)
 
 DEFAULT_LINK = "rosbridge"
 
@@ -51,7 +53,7 @@ class Link(msgspec.Struct, frozen=True):
     def shown(self) -> str:
         """The url without what may be secret in it."""
         without_user = re.sub(r"^(\w+://)?.*@", r"\1***@", self.url, flags=re.DOTALL)
-        return re.sub(r"\?.*", "?***", without_user, flags=re.DOTALL)
+        return re.sub(r"([?#]).*", r"\1***", without_user, flags=re.DOTALL)
 
     @property
     def is_secure(self) -> bool:
@@ -119,6 +121,17 @@ class Alarms(msgspec.Struct, frozen=True):
     notify: list[str] = []
 
 
+class Recording(msgspec.Struct, frozen=True):
+    """`[recording]`: the console always keeps the last `recent_minutes` (0: none) in `recent_mb` at most.
+    A recording goes on in a new file after `rotate_mb` or `rotate_minutes`; `keep` files stay, 0: all."""
+
+    recent_minutes: Annotated[float, msgspec.Meta(ge=0, le=1440)] = 10.0
+    recent_mb: Annotated[float, msgspec.Meta(ge=1, le=100_000)] = 64.0
+    rotate_mb: Annotated[float, msgspec.Meta(ge=1, le=100_000)] = 256.0
+    rotate_minutes: Annotated[float, msgspec.Meta(ge=1, le=100_000)] = 60.0
+    keep: Annotated[int, msgspec.Meta(ge=0, le=100_000)] = 0
+
+
 class Config(msgspec.Struct, frozen=True):
     """A whole configuration; `path` is the file it came from."""
 
@@ -130,6 +143,7 @@ class Config(msgspec.Struct, frozen=True):
     keys: dict[str, str] = {}
     ui: Ui = Ui()
     alarms: Alarms = Alarms()
+    recording: Recording = Recording()
     profile: Profile = Profile()
     path: Path = Path()
 
@@ -141,10 +155,22 @@ class Config(msgspec.Struct, frozen=True):
 
     def bridge(self, name: str) -> Link:
         """One bridge, its files with their whole paths."""
-        link = self.bridges[name]
-        found = {key: getattr(link, key) for key in LINK_FILES}
-        whole = {key: str(self.beside(path)) for key, path in found.items() if path}
-        return msgspec.structs.replace(link, **whole)
+        return self._whole(self.bridges[name], LINK_FILES)
+
+    def whole(self) -> "Config":
+        """The same, for a file that lies elsewhere: all files with their whole paths."""
+        return msgspec.structs.replace(
+            self,
+            rosbridge=self._whole(self.rosbridge, LINK_FILES),
+            links={name: self._whole(link, LINK_FILES) for name, link in self.links.items()},
+            floors=[self._whole(floor, ("map",)) for floor in self.floors],
+        )
+
+    def _whole(self, part: S, keys: tuple[str, ...]) -> S:
+        found = {key: getattr(part, key) for key in keys}
+        return msgspec.structs.replace(
+            part, **{key: str(self.beside(name)) for key, name in found.items() if name}
+        )
 
     def beside(self, name: str) -> Path:
         """Where a file lies that the config names: relative to the config file; ~ is the home."""

@@ -1,9 +1,13 @@
 """Reads files that people write: never more of one than fits its purpose, whatever its name leads to."""
 
+import errno
+import os
 import re
+import stat
 import tomllib
+from io import BufferedReader, FileIO
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 LARGEST = 500_000
 """Bytes of a configuration or a theme."""
@@ -12,9 +16,22 @@ _MANY_PARTS = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]
 """In a key: tomllib takes memory with the square of them."""
 
 
+def _without_waiting(path: str, flags: int) -> int:
+    return os.open(path, flags | os.O_NONBLOCK | os.O_NOCTTY)
+
+
+def open_file(path: Path) -> BinaryIO:
+    """Open a regular file to be read. Raises OSError: a pipe or a device could keep us waiting for ever."""
+    file = FileIO(path, opener=_without_waiting)
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+        file.close()
+        raise OSError(errno.EINVAL, "it is no regular file")
+    return BufferedReader(file)
+
+
 def read_text(path: Path, largest: int) -> str:
     """A whole UTF-8 file. Raises OSError, and ValueError for a larger one or another encoding."""
-    with path.open("rb") as file:
+    with open_file(path) as file:
         content = file.read(largest + 1)
     if len(content) > largest:
         raise ValueError(f"over {largest:,} bytes")

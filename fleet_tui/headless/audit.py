@@ -1,5 +1,6 @@
 """The audit log as text or CSV, for who has no console open."""
 
+import errno
 from datetime import datetime
 from typing import TextIO
 
@@ -33,6 +34,8 @@ def write_records(typed: str, as_csv: bool, demo: bool, out: TextIO) -> str:
     except BrokenPipeError:
         raise
     except OSError as problem:
+        if problem.errno in (errno.ENOSPC, errno.EDQUOT):
+            raise  # by the output: the log is only read
         raise FleetError(f"{reading.path}: {problem.strerror}") from None
     notes = [reading.note] if reading.note else []
     notes += [] if count else ["no such record"]

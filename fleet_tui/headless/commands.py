@@ -1,11 +1,14 @@
 """The commands that need no screen. The command line imports this module when one of them is asked for."""
 
+import math
 import sys
+from pathlib import Path
 
 import click
 
 from fleet_tui.config.load import find, load
 from fleet_tui.headless.config_commands import config
+from fleet_tui.headless.duration import Duration
 from fleet_tui.headless.order_commands import orders
 from fleet_tui.options import common, merged, timeout
 from fleet_tui.view.text import visible
@@ -42,10 +45,11 @@ def status(
 
 @headless.command()
 @click.option("--json", "as_json", is_flag=True, help="As JSON: docs/doctor.md tells the schema.")
+@click.option("--bundle", is_flag=True, help="And pack it with recordings, log and audit log, for a ticket.")
 @timeout(20.0)
 @common
 @merged
-def doctor(config_file: str | None, debug: bool, as_json: bool, timeout: float) -> None:
+def doctor(config_file: str | None, debug: bool, as_json: bool, bundle: bool, timeout: float) -> None:
     """What is wrong between here and the robots, outside in, each with a remedy. Commands nothing. Exit
     code 0: all well, 1: something is wrong, 3: no link."""
     from fleet_tui.headless.doctor.run import doctor as run
@@ -53,7 +57,56 @@ def doctor(config_file: str | None, debug: bool, as_json: bool, timeout: float) 
 
     config = load(find(config_file))
     log_to_file(debug)
-    sys.exit(run(config, timeout, as_json, click.echo))
+    said: list[str] = []
+
+    def say(line: str) -> None:
+        click.echo(line)
+        said.append(click.unstyle(line))
+
+    code = run(config, timeout, as_json, say)
+    if bundle:
+        from fleet_tui.headless.bundle import pack
+
+        # Not into the JSON.
+        click.echo(visible(pack(config, "\n".join([*said, ""]), "json" if as_json else "txt")), err=as_json)
+    sys.exit(code)
+
+
+@headless.command()
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option("--for", "seconds", type=Duration(), default="366d", help="End after 45s, 30m, 8h, ...")
+@click.option("--rotate-mb", type=click.FloatRange(1), help="A new file after so many MB.")
+@click.option("--rotate-every", type=Duration(), help="A new file after 30m, 1h, ...")
+@click.option("--keep", type=click.IntRange(0), help="How many files stay, 0: all.")
+@click.option("--timeout", type=click.FloatRange(0.1), help="End if there is no link after so many seconds.")
+@common
+@merged
+def record(
+    config_file: str | None,
+    debug: bool,
+    file: Path,
+    seconds: float,
+    rotate_mb: float | None,
+    rotate_every: float | None,
+    keep: int | None,
+    timeout: float | None,
+) -> None:
+    """Write everything that comes over the wire to FILE, until Ctrl-C or SIGTERM. Commands nothing. Exit code
+    0: fine, 3: there never was a link."""
+    from fleet_tui.headless.record import record as run
+    from fleet_tui.journal.part_files import Limits
+    from fleet_tui.log_file import log_to_file
+
+    config = load(find(config_file))
+    log_to_file(debug)
+    usual = config.recording
+    limits = Limits(
+        (usual.rotate_mb if rotate_mb is None else rotate_mb) * 1e6,
+        usual.rotate_minutes * 60 if rotate_every is None else rotate_every,
+        usual.keep if keep is None else keep,
+    )
+    is_live = sys.stderr.isatty()
+    sys.exit(run(config, file, limits, seconds, timeout or math.inf, click.echo, is_live))
 
 
 @headless.command()

@@ -56,17 +56,19 @@ def robots_of(config: Config, word: str) -> list[str]:
 @contextmanager
 def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
     """A link to send on, with the audit log kept; Ctrl-C says what is not known."""
-    with session(config) as (link, store), auditing(state_folder(), config, store) as audit:
+    with session(config) as (link, store):
         given = Sending(link, store, asked)
         try:
-            yield given
+            with auditing(state_folder(), config, store) as audit:
+                try:
+                    yield given
+                finally:
+                    for note in audit.notes:
+                        say(note, err=True)
         except KeyboardInterrupt:
             signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second one would only spoil what is said now
             _say_what_is_open(given, say)
             raise
-        finally:
-            for note in audit.notes:
-                say(note, err=True)
 
 
 def _say_what_is_open(given: Sending, say: Say) -> None:

@@ -9,13 +9,11 @@ from typing import Any
 
 import msgspec
 
+from fleet_tui.config.access import without_secrets
 from fleet_tui.config.profile import FIELDS, SERVICES, TOPICS, Profile
 from fleet_tui.config.schema import Config
 from fleet_tui.journal.audit import operator_name
-from fleet_tui.keys import keymap
-
-# What may be secret, or may have been written where its file or variable belongs.
-SECRET = ("authorization_file", "authorization_env", "rosauth_file", "rosauth_env", "client_key")
+from fleet_tui.keymap import keymap
 
 Found = tuple[str, object]
 
@@ -26,7 +24,8 @@ _KEY = re.compile(
 
 
 def values(config: Config) -> Iterator[Found]:
-    """Every key that can be set, with the value in effect."""
+    """Every key that can be set, with the value in effect, unless that is secret."""
+    config = without_secrets(config)
     for field in msgspec.structs.fields(Config):
         value = getattr(config, field.name)
         match field.name:
@@ -49,10 +48,7 @@ def values(config: Config) -> Iterator[Found]:
 
 def _struct(where: str, value: msgspec.Struct) -> Iterator[Found]:
     for name in value.__struct_fields__:
-        found = getattr(value, name)
-        if name in SECRET and found:
-            found = "***"
-        yield f"{where}.{name}", getattr(value, "shown", found) if name == "url" else found
+        yield f"{where}.{name}", getattr(value, name)
 
 
 def _profile(profile: Profile) -> Iterator[Found]:

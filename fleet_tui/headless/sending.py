@@ -19,6 +19,9 @@ from fleet_tui.model.robot import Robot
 LINK_WITHIN = 5.0
 """Seconds to wait at most for a link and for what a robot reports."""
 
+HANDOVER = 2.0
+"""Seconds until the link has sent a command, or refused it, at most: one that comes later it refuses."""
+
 CODES = {"no link": NO_LINK, "unknown vertex": USAGE}
 
 
@@ -153,10 +156,15 @@ class Sending:
     def await_ends(self, ids: Sequence[int]) -> Iterator[Outcome]:
         """Wait for the end of each command."""
         for command_id in ids:
+            # However little time is left for an answer: whether it left at all is known here.
+            self.store.wait(partial(self._was_tried, command_id), HANDOVER)
             self.store.wait(partial(self._has_ended, command_id), self.left)
             record = self._records.get(command_id)
             if record is not None:
                 yield self._with_link(ended(self.state, record, self._how.timeout), record)
+
+    def _was_tried(self, command_id: int, _: FleetState) -> bool:
+        return command_id in self._records and self._records[command_id].stage is not Stage.CHECKED
 
     def _has_ended(self, command_id: int, _: FleetState) -> bool:
         return command_id in self._records and self._records[command_id].ended

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.link.fleet_link import FleetLink
+from fleet_tui.link.tap import Tap
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
@@ -35,10 +36,12 @@ class WaitingStore(Store):
 
 
 @contextmanager
-def session(config: Config) -> Iterator[tuple[FleetLink, WaitingStore]]:
+def session(
+    config: Config, tap: Tap | None = None, store: WaitingStore | None = None
+) -> Iterator[tuple[FleetLink, WaitingStore]]:
     """Connect to every bridge of a config, and close again."""
-    store = WaitingStore(initial_state(config, time.monotonic()))
-    link = FleetLink(config, store)
+    store = store or WaitingStore(initial_state(config, time.monotonic()))
+    link = FleetLink(config, store, tap)
     link.open()
     try:
         yield link, store

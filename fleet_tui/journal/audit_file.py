@@ -56,7 +56,7 @@ class AuditFile:
             # Not to wait for ever for a reader, should the name be that of a pipe.
             flags = os.O_RDWR | os.O_APPEND | os.O_CREAT | os.O_CLOEXEC | os.O_NONBLOCK | os.O_NOCTTY
             self._fd = os.open(self.path, flags, 0o600)
-            self._make_private(self._fd)
+            self._take_over(self._fd)
         return self._fd
 
     def _has_the_name(self, fd: int) -> bool:
@@ -65,10 +65,13 @@ class AuditFile:
         except FileNotFoundError:
             return False
 
-    def _make_private(self, fd: int) -> None:
+    def _take_over(self, fd: int) -> None:
         mode = os.fstat(fd).st_mode
         self.warning = ""
-        if stat.S_ISREG(mode) and stat.S_IMODE(mode) != 0o600:
+        if not stat.S_ISREG(mode):
+            self.close()  # a pipe that nobody reads takes lines, and loses them
+            raise OSError(errno.EINVAL, "is no regular file")
+        if stat.S_IMODE(mode) != 0o600:
             try:
                 os.fchmod(fd, 0o600)
             except OSError:

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from datetime import datetime
 from functools import cache
 from typing import Any, assert_never
-from urllib.parse import urlsplit
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, transitions
 from fleet_tui.model.audit_record import VERSION, AuditRecord
@@ -53,15 +52,6 @@ def _kept(text: str) -> str:
 
 
 @cache
-def without_secrets(url: str) -> str:
-    """The address of a bridge without user, password, query and fragment."""
-    try:
-        parts = urlsplit(url)
-    except ValueError:
-        return ""
-    return f"{parts.scheme}://{parts.netloc.rpartition('@')[2]}{parts.path}"
-
-
 def command_records(
     origin: Origin, before: FleetState, after: FleetState, wall: Callable[[float], float]
 ) -> Iterator[AuditRecord]:
@@ -106,7 +96,7 @@ def _where(state: FleetState, robot: Robot) -> dict[str, Any]:
 
 def _link(state: FleetState, name: str) -> dict[str, Any]:
     link = state.links.get(name)
-    return {"link": name, "url": without_secrets(link.url) if link else ""}
+    return {"link": name, "url": link.url if link else ""}
 
 
 def _arguments(robot: Robot | None, command: Command) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 import csv
 import os
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TextIO
@@ -12,6 +13,8 @@ from fleet_tui.view.text import visible
 COLUMNS = AuditRecord.__struct_fields__
 # Full-width forms are formulas, too, where the spreadsheet speaks Japanese or Chinese.
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20")
+# One that writes decimals with a comma takes a semicolon for the end of a cell.
+_NEXT_CELL = re.compile(r"""(;[\s"']*)(?=[=+\-@\uff1d\uff0b\uff0d\uff20])""")
 
 
 def cell(value: object) -> str:
@@ -20,7 +23,7 @@ def cell(value: object) -> str:
         return ""
     if not isinstance(value, str):
         return str(value)
-    text = visible(value)
+    text = _NEXT_CELL.sub(r"\1'", visible(value))
     return f"'{text}" if value.startswith(_FORMULA) or text.startswith(_FORMULA) else text
 
 

@@ -9,6 +9,7 @@ from typing import BinaryIO
 
 import msgspec
 
+from fleet_tui.config.small_file import open_file
 from fleet_tui.journal.audit_file import KEPT, part
 from fleet_tui.model.audit_record import AuditRecord
 
@@ -41,7 +42,7 @@ class Reading:
             files: dict[int, BinaryIO] = {}
             for number in range(KEPT):
                 try:
-                    file: BinaryIO = stack.enter_context(part(self.path, number).open("rb"))
+                    file = stack.enter_context(open_file(part(self.path, number)))
                 except FileNotFoundError:
                     continue
                 files.setdefault(os.fstat(file.fileno()).st_ino, file)

@@ -3,11 +3,11 @@
 import asyncio
 import logging
 import time
-from collections.abc import Callable
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.link.calls import Call, Calls, LinkLostError, NoAnswerError
+from fleet_tui.link.telemetry import Telemetry
 from fleet_tui.link.transport import Connection
 from fleet_tui.link.writer import Writer
 from fleet_tui.model.bounds import brief
@@ -38,14 +38,15 @@ class CommandChannel:
         interface: Interface,
         writer: Writer,
         timeout: float,
-        silence: Callable[[], float],
+        telemetry: Telemetry,
     ) -> None:
-        """`timeout` of an answer in seconds; `silence`: for how long a link that spoke has not."""
+        """`timeout` of an answer in seconds; `telemetry` of the same bridge, whose silence counts here."""
         self._link = link
         self._interface = interface
         self._writer = writer
         self._timeout = timeout
-        self._silence = silence
+        self._silence = telemetry.silence
+        self._round_trips = telemetry.counter.round_trips
         self._path = CommandPath.UNTRIED
         self._path_reason = ""
         self._connected = False
@@ -60,7 +61,7 @@ class CommandChannel:
         told = CommandPathChanged(self._link, path, reason, self._connected)
         if told != self._told:
             self._path, self._path_reason, self._told = path, reason, told
-            self._writer.store.tell(told)
+            self._writer.take(told)
 
     def on_connecting(self) -> None:
         """A try has begun."""
@@ -81,13 +82,17 @@ class CommandChannel:
 
     async def _beat(self) -> None:
         while True:
+            began = time.monotonic()
             try:
                 response = await self._calls.call("/rosapi/get_time", {}, HEARTBEAT_TIMEOUT)
             except NoAnswerError:
+                self._round_trips.unanswered += 1
                 self._set_path(CommandPath.DEAD, "the bridge does not answer calls")
             except LinkError:
                 return
             else:
+                now = time.monotonic()
+                self._round_trips.take(now - began, now)
                 words = response.values if isinstance(response.values, str) else ""
                 if "unable to communicate" in words.lower():
                     self._set_path(CommandPath.DEAD, "the ROS master is gone")
@@ -98,6 +103,8 @@ class CommandChannel:
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Only answers come here."""
+        if self._writer.tap is not None:
+            self._writer.tap.heard(self._link, "commands", payload, is_binary, time.monotonic())
         try:
             operation = None if is_binary else operations.decode(payload)
         except WireError as problem:
@@ -106,6 +113,11 @@ class CommandChannel:
         if isinstance(operation, operations.ServiceResponse) and not self._calls.on_response(operation):
             _, words = self._interface.outcome(operation.values, operation.result)
             LOG.warning("a late answer to %s: %s", brief(operation.id), words)
+
+    def on_sent(self, payload: bytes) -> None:
+        """A call left."""
+        if self._writer.tap is not None:
+            self._writer.tap.sent(self._link, "commands", payload)
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """No answer to a command is that large."""
@@ -166,7 +178,7 @@ class CommandChannel:
         level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
         LOG.log(level, "command %d: %s %s", command_id, stage.value, brief(words))
         at = time.monotonic() if at is None else at
-        self._writer.store.tell(CommandAdvanced(command_id, stage, at, words))
+        self._writer.take(CommandAdvanced(command_id, stage, at, words))
 
     def close(self) -> None:
         """Close for good; what is under way ends as unknown."""

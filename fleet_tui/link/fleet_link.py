@@ -3,13 +3,16 @@
 import itertools
 import secrets
 import time
+from collections.abc import Mapping
 
 from fleet_tui.config.access import access_problems
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
 from fleet_tui.link.link import Link
+from fleet_tui.link.tap import Tap
 from fleet_tui.link.writer import Writer
 from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
 from fleet_tui.store import Store
 
@@ -20,16 +23,18 @@ ID_SPAN = 2**30
 class FleetLink:
     """Feeds the store and takes the commands. Any thread may call."""
 
-    def __init__(self, config: Config, store: Store) -> None:
+    def __init__(self, config: Config, store: Store, tap: Tap | None = None) -> None:
         """Raises ConfigError for a secret or a certificate that can't be used."""
         problems = access_problems(config)
         if problems:
             raise ConfigError([f"{config.path}: {line}" for line in problems])
         self._store = store
         self._read_only = config.operator.read_only
-        self._writer = Writer(store)
+        self._writer = Writer(store, tap)
         self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
         self._links = {name: Link(name, config, self._writer) for name in config.bridges}
+        self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
+        """What came over each link, for whoever looks; it changes all the time."""
 
     def open(self) -> None:
         """Connect, and tell the time."""
@@ -58,6 +63,11 @@ class FleetLink:
         wanted = self._store.state.robots[robot].link
         for name, link in self._links.items():
             link.show_map(robot if name == wanted and floor else "", floor)
+
+    def overhear(self, on: bool) -> None:
+        """Listen to the log and diagnostics of all robots, or no longer."""
+        for link in self._links.values():
+            link.overhear(on)
 
     def close(self) -> None:
         """Close every connection."""

@@ -23,7 +23,8 @@ class Link:
         self._telemetry = Telemetry(name, config, interface, writer)
         timeout = config.alarms.no_answer_after
         bridge = config.bridge(name)
-        self._commands = CommandChannel(name, bridge, interface, writer, timeout, self._telemetry.silence)
+        self.counter = self._telemetry.counter
+        self._commands = CommandChannel(name, bridge, interface, writer, timeout, self._telemetry)
 
     def open(self) -> None:
         """Connect, and stay connected; commands first, so that no subscribing delays a pause."""
@@ -47,6 +48,10 @@ class Link:
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for the live map of one robot's floor, no other one; an empty name for none."""
         self._writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)
+
+    def overhear(self, on: bool) -> None:
+        """Listen to the robots' log and diagnostics, or no longer."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.overhear, on)
 
     def close(self) -> None:
         """Close both connections."""

@@ -18,5 +18,8 @@ class Listener(Protocol):
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """A frame came."""
 
+    def on_sent(self, payload: bytes) -> None:
+        """A frame left."""
+
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """A message of `size` bytes was passed over; `head` is how it begins."""

@@ -9,6 +9,7 @@ from collections.abc import Callable, Collection, Mapping
 from fleet_tui.config.profile import Profile
 from fleet_tui.errors import LinkError
 from fleet_tui.link.calls import Calls
+from fleet_tui.link.overhearing import Overhearing
 from fleet_tui.link.reading import Reading
 from fleet_tui.link.subscriptions import Wanted, type_problem
 from fleet_tui.link.transport import Connection
@@ -48,6 +49,7 @@ class Subscriber:
         self._types: dict[str, str] = {}
         self._refused: set[str] = set()
         self._map: Wanted | None = None
+        self.overhearing = Overhearing(connection, self._ask_types)
         self._asked: dict[str, float] = {}
         self._patience: dict[str, float] = {}
         self._task: asyncio.Task[None] | None = None
@@ -58,7 +60,11 @@ class Subscriber:
         self._refused.clear()
         self._patience.clear()
         self._asked = dict.fromkeys(self._robots, now)
-        self._task = asyncio.ensure_future(self._subscribe_to(self._robots))
+        self._task = asyncio.ensure_future(self._begin())
+
+    async def _begin(self) -> None:
+        await self._subscribe_to(self._robots)
+        self.overhearing.subscribe(self._types)
 
     def stop(self) -> None:
         """There is nobody to ask any more."""
@@ -128,8 +134,10 @@ class Subscriber:
         if problem:
             if wanted.subscription.topic not in self._refused:
                 self._refused.add(wanted.subscription.topic)
+                self._reading.counter.topics[wanted.subscription.topic].not_subscribed = problem
                 self._tell(events.MessageRejected(wanted.robot, problem))
             return
+        self._reading.counter.topics[wanted.subscription.topic].not_subscribed = ""
         asked = wanted.subscription
         # ROS 2 writes the same type with a middle part: the bridge wants its own spelling back.
         asked = operations.Subscription(

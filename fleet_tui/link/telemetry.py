@@ -58,15 +58,14 @@ class Telemetry:
             self.connection, self._calls, wanted, config.profile, self._reading, self._take
         )
         self.show_map = self._subscriber.show_map
+        self.overhear = self._subscriber.overhearing.listen
+        self.counter = self._reading.counter
         writer.before_tick.append(self._look)
-
-    def _tell(self, event: events.Event) -> None:
-        self._writer.store.tell(event)
 
     def _look(self, now: float) -> None:
         if self._heard > self._told_heard:
             self._told_heard = self._heard
-            self._tell(events.LinkHeard(self._link, self._heard))
+            self._writer.take(events.LinkHeard(self._link, self._heard))
         if now > self._next_look:
             self._next_look = now + LOOK_EVERY
             self._subscriber.look(now, self._robots_spoke)
@@ -77,12 +76,13 @@ class Telemetry:
 
     def on_connecting(self) -> None:
         """A try has begun."""
-        self._tell(events.LinkChanged(self._link, time.monotonic(), Phase.CONNECTING))
+        self._writer.take(events.LinkChanged(self._link, time.monotonic(), Phase.CONNECTING))
 
     def on_open(self) -> None:
         """Subscribe to everything."""
         now = time.monotonic()
-        self._tell(events.LinkChanged(self._link, now, Phase.UP))
+        self.counter.opened()
+        self._writer.take(events.LinkChanged(self._link, now, Phase.UP))
         self._spoke = 0.0
         self._subscriber.start(now)
 
@@ -91,36 +91,48 @@ class Telemetry:
         self._subscriber.stop()
         self._calls.on_lost()
         now = time.monotonic()
-        self._tell(events.LinkChanged(self._link, now, Phase.WAITING, reason, now + next_try_in))
+        self.counter.lost(reason, now)
+        self._writer.take(events.LinkChanged(self._link, now, Phase.WAITING, reason, now + next_try_in))
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Decode here, or beside the loop if that takes long."""
         self._heard = self._spoke = time.monotonic()
         if len(payload) < HEAVY_BYTES:
-            self._take(self._reading.read(payload, is_binary, self._heard))
+            self._take_frame(
+                payload, is_binary, self._heard, self._reading.read(payload, is_binary, self._heard)
+            )
             return
         if self._waiting > MOST_WAITING:
+            self.counter.dropped += 1
             behind = f"{self._waiting / 1e6:.0f} MB before it are not decoded yet"
             self._take(events.FrameRejected(self._link, f"{len(payload):,} bytes were passed over: {behind}"))
             return
         self._waiting += len(payload)
         loop = asyncio.get_running_loop()
         work = loop.run_in_executor(self._decoder, self._reading.read, payload, is_binary, self._heard)
-        work.add_done_callback(partial(self._take_late, len(payload)))
+        work.add_done_callback(partial(self._take_late, payload, is_binary, self._heard))
         if len(payload) > WORTH_A_PROCESS:
             work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, give_back))
 
-    def _take_late(self, size: int, done: "asyncio.Future[Read]") -> None:
-        self._waiting -= size
+    def _take_late(self, payload: bytes, is_binary: bool, at: float, done: "asyncio.Future[Read]") -> None:
+        self._waiting -= len(payload)
         if not done.cancelled():
-            self._take(done.result())
+            self._take_frame(payload, is_binary, at, done.result())
+
+    def on_sent(self, payload: bytes) -> None:
+        """A frame left."""
+        if self._writer.tap is not None:
+            self._writer.tap.sent(self._link, "topics", payload)
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """Say which message it was, how large, and what lets it in."""
         self._heard = self._spoke = time.monotonic()
-        self._take(self._reading.too_large(head, is_binary, size))
+        self._take(self._reading.too_large(head, is_binary, size, self._heard))
 
-    def _take(self, read: Read) -> None:
+    def _take_frame(self, payload: bytes, is_binary: bool, at: float, read: Read) -> None:
+        """Tell what a frame that came at `at` was read as."""
+        if self._writer.tap is not None:
+            self._writer.tap.heard(self._link, "topics", payload, is_binary, at)
         if isinstance(read, operations.ServiceResponse):
             self._calls.on_response(read)
         elif read is not None:
@@ -128,7 +140,13 @@ class Telemetry:
                 self._log_once(read.text)
             elif isinstance(read, events.Telemetry):
                 self._robots_spoke[read.robot] = read.at
-            self._tell(read)
+            self._writer.store.tell(read)
+
+    def _take(self, rejected: events.Event) -> None:
+        """Tell what could not be read, or was not even asked for."""
+        if isinstance(rejected, events.MessageRejected | events.FrameRejected):
+            self._log_once(rejected.text)
+        self._writer.take(rejected)
 
     def _log_once(self, text: str) -> None:
         text = brief(text)

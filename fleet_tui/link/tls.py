@@ -1,8 +1,10 @@
 """How a bridge is reached over TLS: always verified, by the system's authorities or one's own."""
 
 import ssl
+from pathlib import Path
 
 from fleet_tui.config.schema import Link
+from fleet_tui.config.small_file import open_file
 from fleet_tui.errors import LinkError
 
 
@@ -13,6 +15,7 @@ def tls_context(bridge: Link) -> ssl.SSLContext | None:
     """
     if not bridge.is_secure:
         return None
+    _look_at_files(bridge)
     try:
         context = ssl.create_default_context(cafile=bridge.ca_file or None)
     except (OSError, ValueError) as problem:
@@ -24,6 +27,16 @@ def tls_context(bridge: Link) -> ssl.SSLContext | None:
         except (OSError, ValueError) as problem:
             raise LinkError(f"client_cert or client_key: {_words(problem)}") from None
     return context
+
+
+def _look_at_files(bridge: Link) -> None:
+    """OpenSSL opens by itself, and a pipe would keep it for ever: it gets regular files only."""
+    for key in ("ca_file", "client_cert", "client_key"):
+        if name := getattr(bridge, key):
+            try:
+                open_file(Path(name)).close()
+            except (OSError, ValueError) as problem:
+                raise LinkError(f"{key}: {_words(problem)}") from None
 
 
 def _words(problem: Exception) -> str:

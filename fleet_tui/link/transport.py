@@ -166,10 +166,9 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
         """Why a connection ended, in plain words; `text` is autobahn's."""
         if not self._opened_at:
             return failed_handshake(text, self._bridge, lost_by)
-        lived = self.manager.loop.time() - self._opened_at
         if isinstance(lost_by, ssl.SSLError):
             return refusal(lost_by, self._bridge)
-        return ended(code, text, self._bridge, lived < AT_ONCE)
+        return ended(code, text, self._bridge, self.manager.loop.time() - self._opened_at < AT_ONCE)
 
     def stop(self) -> None:
         """Never try again. On the loop."""
@@ -226,6 +225,7 @@ class Connection(roslibpy.Ros):  # type: ignore[misc]  # roslibpy has no types
         if proto is None or proto._manual_disconnect:
             raise LinkError("no link")
         proto.sendMessage(payload, isBinary=False)
+        self.factory.listener.on_sent(payload)
 
     def _refuse_without_link(self) -> None:
         if not self.is_connected:

@@ -6,6 +6,8 @@ import sys
 import time
 from collections.abc import Callable
 
+from fleet_tui.link.memory import hoard_little, settle, tidy
+from fleet_tui.link.tap import Tap
 from fleet_tui.link.transport import network_loop
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.store import Store
@@ -13,6 +15,7 @@ from fleet_tui.store import Store
 LOG = logging.getLogger(__name__)
 
 TICK = 0.1
+TIDY_EVERY = 60.0
 # Python lets a busy thread run 5 ms before another gets its turn: too long for a command to wait
 # while the screen is drawn.
 SWITCH_INTERVAL = 0.0005
@@ -21,14 +24,17 @@ SWITCH_INTERVAL = 0.0005
 class Writer:
     """Owns the thread in which the state changes. It exists without a link, too."""
 
-    def __init__(self, store: Store) -> None:
-        self.store = store
+    def __init__(self, store: Store, tap: Tap | None = None) -> None:
+        self.store, self.tap = store, tap
         self.loop = network_loop()
         self.before_tick: list[Callable[[float], None]] = []
         self._ticker: asyncio.Future[None] | None = None
+        self._tidied = time.monotonic()
+        self._tidy = settle
 
     def start(self) -> None:
         """Begin to tell the time."""
+        hoard_little()
         sys.setswitchinterval(SWITCH_INTERVAL)
         self.loop.call_soon_threadsafe(self._start)
 
@@ -41,15 +47,25 @@ class Writer:
                 now = time.monotonic()
                 for look in self.before_tick:
                     look(now)
-                self.store.tell(TimePassed(now, time.time()))
+                self.take(TimePassed(now, time.time()))
+                if now - self._tidied > TIDY_EVERY:
+                    self._tidied = now
+                    self._tidy()
+                    self._tidy = tidy
             except Exception:
                 # Without the time nothing would age: one bad tick must not be the last.
                 LOG.exception("tick")
             await asyncio.sleep(TICK)
 
+    def take(self, event: Event) -> None:
+        """Tell the store what no frame brought. On the loop."""
+        if self.tap is not None:
+            self.tap.told(event)
+        self.store.tell(event)
+
     def tell(self, event: Event) -> None:
-        """Tell the store, from any thread."""
-        self.loop.call_soon_threadsafe(self.store.tell, event)
+        """The same from any thread."""
+        self.loop.call_soon_threadsafe(self.take, event)
 
     def stop(self) -> None:
         """Stop telling the time."""

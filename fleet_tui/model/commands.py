@@ -10,7 +10,7 @@ from msgspec import Struct
 INT32_MAX = 2**31 - 1
 
 
-class PlaceOrder(Struct, frozen=True):
+class PlaceOrder(Struct, frozen=True, tag=True):
     """Carry from vertex `start` to vertex `end`."""
 
     robot: str
@@ -18,33 +18,33 @@ class PlaceOrder(Struct, frozen=True):
     end: int
 
 
-class PlaceOrderWithCargo(Struct, frozen=True):
+class PlaceOrderWithCargo(Struct, frozen=True, tag=True):
     """Bring the cargo on board to vertex `end`."""
 
     robot: str
     end: int
 
 
-class CancelOrder(Struct, frozen=True):
+class CancelOrder(Struct, frozen=True, tag=True):
     """Take one order out of the queue. `order_id` is above 0: 0 would mean all of them."""
 
     robot: str
     order_id: int
 
 
-class ClearOrders(Struct, frozen=True):
+class ClearOrders(Struct, frozen=True, tag=True):
     """Take every order out of the queue."""
 
     robot: str
 
 
-class PauseRobot(Struct, frozen=True):
+class PauseRobot(Struct, frozen=True, tag=True):
     """Stand still until resumed."""
 
     robot: str
 
 
-class ResumeRobot(Struct, frozen=True):
+class ResumeRobot(Struct, frozen=True, tag=True):
     """Go on after a pause."""
 
     robot: str

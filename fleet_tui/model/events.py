@@ -15,7 +15,7 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import OrderQueue
 
 
-class PoseReported(Struct, frozen=True):
+class PoseReported(Struct, frozen=True, tag=True):
     """`stamp` is the robot's own clock in seconds, None where it gives none."""
 
     robot: str
@@ -25,7 +25,7 @@ class PoseReported(Struct, frozen=True):
     stamp: float | None
 
 
-class BatteryReported(Struct, frozen=True):
+class BatteryReported(Struct, frozen=True, tag=True):
     """Charge in per cent."""
 
     robot: str
@@ -33,7 +33,7 @@ class BatteryReported(Struct, frozen=True):
     percent: float
 
 
-class CargoReported(Struct, frozen=True):
+class CargoReported(Struct, frozen=True, tag=True):
     """Whether the robot carries something."""
 
     robot: str
@@ -41,7 +41,7 @@ class CargoReported(Struct, frozen=True):
     loaded: bool
 
 
-class ObstacleReported(Struct, frozen=True):
+class ObstacleReported(Struct, frozen=True, tag=True):
     """Seconds in contact with an obstacle; 0 is none."""
 
     robot: str
@@ -49,7 +49,7 @@ class ObstacleReported(Struct, frozen=True):
     seconds: float
 
 
-class QueueReported(Struct, frozen=True):
+class QueueReported(Struct, frozen=True, tag=True):
     """The robot's whole queue of orders; `fault` says what of it was left out."""
 
     robot: str
@@ -58,7 +58,7 @@ class QueueReported(Struct, frozen=True):
     fault: str = ""
 
 
-class PausedReported(Struct, frozen=True):
+class PausedReported(Struct, frozen=True, tag=True):
     """The robot itself says whether it is paused."""
 
     robot: str
@@ -69,7 +69,7 @@ class PausedReported(Struct, frozen=True):
 Telemetry = PoseReported | BatteryReported | CargoReported | ObstacleReported | QueueReported | PausedReported
 
 
-class FrameReceived(Struct, frozen=True):
+class FrameReceived(Struct, frozen=True, tag=True):
     """A robot's map_metadata of a floor: how its map lies in the world."""
 
     robot: str
@@ -77,7 +77,7 @@ class FrameReceived(Struct, frozen=True):
     frame: MapFrame
 
 
-class GraphReceived(Struct, frozen=True):
+class GraphReceived(Struct, frozen=True, tag=True):
     """A robot's route graph of a floor. `faults` counts what in it was left out, `fault` says what."""
 
     robot: str
@@ -87,7 +87,7 @@ class GraphReceived(Struct, frozen=True):
     fault: str = ""
 
 
-class LabelsReceived(Struct, frozen=True):
+class LabelsReceived(Struct, frozen=True, tag=True):
     """Labels by vertex id, as a robot knows them on a floor; faults as in GraphReceived."""
 
     robot: str
@@ -97,7 +97,7 @@ class LabelsReceived(Struct, frozen=True):
     fault: str = ""
 
 
-class GridReceived(Struct, frozen=True, eq=False):
+class GridReceived(Struct, frozen=True, eq=False, tag=True):
     """A robot's live map of a floor, ready to draw."""
 
     robot: str
@@ -108,21 +108,21 @@ class GridReceived(Struct, frozen=True, eq=False):
 ChartReceived = FrameReceived | GraphReceived | LabelsReceived | GridReceived
 
 
-class MessageRejected(Struct, frozen=True):
+class MessageRejected(Struct, frozen=True, tag=True):
     """A message about a robot that could not be taken; `text` names the topic and the field."""
 
     robot: str
     text: str
 
 
-class FrameRejected(Struct, frozen=True):
+class FrameRejected(Struct, frozen=True, tag=True):
     """A frame that no robot can be blamed for."""
 
     link: str
     text: str
 
 
-class FloorMapLoaded(Struct, frozen=True, eq=False):
+class FloorMapLoaded(Struct, frozen=True, eq=False, tag=True):
     """A floor's configured map file: its grid, or why there is none. `tied` is False for a plain
     image, which lies where map_metadata says."""
 
@@ -132,7 +132,7 @@ class FloorMapLoaded(Struct, frozen=True, eq=False):
     tied: bool = True
 
 
-class LinkChanged(Struct, frozen=True):
+class LinkChanged(Struct, frozen=True, tag=True):
     """The telemetry connection of a bridge entered a phase."""
 
     link: str
@@ -142,14 +142,14 @@ class LinkChanged(Struct, frozen=True):
     next_try: float | None = None
 
 
-class LinkHeard(Struct, frozen=True):
+class LinkHeard(Struct, frozen=True, tag=True):
     """Something, whatever it was, came from the bridge."""
 
     link: str
     at: float
 
 
-class CommandPathChanged(Struct, frozen=True):
+class CommandPathChanged(Struct, frozen=True, tag=True):
     """Commands would, or would not, get through now; `connected`: there is a connection for them."""
 
     link: str
@@ -158,7 +158,7 @@ class CommandPathChanged(Struct, frozen=True):
     connected: bool = False
 
 
-class CommandIssued(Struct, frozen=True):
+class CommandIssued(Struct, frozen=True, tag=True):
     """An operator gave a command, and it passed the checks."""
 
     id: int
@@ -167,7 +167,7 @@ class CommandIssued(Struct, frozen=True):
     wall: float
 
 
-class CommandAdvanced(Struct, frozen=True):
+class CommandAdvanced(Struct, frozen=True, tag=True):
     """The link brought a command a stage further: sent, answered, or not."""
 
     id: int
@@ -176,14 +176,14 @@ class CommandAdvanced(Struct, frozen=True):
     words: str = ""
 
 
-class AlarmAcknowledged(Struct, frozen=True):
+class AlarmAcknowledged(Struct, frozen=True, tag=True):
     """An operator has seen an alarm; with `source` and `kind` empty, all of them."""
 
     source: str = ""
     kind: str = ""
 
 
-class AlarmShelved(Struct, frozen=True):
+class AlarmShelved(Struct, frozen=True, tag=True):
     """An operator does not want to hear of an alarm until a monotonic second."""
 
     source: str
@@ -191,14 +191,14 @@ class AlarmShelved(Struct, frozen=True):
     until: float
 
 
-class AlarmUnshelved(Struct, frozen=True):
+class AlarmUnshelved(Struct, frozen=True, tag=True):
     """An operator wants to hear of it again."""
 
     source: str
     kind: str
 
 
-class TimePassed(Struct, frozen=True):
+class TimePassed(Struct, frozen=True, tag=True):
     """The writer's clock: deadlines, offline and alarms ripen on it."""
 
     at: float

@@ -120,7 +120,7 @@ def _robots(word: str, state: FleetState) -> list[str]:
 
 def _number(word: str) -> int | None:
     number = int(word) if _NUMBER.fullmatch(word) else None
-    return number if number is not None and abs(number) <= INT32_MAX else None
+    return number if number is not None and -INT32_MAX - 1 <= number <= INT32_MAX else None
 
 
 def _order_id(word: str) -> int:

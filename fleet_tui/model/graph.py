@@ -18,7 +18,7 @@ class Role(Enum):
     DOCKING = "docking"
 
 
-class Vertex(Struct, frozen=True):
+class Vertex(Struct, frozen=True, gc=False):
     """A place on the graph: x, y in metres in the map's world frame."""
 
     id: int
@@ -27,7 +27,7 @@ class Vertex(Struct, frozen=True):
     role: Role = Role.PLAIN
 
 
-class Edge(Struct, frozen=True):
+class Edge(Struct, frozen=True, gc=False):
     """A drivable connection between two vertex ids."""
 
     id: int

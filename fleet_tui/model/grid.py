@@ -1,8 +1,8 @@
 """The occupancy grid as a value. Without numpy: the console paints before it is imported."""
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
+from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
 
 if TYPE_CHECKING:
@@ -10,10 +10,28 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+MAX_PIXELS = 100_000_000
+
+
 class OccupancyGrid:
     """A map ready to draw. `levels[k]` is uint8 of shape (ceil(height / 2**k), ceil(width / 2**k)),
-    row 0 at the top; an entry of level k is the maximum of the 2**k x 2**k cells it covers."""
+    row 0 at the top; an entry of level k is the maximum of the 2**k x 2**k cells it covers.
 
-    frame: MapFrame
-    levels: tuple["NDArray[np.uint8]", ...]
+    No dataclass: recordings keep it in a form of its own.
+    """
+
+    __slots__ = ("frame", "levels")
+
+    def __init__(self, frame: MapFrame, levels: tuple["NDArray[np.uint8]", ...]) -> None:
+        self.frame: Final = frame
+        self.levels: Final = levels
+
+
+def check_frame(frame: MapFrame) -> None:
+    """Raise MapError for a size or resolution that no map can have."""
+    if not frame.resolution > 0.0:
+        raise MapError(f"map resolution is {frame.resolution} m/px: it must be above 0")
+    if frame.width < 1 or frame.height < 1:
+        raise MapError(f"map size is {frame.width} x {frame.height} px: both must be 1 or more")
+    if frame.width * frame.height > MAX_PIXELS:
+        raise MapError(f"map of {frame.width} x {frame.height} px is over {MAX_PIXELS:,} px")

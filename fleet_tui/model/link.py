@@ -20,6 +20,10 @@ class CommandPath(Enum):
     DEAD = "dead"
 
 
+OF_BAG = "rosbag://"
+"""How the address begins of what is no bridge, but the file that a recording was made of."""
+
+
 @dataclass(frozen=True, slots=True)
 class LinkState:
     """A bridge: `since` is when the phase began, `next_try` when it is tried again, both
@@ -39,3 +43,8 @@ class LinkState:
     faults: int = 0
     last_fault: str = ""
     fault_at: float | None = None
+
+    @property
+    def is_bag(self) -> bool:
+        """Whether there never was a bridge: what is shown was made of a ROS bag."""
+        return self.url.startswith(OF_BAG)

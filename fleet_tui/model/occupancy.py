@@ -9,10 +9,9 @@ from numpy.typing import NDArray
 
 from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
-from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.grid import OccupancyGrid, check_frame
 
 UNKNOWN, FREE, OCCUPIED = 0, 1, 2
-MAX_PIXELS = 100_000_000
 
 Classes = NDArray[np.uint8]
 
@@ -31,16 +30,6 @@ def build_grid(frame: MapFrame, classes: Classes) -> OccupancyGrid:
     while max(levels[-1].shape) > 1:
         levels.append(_halved(levels[-1]))
     return OccupancyGrid(frame, tuple(levels))
-
-
-def check_frame(frame: MapFrame) -> None:
-    """Raise MapError for a size or resolution that no map can have."""
-    if not frame.resolution > 0.0:
-        raise MapError(f"map resolution is {frame.resolution} m/px: it must be above 0")
-    if frame.width < 1 or frame.height < 1:
-        raise MapError(f"map size is {frame.width} x {frame.height} px: both must be 1 or more")
-    if frame.width * frame.height > MAX_PIXELS:
-        raise MapError(f"map of {frame.width} x {frame.height} px is over {MAX_PIXELS:,} px")
 
 
 def _ros_table(occupied_from: int, free_to: int) -> Classes:

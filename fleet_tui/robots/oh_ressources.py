@@ -31,7 +31,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.geometry import MapFrame, Pose, yaw_of_quaternion
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.model.occupancy import check_frame, grid_from_ros
+from fleet_tui.model.grid import check_frame
 from fleet_tui.model.order import Order, OrderQueue
 from fleet_tui.robots.interface import Call, Interface, TopicKind, Translate, judge
 from fleet_tui.robots.parts import first_orders, read_all
@@ -175,6 +175,9 @@ def _translate_map(profile: Profile) -> Translate:
     added = profile.origin == "added"
 
     def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
+        # With numpy, whose import takes longer than all that a command without a screen does.
+        from fleet_tui.model.occupancy import grid_from_ros
+
         message = read(msg)
         data = message.data if isinstance(message.data, bytes) else array("b", message.data).tobytes()
         try:

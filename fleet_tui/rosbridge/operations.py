@@ -106,6 +106,7 @@ class Subscription:
     type: str
     throttle_rate: int = 0
     compression: str = "none"
+    queue_length: int = 1
 
 
 def subscribe(wanted: Subscription) -> bytes:
@@ -117,7 +118,7 @@ def subscribe(wanted: Subscription) -> bytes:
             "topic": wanted.topic,
             "type": wanted.type,
             "throttle_rate": wanted.throttle_rate,
-            "queue_length": 1,
+            "queue_length": wanted.queue_length,
             "compression": wanted.compression,
         }
     )

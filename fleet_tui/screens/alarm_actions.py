@@ -54,7 +54,9 @@ class AlarmActions(CommandActions):
         if alarm is None:
             self.say(f"the alarm of {source} is over")
             return
-        title = f"{source}: {visible(alarm.text)}"
+        first, last = self.clock(alarm.first_wall), self.clock(alarm.last_wall)
+        seen = f"first seen {first}, last seen {last}, x{alarm.count}"
+        title = f"{source}: {visible(alarm.text)}\n{seen}"
         self.menu.show(title, [*self._ways_to(alarm), *self._answers(alarm)])
 
     def _ways_to(self, alarm: Alarm) -> "Iterator[Entry]":

@@ -19,11 +19,8 @@ class AuditActions:
         return self.audit.origin.operator if self.audit else ""
 
     def audit_notes(self) -> list[str]:
-        """What is wrong with the log. What could not be written is tried again here, at every tick."""
-        if self.audit is None:
-            return []
-        self.audit.retry()
-        return self.audit.notes
+        """What is wrong with the log."""
+        return self.audit.notes if self.audit else []
 
     def action_audit(self) -> None:
         """What was commanded, and how it went on."""

@@ -72,7 +72,11 @@ class Dispatch(Screen[None], inherit_bindings=False):
     def _send(self, wish: Wish, sent: Callable[[], None]) -> None:
         for command in wish.commands:
             self.submit(command)
-        self._given[wish.commands] = time.monotonic()
+        from fleet_tui.model.checks import SAME_WITHIN
+
+        now = time.monotonic()
+        recent = {given: at for given, at in self._given.items() if now - at < SAME_WITHIN}
+        self._given = {**recent, wish.commands: now}
         sent()
 
     def do(self, wish: Wish) -> None:

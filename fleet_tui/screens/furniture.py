@@ -4,6 +4,8 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.confirm import Confirm
+from fleet_tui.screens.diagnostics import Diagnostics
+from fleet_tui.screens.diagnostics_pages import Pages
 from fleet_tui.screens.help import Help
 from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.order_form import OrderForm
@@ -26,14 +28,18 @@ async def furnish(screen: "MainScreen", drawing: Drawing) -> None:
     screen.confirm, screen.menu = Confirm(id="confirm"), Menu(id="menu")
     screen.key_help = Help(screen.keys)
     screen.palette = Palette(
-        screen.wishes, lambda line: typed(line, screen.state, screen.selection.robot, screen.do)
+        screen.wishes,
+        lambda line: screen.as_time(line) or typed(line, screen.state, screen.selection.robot, screen.do),
     )
     screen.why = Why(lambda: (screen.state, screen.selection.robot), screen.keys)
     screen.audit_log = AuditLog(lambda: screen.audit)
+    pages = Pages(lambda: screen.state, lambda: screen.door, screen.clock)
+    screen.diagnostics = Diagnostics(pages, lambda: screen.door, screen.keys)
     opens = (screen.order_form, screen.confirm, screen.menu, screen.key_help, screen.palette, screen.why)
     with screen.app.batch_update():
         await screen.query_one("#map").remove()
         await screen.query_one("#panes").mount(screen.map, before=0)
-        await screen.mount(*opens, screen.audit_log)
+        await screen.mount(*opens, screen.audit_log, screen.diagnostics)
+        await screen.show_time_line()
     screen.set_focus(screen.map)
-    screen.open_audit()
+    screen.open_journal()

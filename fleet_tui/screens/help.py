@@ -13,8 +13,10 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.widgets.field import Field, Keys
 
 SECTIONS = {
+    "recording": "The recording",
     "map": "Map",
     "table": "Tables: fleet, alarms, queue",
+    "diagnostics": "Diagnostics (d)",
     "console": "Everywhere",
     "anywhere": "Everywhere, also while typing",
 }
@@ -71,6 +73,8 @@ class Help(Overlay):
     def _list(self, wanted: str) -> None:
         lines = []
         for section in sorted(SECTIONS, key=lambda name: name != self._pane):
+            if section == "recording" != self._pane:
+                continue  # none is played
             found = [
                 self._line(key) for key in KEYS if key.section == section and self._is_wanted(wanted, key)
             ]

@@ -1,6 +1,5 @@
 """The main screen: map, fleet, alarms, queue, and what opens over the map."""
 
-import time
 from collections.abc import Callable, Mapping
 
 from rich.style import Style
@@ -13,14 +12,13 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.screens.navigation import Navigation
 from fleet_tui.store import Store
-from fleet_tui.view.command_line import message_line
+from fleet_tui.view.command_line import message_line, newest
 from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.hints import hints
 from fleet_tui.view.queue_rows import queue_table
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.selection import first_selection
-from fleet_tui.view.status_line import console_notes, status_line, status_right
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
@@ -30,7 +28,7 @@ from fleet_tui.widgets.rows_pane import RowsPane
 class MainScreen(Navigation):
     """Shows the newest state at every tick, and turns keys into wishes."""
 
-    BINDINGS = bindings("console")
+    BINDINGS = [*bindings("console"), *bindings("recording")]  # noqa: RUF012  # as Textual declares it
     BLANK = True  # nothing is to be seen of the screen itself
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
@@ -56,7 +54,7 @@ class MainScreen(Navigation):
         self.read_only, self.armed = False, True
         self.themes: Mapping[str, Callable[[], None]] = {}
         self.announce: Callable[[FleetState], None] = lambda _state: None
-        self.open_audit: Callable[[], None] = lambda: None
+        self.open_journal: Callable[[], None] = lambda: None
         self._show_map, self.keys, self.clock = show_map, keys, clock
         self._all_orders = False
         self.said, self._said_at = "", 0.0
@@ -88,8 +86,10 @@ class MainScreen(Navigation):
         for view in (self.status, self.fleet, self.alarms, self.queue, self.message, self.hints):
             view.set_inks(styles)
         if self.furnished:
-            self.map.set_inks(styles)
-            self.audit_log.rows.set_inks(styles)
+            for more in (self.map, self.audit_log.rows, self.diagnostics):
+                more.set_inks(styles)
+        if self.time_line is not None:
+            self.time_line.set_inks(styles)
 
     def on_resize(self) -> None:
         """Fill the panes at their new size."""
@@ -104,11 +104,9 @@ class MainScreen(Navigation):
         self.fleet.show(fleet_table(state, self.selection.robot, self.fleet.room))
         self.show_alarms(state)
         self.queue.show(queue_table(state, self.selection.robot, self._all_orders, self.queue.room))
-        notes = console_notes(self.read_only, self.armed, time.monotonic() - state.now) + self.audit_notes()
-        right = status_right(self.clock(state.wall), self.operator)
-        self.status.show(status_line(state, self.selection.robot, notes), right)
+        self.show_status(state)
         self.message.show(message_line(state, self.said, self._said_at, self.message.size.width))
-        self.hints.show(*hints(self.keys, self._focused_pane()))
+        self.hints.show(*hints(self.keys, "anywhere" if self.in_overlay else self._focused_pane()))
         self.announce(state)
         if self.simple is not None:
             self.simple.show()
@@ -121,7 +119,9 @@ class MainScreen(Navigation):
         self.map.show(floor_scene(state, self.selection))
 
     def _focused_pane(self) -> str:
-        return "map" if not self.furnished or self.focused is self.map else "table"
+        if self.player is not None:
+            return "recording"
+        return "map" if not self.furnished or self.focused is self.map else self.pane_of_keys
 
     def _ask_for_map(self, owner: Robot | None) -> None:
         """The live map of what is shown, unless a file gives it."""
@@ -132,7 +132,7 @@ class MainScreen(Navigation):
 
     def say(self, text: str) -> None:
         """Tell the operator why nothing happened."""
-        self.said, self._said_at = text, self.state.now
+        self.said, self._said_at = text, newest(self.state)
         self.tick()
 
     def action_all_orders(self) -> None:

@@ -10,7 +10,10 @@ from textual import on
 from fleet_tui.keys import KEYS
 from fleet_tui.screens.alarm_actions import AlarmActions
 from fleet_tui.screens.audit_actions import AuditActions
+from fleet_tui.screens.diagnostics_actions import DiagnosticsActions
+from fleet_tui.screens.incident_actions import IncidentActions
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.playback_actions import PlaybackActions
 from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -25,7 +28,7 @@ if TYPE_CHECKING:
 NOT_WISHED = {"palette", "back", "next_pane", "previous_pane"}
 
 
-class Navigation(AlarmActions, AuditActions):
+class Navigation(PlaybackActions, AlarmActions, AuditActions, DiagnosticsActions, IncidentActions):
     """The selection, by key, by mouse and by name."""
 
     map: "MapView"
@@ -106,7 +109,7 @@ class Navigation(AlarmActions, AuditActions):
     def wishes(self) -> "Iterator[Entry]":
         """Everything the palette offers."""
         for key in KEYS:
-            if key.pane == "console" and key.id not in NOT_WISHED:
+            if key.pane in self.panes and key.id not in NOT_WISHED:
                 yield key.text, partial(self.call_later, self.run_action, key.action)
         for name in self.state.robots:
             yield f"Go to robot {name}", partial(self.find_robot, name)
@@ -122,6 +125,12 @@ class Navigation(AlarmActions, AuditActions):
                     )
         for name, use in self.themes.items():
             yield f"Theme: {visible(name)}", use
+
+    @property
+    def in_overlay(self) -> bool:
+        """Whether the focus is in what is open over the panes: most keys stay in there."""
+        focused = self.focused
+        return focused is not None and any(isinstance(one, Overlay) for one in focused.ancestors_with_self)
 
     def on_descendant_focus(self) -> None:
         """What is open goes, undone, when the mouse gives the focus to something outside it."""

@@ -40,9 +40,9 @@ class Palette(Overlay):
         yield Field(keys, id="wish", placeholder="what to do, where to go, or: robot_0 Base > Store")
         yield self._matches
 
-    def show(self) -> None:
-        """Open with everything there is."""
-        self._fill("")
+    def show(self, line: str = "") -> None:
+        """Open with everything there is, or with a line that is begun."""
+        self._fill(line)
         self.open(self.query_one(Field))
 
     def _fill(self, line: str) -> None:

@@ -16,6 +16,7 @@ from fleet_tui.simulator.frames import Frame, Payload, Publication
 from fleet_tui.simulator.messages import Topic, topics_of
 from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
 from fleet_tui.simulator.session import Operation, Session
+from fleet_tui.simulator.words import DIAGNOSTICS, ROSOUT, Talk, word_topics
 from fleet_tui.simulator.world import World
 
 LARGEST = 128 * 2**20  # bytes of a message from a client
@@ -45,7 +46,8 @@ class RosbridgeServer(ServiceDesk):
     ) -> None:
         self.topics = {topic.name: topic for topic in topics_of(world, time.time())}
         """What is published, by name."""
-        self.topics["/rosout"] = Topic("/rosout", "rosgraph_msgs/Log", lambda _now: Payload({}))
+        self.topics |= {topic.name: topic for topic in word_topics(world.robots)}
+        self._talk = Talk()
         self.topics[COUNT] = Topic(COUNT, "std_msgs/Int32", self._client_count, latched=True)
         self.types = {topic.name: topic.type for topic in self.topics.values()}
         """What rosapi tells of the topics."""
@@ -178,6 +180,10 @@ class RosbridgeServer(ServiceDesk):
             self._publish_telemetry(tick)
 
     def _publish_telemetry(self, tick: int) -> None:
+        for line in self._talk.lines(self.world.robots, time.time()):
+            self._publish(ROSOUT, Payload(line))
+        if tick % max(1, round(self._rate)) == 0:
+            self._publish(DIAGNOSTICS)
         every = max(1, round(self._rate / SLOW_RATE))
         for name in self._subscribed:
             topic = self.topics.get(name)
@@ -187,11 +193,11 @@ class RosbridgeServer(ServiceDesk):
             if topic.fast or (tick + topic.robot.index) % every == 0:
                 self._publish(name)
 
-    def _publish(self, name: str) -> None:
+    def _publish(self, name: str, payload: Payload | None = None) -> None:
         sessions = self._subscribed.get(name)
         if not sessions or name in self.muted or name in self.orphaned:
             return
-        publication = Publication(name, self.topics[name].payload(time.time()))
+        publication = Publication(name, payload or self.topics[name].payload(time.time()))
         for session in sessions:
             session.offer(name, publication)
 

@@ -1,16 +1,17 @@
 """A row of cells as a strip of Textual's."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from rich.segment import Segment
 from rich.style import Style
 from textual.strip import Strip
 
+from fleet_tui.terminal.row_strip import RowStrip
 from fleet_tui.view.cells import Cells, Codes, Inks
 
 
-class CellStrip(Strip):
+class CellStrip(RowStrip):
     """Row y of a picture, with a style for each ink's number.
 
     It is cut into segments only where somebody asks for them, as where a menu lies over it: on the way
@@ -32,8 +33,3 @@ class CellStrip(Strip):
         segments = [Segment(text, self.styles[ink]) for text, ink in self._cells.runs(self._y)]
         super().__init__(segments, self._cell_length)
         return getattr(self, name)
-
-    def divide(self, cuts: Iterable[int]) -> Sequence[Strip]:
-        """The parts between cuts; uncut it stays itself."""
-        cuts = list(cuts)
-        return [self] if cuts == [self._cell_length] else super().divide(cuts)

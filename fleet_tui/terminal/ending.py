@@ -5,6 +5,7 @@ import signal
 import sys
 import termios
 import threading
+import time
 from collections.abc import Callable
 from contextlib import suppress
 
@@ -36,15 +37,29 @@ def terminal_restorer() -> Callable[[], None]:
         return lambda: None
 
     def restore() -> None:
+        threading.excepthook = lambda _: None  # whoever writes at this moment is cut off
         with suppress(OSError, termios.error):
             termios.tcsetattr(descriptor, termios.TCSANOW, modes)
-            # What it has not read by now it need not read.
-            termios.tcflush(descriptor, termios.TCOFLUSH)
             os.set_blocking(descriptor, False)
-            os.write(descriptor, _LEAVE)
+            _leave(descriptor)
             os.set_blocking(descriptor, True)
 
     return restore
+
+
+def _leave(descriptor: int) -> None:
+    """Out of the screen, without waiting. What nobody has read by now nobody need read."""
+    for _ in range(10):
+        # Wakes who waits in the kernel to write, and would keep everybody else from it: it may not wait now.
+        for action in (termios.TCOOFF, termios.TCOON):
+            termios.tcflow(descriptor, action)
+        termios.tcflush(descriptor, termios.TCOFLUSH)
+        try:
+            os.write(descriptor, _LEAVE)
+        except BlockingIOError:
+            time.sleep(0.01)
+        else:
+            break
 
 
 def leave_on_signals(leave: Callable[[], object], restore: Callable[[], None]) -> None:

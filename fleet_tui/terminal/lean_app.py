@@ -7,7 +7,9 @@ waits for the terminal as soon as 30 writes are queued: an SSH hiccup then stops
 import inspect
 import io
 import sys
+import time
 from collections.abc import Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from rich.color import ColorSystem
@@ -21,6 +23,7 @@ from textual.screen import Screen
 from textual.strip import Strip
 
 if TYPE_CHECKING:
+    from fleet_tui.terminal.budget import Budget
     from fleet_tui.terminal.glass import Glass
 
 MADE_FOR = "8.2.8"
@@ -79,12 +82,21 @@ class LeanApp(App[None]):
         else:
             try:
                 if shows:
+                    began = time.perf_counter()
                     self._want(update)
                     self._send()
+                    self.budget.paints.take(time.perf_counter() - began)
             finally:
                 self.post_display_hook()
         if update is not None and shows:
             self.on_painted()
+
+    @cached_property
+    def budget(self) -> "Budget":
+        """What the pictures cost. Imported after the first one."""
+        from fleet_tui.terminal.budget import Budget
+
+        return Budget()
 
     def on_painted(self) -> None:
         """A picture has gone out."""
@@ -123,6 +135,7 @@ class LeanApp(App[None]):
             glass.forget()
         if writer is not None and writer._queue.qsize():
             self._retrying = True
+            self.budget.held += 1
             self.set_timer(self._patience, self._retry)
             self._patience = min(2 * self._patience, RETRY_LONGEST)
             return
@@ -136,6 +149,7 @@ class LeanApp(App[None]):
                 sequence = f"{_ansi_sequences.SYNC_START}{sequence}{_ansi_sequences.SYNC_END}"
             driver.write(sequence)
             driver.flush()
+            self.budget.sent.take(len(sequence.encode(errors="replace")), time.monotonic())
 
     def _retry(self) -> None:
         self._retrying = False

@@ -117,4 +117,9 @@ def _squeezed(parts: list[tuple[Run, ...]], briefs: list[tuple[Run, ...]], width
 
 def _is_news(state: FleetState, said_at: float) -> bool:
     """The console's own word stands until the next command."""
-    return not state.commands or said_at > state.commands[-1].issued_at
+    return not state.commands or said_at >= state.commands[-1].issued_at
+
+
+def newest(state: FleetState) -> float:
+    """Up to when something is known: a command may have been given since the last tick."""
+    return max([state.now, *(record.issued_at for record in state.commands[-1:])])

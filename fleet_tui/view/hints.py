@@ -1,4 +1,4 @@
-"""The footer: the keys of the focused pane."""
+"""The footer: the keys that work where the focus is."""
 
 from collections.abc import Mapping
 
@@ -15,8 +15,11 @@ def _runs(key: Key, keys: Mapping[str, tuple[str, ...]]) -> list[Run]:
 
 
 def hints(keys: Mapping[str, tuple[str, ...]], pane: str) -> tuple[list[Run], list[Run]]:
-    """Hints for the left, the pane's own first, and for the right what is always there."""
-    hinted = sorted((key for key in KEYS if key.hint), key=lambda key: key.pane != pane)
+    """Hints for the left, the pane's own first, and for the right what is always there. In an overlay
+    only what works "anywhere" reaches the console."""
+    if pane == "anywhere":
+        return [run for key in KEYS if key.pane == pane and keys[key.id] for run in _runs(key, keys)], []
+    hinted = sorted((key for key in KEYS if key.hint and keys[key.id]), key=lambda key: key.pane != pane)
     left = [key for key in hinted if key.pane in (pane, "console") and key.id not in ALWAYS]
     right = [key for key in hinted if key.id in ALWAYS]
     return [run for key in left for run in _runs(key, keys)], [

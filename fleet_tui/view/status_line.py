@@ -24,7 +24,7 @@ def console_notes(read_only: bool, armed: bool, standstill: float) -> list[str]:
     return [note for note, holds in notes.items() if holds]
 
 
-def _link_runs(link: LinkState, now: float) -> Iterator[Run]:
+def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.phase is not Phase.UP:
         yield "○ no link ", Ink.ALARM
         if link.reason:
@@ -34,10 +34,10 @@ def _link_runs(link: LinkState, now: float) -> Iterator[Run]:
         else:
             yield f"next try {max(0.0, link.next_try - now):.0f} s", Ink.TEXT
         heard = "" if link.heard is None else f", last message {age(now - link.heard)} ago"
-        yield f", since {age(now - link.since)}{heard} {visible(link.url)}", Ink.DIM
+        yield f", since {age(now - link.since)}{heard} {address}", Ink.DIM
         return
     yield "● ", Ink.GOOD
-    yield f"{visible(link.url)} ", Ink.TEXT
+    yield f"{address} ", Ink.TEXT
     if link.heard is None:
         yield "nothing heard yet", Ink.DIM
     else:
@@ -61,8 +61,11 @@ def _worst(state: FleetState) -> LinkState:
     )
 
 
-def status_line(state: FleetState, selected: str, notes: Sequence[str] = ()) -> tuple[Run, ...]:
-    """What stands first is what must not be cut: alarms, the selected robot, the link."""
+def status_line(
+    state: FleetState, selected: str, notes: Sequence[str] = (), addressed: bool = True
+) -> tuple[Run, ...]:
+    """What stands first is what must not be cut: alarms, the selected robot, the link, by its address or
+    only by its name; what is no bridge always by its address."""
     fresh, alarms = state.unacknowledged, len(state.alarms) - state.shelved
     runs: list[Run] = [(f" {visible(selected)}  ", Ink.ACCENT)]
     sign, ink = ("▲", Ink.ALARM) if fresh else ("△", Ink.TEXT if alarms else Ink.DIM)
@@ -70,7 +73,8 @@ def status_line(state: FleetState, selected: str, notes: Sequence[str] = ()) -> 
     runs.append(("  ", Ink.TEXT))
     runs.extend((note + "  ", Ink.WARN) for note in notes)
     others = len(state.links) - 1
-    runs.extend(_link_runs(_worst(state), state.now))
+    link = _worst(state)
+    runs.extend(_link_runs(link, state.now, visible(link.url if addressed or link.is_bag else link.name)))
     if others > 0:
         up = sum(link.phase is Phase.UP for link in state.links.values())
         runs.append((f"  {up} of {others + 1} links up", Ink.DIM))

@@ -9,7 +9,7 @@ from fleet_tui.keys import KEYS
 
 # What opens something to type in comes before all else: the next key, which may already be on its
 # way, belongs there.
-EAGER = frozenset({"order", "help", "palette", "audit"})
+EAGER = frozenset({"order", "help", "palette", "audit", "diagnostics", "filter", "go_to_time"})
 
 
 def bindings(pane: str) -> list[BindingType]:
@@ -36,4 +36,4 @@ def textual_key(key: str) -> str:
 
 def textual_keymap(keys: Mapping[str, tuple[str, ...]]) -> dict[str, str]:
     """The chosen keys of each id, as Textual's keymap wants them."""
-    return {id_: ",".join(map(textual_key, chosen)) for id_, chosen in keys.items()}
+    return {id_: ",".join(map(textual_key, chosen)) or f"no_key_for_{id_}" for id_, chosen in keys.items()}

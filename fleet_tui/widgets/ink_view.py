@@ -9,6 +9,7 @@ from textual.geometry import Region
 from textual.strip import Strip
 from textual.widget import Widget
 
+from fleet_tui.terminal.row_strip import RowStrip
 from fleet_tui.view.roles import Ink
 
 Run = tuple[str, int]
@@ -52,7 +53,7 @@ class InkView(Widget):
 
     def _strip(self, y: int) -> Strip:
         styles = self._styles
-        return Strip([Segment(text, styles[ink]) for text, ink in self._rows[y]])
+        return RowStrip([Segment(text, styles[ink]) for text, ink in self._rows[y]])
 
     def render_line(self, y: int) -> Strip:
         """One row, whole."""

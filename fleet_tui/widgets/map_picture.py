@@ -44,6 +44,10 @@ class MapPicture(CellsView, can_focus=True):
         self._trails.note(scene)
         self.draw()
 
+    def forget(self) -> None:
+        """Another time is shown from now on: where the robots were is not where they came from."""
+        self._trails = Trails()
+
     def draw(self) -> None:
         """Paint the scene as it is seen now."""
         scene, view, (width, height) = self.scene, self.viewport, self.size

@@ -47,3 +47,11 @@ class ButtonPressed(Message):
         self.pane = pane
         self.name = name
         self.key = key
+
+
+class TimePicked(Message):
+    """A cell of the time line was clicked."""
+
+    def __init__(self, x: int, width: int) -> None:
+        super().__init__()
+        self.x, self.width = x, width

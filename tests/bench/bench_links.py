@@ -1,9 +1,11 @@
-"""500 robots over three bridges (pose 5 Hz, the rest 1 Hz): does the console stay usable?
+"""500 robots over three bridges (pose 5 Hz, the rest 1 Hz): is the console usable, does it take all in?
 
 Run: python -m tests.bench.bench_links
 """
 
+import json
 import statistics
+import subprocess
 import sys
 import tempfile
 import time
@@ -15,7 +17,7 @@ from tests.bench.rows import Row, p95, row
 
 FLEETS = (167, 167, 166)
 SETTLE, SECONDS, KEYS = 10.0, 20.0, 60
-EVERY = ["sim", "--port", "0", "--stop-with-stdin", "--floors", "1", "--rate", "5"]
+EVERY = ["--port", "0", "--stop-with-stdin", "--floors", "1", "--rate", "5"]
 
 
 def config(folder: Path, urls: list[str]) -> Path:
@@ -48,22 +50,41 @@ def measured(terminal: Terminal) -> tuple[float, float, float, list[float]]:
     return screen, process, terminal.megabytes(), answers
 
 
+def stopped(servers: list[subprocess.Popen[bytes]], files: list[Path]) -> int:
+    """How many messages the servers have sent, all of them on their way by now."""
+    for server in servers:
+        assert server.stdin is not None
+        server.stdin.close()
+    for server in servers:
+        server.wait(20)
+    return sum(int(file.read_text()) for file in files)
+
+
 def main() -> list[Row]:
     with tempfile.TemporaryDirectory() as name, ExitStack() as stack:
-        urls, first = [], 0
-        for count in FLEETS:
-            counts = ["--robots", str(count), "--first", str(first)]
-            urls.append(stack.enter_context(serving("fleet_tui", *EVERY, *counts))[0])
+        urls, servers, first = [], [], 0
+        files = [Path(name) / f"sent_{n}" for n in range(len(FLEETS))]
+        for count, file in zip(FLEETS, files, strict=True):
+            arguments = [str(file), *EVERY, "--robots", str(count), "--first", str(first)]
+            url, server = stack.enter_context(serving("tests.bench.counting_sim", *arguments))
+            urls.append(url)
+            servers.append(server)
             first += count
-        command = ["fleet_tui", "--config", str(config(Path(name), urls))]
+        heard = Path(name) / "heard.json"
+        command = ["tests.bench.probe", str(heard), "counts", "--", "--config", str(config(Path(name), urls))]
         terminal = Terminal([sys.executable, "-m", *command], Path(name))
         try:
             terminal.wait_for(f"{first} of {first} online", 60.0)
             screen, process, megabytes, answers = measured(terminal)
+            sent = stopped(servers, files)
+            terminal.wait_for(f"0 of {first} online", 60.0)
         finally:
             terminal.close()
+        (applied, passed_over), *_ = json.loads(heard.read_text())["count"]
     what = f"{first} robots over 3 links: "
     return [
+        row("L12", what + "messages sent", sent, "messages"),
+        row("L12", what + "messages not applied", sent - applied + passed_over, "messages", 0),
         row("L12", what + "screen thread", screen, "%"),
         row("L12", what + "process", process, "%"),
         row("L12", what + "memory", megabytes, "MB"),

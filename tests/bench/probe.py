@@ -32,6 +32,7 @@ noted: dict[str, list[Any]] = {
     "beat": [],
     "map": [],
     "task": [],
+    "count": [],
 }
 
 
@@ -128,11 +129,27 @@ def tasks() -> None:
     after(FleetApp, "on_ready", lambda app: app.run_worker(count()))
 
 
+def counts() -> None:
+    """How many messages of topics were applied, and how many passed over or not understood."""
+    from fleet_tui.link.fleet_link import FleetLink
+
+    def closed(link: FleetLink) -> None:
+        links = link.counters.values()
+        topics = [topic for one in links for topic in one.topics.values()]
+        lost = sum(one.dropped + one.unreadable for one in links)
+        noted["count"].append((sum(topic.count - topic.errors for topic in topics), lost))
+
+    after(FleetLink, "close", closed)
+
+
+KINDS = {"stock": stock, "keys": keys, "poses": poses, "beats": beats, "tasks": tasks, "counts": counts}
+
+
 def main() -> None:
     path, *wanted = sys.argv[1 : sys.argv.index("--")]
     sys.argv = ["fleet-tui", *sys.argv[sys.argv.index("--") + 1 :]]
     for name in wanted:
-        {"stock": stock, "keys": keys, "poses": poses, "beats": beats, "tasks": tasks}[name]()
+        KINDS[name]()
     try:
         fleet_tui()
     finally:

@@ -16,8 +16,10 @@ from pathlib import Path
 from tests.bench.in_pty import Terminal, console, simulator
 
 ROBOTS = 100
-SETTLES = 5.0
-"""Seconds until caches are warm; of a longer run the first minute."""
+SETTLES, WARM = 5.0, 120.0
+"""Seconds until caches are full: of a short run a third and at least the first, of a long one the second."""
+JUDGED, MOST = 10.0, 0.1
+"""Of so many minutes a run must be to fail at all, by so many MB a minute: in shorter ones noise is more."""
 KEYS = "+t]m}-e*v{h]m0[m"
 
 
@@ -58,7 +60,7 @@ def soak(seconds: float, robots: int = ROBOTS) -> tuple[list[Sample], list[int]]
 
 def growth(samples: list[Sample]) -> float:
     """MB a minute after settling, as the line through the samples has it."""
-    settled = [one for one in samples if one.at > min(60.0, max(SETTLES, samples[-1].at / 3))]
+    settled = [one for one in samples if one.at > min(WARM, max(SETTLES, samples[-1].at / 3))]
     slope, _ = statistics.linear_regression([one.at for one in settled], [one.megabytes for one in settled])
     return slope * 60
 
@@ -66,19 +68,19 @@ def growth(samples: list[Sample]) -> float:
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--minutes", type=float, default=10.0)
-    samples, tasks = soak(parser.parse_args().minutes * 60)
+    minutes = parser.parse_args().minutes
+    samples, tasks = soak(minutes * 60)
     print("    min     MB  threads  files  tasks  answer ms")
     for one, count in list(zip(samples, tasks, strict=False))[:: max(1, len(samples) // 30)]:
-        answer, minutes = one.answer * 1000, one.at / 60
-        print(
-            f"{minutes:7.1f} {one.megabytes:6.1f} {one.threads:8d} {one.files:6d} {count:6d} {answer:10.1f}"
-        )
+        counts = f"{one.threads:8d} {one.files:6d} {count:6d}"
+        print(f"{one.at / 60:7.1f} {one.megabytes:6.1f} {counts} {one.answer * 1000:10.1f}")
     third = len(samples) // 3 or 1
     early, late = (
         statistics.median(one.answer for one in part) for part in (samples[:third], samples[-third:])
     )
-    print(f"memory {growth(samples):+.2f} MB a minute; answer {early * 1000:.1f} -> {late * 1000:.1f} ms")
-    sys.exit(0)
+    slope = growth(samples)
+    print(f"memory {slope:+.2f} MB a minute; answer {early * 1000:.1f} -> {late * 1000:.1f} ms")
+    sys.exit(minutes >= JUDGED and slope > MOST)
 
 
 if __name__ == "__main__":

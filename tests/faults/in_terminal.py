@@ -1,5 +1,6 @@
 """The real console in a terminal of its own, as its session's leader: what SSH or tmux start."""
 
+import ctypes
 import fcntl
 import os
 import pty
@@ -18,6 +19,11 @@ from pathlib import Path
 
 import pyte
 
+from tests.faults.kept import log_is_whole
+
+LIBC = ctypes.CDLL(None)
+PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1  # linux/prctl.h, linux/capability.h
+
 SETTINGS = {"TERM": "xterm-256color", "COLORTERM": "truecolor", "LANG": "C.UTF-8", "PYTHONUTF8": "1"}
 
 
@@ -25,6 +31,7 @@ class InTerminal:
     """A program whose bytes are read as soon as they come, until told otherwise."""
 
     def __init__(self, arguments: list[str], home: Path, largest_file: int = 0, **more: str) -> None:
+        self.home, self.largest_file = home, largest_file
         self.master, slave = pty.openpty()
         self.sent = b""
         """Everything the program sent."""
@@ -94,12 +101,31 @@ class InTerminal:
         """Whether the terminal is as it was: its modes, the first screen, the cursor, no mouse."""
         left = [self.sent.rfind(sequence) for sequence in (b"\x1b[?1049l", b"\x1b[?25h", b"\x1b[?1000l")]
         taken = [self.sent.rfind(sequence) for sequence in (b"\x1b[?1049h", b"\x1b[?25l", b"\x1b[?1000h")]
-        return termios.tcgetattr(self.slave)[:4] == self.cooked[:4] and all(map(int.__gt__, left, taken))
+        was_taken = any(place >= 0 for place in taken)
+        given_back = not was_taken or all(map(int.__gt__, left, taken))
+        return termios.tcgetattr(self.slave)[:4] == self.cooked[:4] and given_back
 
     def children(self) -> list[int]:
-        """The processes it has started and that live."""
-        found = Path(f"/proc/{self.child.pid}/task/{self.child.pid}/children").read_text().split()
-        return [int(pid) for pid in found]
+        """The processes that its threads have started and that live."""
+        found: list[int] = []
+        for path in Path(f"/proc/{self.child.pid}/task").glob("*/children"):
+            with suppress(FileNotFoundError):  # of a thread that has ended meanwhile
+                found += map(int, path.read_text().split())
+        return found
+
+    def loses_nothing(self) -> None:
+        """It ends when told to, gives the terminal back, and its log is whole. After a kill nobody could
+        give the terminal back, and one that has hung up has gone."""
+        killed = self.child.poll() == -signal.SIGKILL
+        if not (killed or self._hung_up):
+            self.reads.set()
+            if self.child.poll() is None:
+                self.child.terminate()
+            self.ends(5.0)
+            self.until(self.is_restored, 5.0, "the terminal restored")
+        assert b"Traceback" not in self.sent
+        if not self.largest_file:  # where no file can grow no line is whole
+            log_is_whole(self.home, killed)
 
     def close(self) -> None:
         if self.child.poll() is None:
@@ -116,6 +142,8 @@ def _plain() -> dict[str, str]:
 
 
 def _take_over(slave: int, largest_file: int) -> None:
+    # Where tests run as root: permissions hold for the program as for anybody.
+    LIBC.prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0)
     os.setsid()
     fcntl.ioctl(slave, termios.TIOCSCTTY, 0)
     if largest_file:
@@ -124,10 +152,11 @@ def _take_over(slave: int, largest_file: int) -> None:
 
 @contextmanager
 def in_terminal(home: Path, *arguments: str, largest_file: int = 0, **more: str) -> Iterator[InTerminal]:
-    """The console, killed at the end if it still runs. Writing fails beyond `largest_file` bytes."""
+    """The console, which has lost nothing in the end. Writing fails beyond `largest_file` bytes."""
     running = InTerminal(list(arguments), home, largest_file, **more)
     try:
         yield running
+        running.loses_nothing()
     finally:
         running.close()
 

@@ -12,9 +12,21 @@ HEAD = """# Faults
 Each line is a test in `tests/faults` that drives the real program against the real loopback server, most of
 them through a proxy that makes the fault. `make faults` runs them and writes this table: the times are those
 of its last run, in seconds from the fault until the state says so, and from its end until everything is as
-before. `make test` runs the same with shorter delays. In none of them is an order, an alarm or the terminal
-lost: a command that was under way ends as `outcome unknown` or `no answer` until telemetry shows what became
-of it, and none is ever sent again.
+before. `make test` runs the same with shorter delays.
+
+In none of them is an order, an alarm or the terminal lost, and after each of them a check looks at that
+(`tests/faults/kept.py`, and `in_terminal.py` where the whole program runs):
+
+- Each command has exactly one end, or is open and says so as `outcome unknown` or `no answer`; it left
+  once, or not at all if it was not sent; every step of it is a line of the audit log, and every line is
+  whole. Most faults meet a command that is under way.
+- Each alarm that was there is there, or the log says that it was cleared. Most faults meet one.
+- The program ends within its time when it is told to, and its terminal is as it was.
+
+What cannot be: after SIGKILL nobody gives the terminal back (`reset` does), and the log ends without
+`console closed`. Who hung up has no terminal any more. Where no file can grow, or there is no folder, the
+log is lost: the screen says so, and stderr at the end how much. Alarms are made of what robots say: the
+next console raises them again.
 
 | fault | how it is made | what the operator sees | noticed after | healed after |
 |---|---|---|---|---|

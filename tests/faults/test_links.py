@@ -11,10 +11,11 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
+from tests.faults.kept import linked
 from tests.faults.proxy import before, mute
 from tests.faults.report import report
 from tests.faults.through import Stopwatch
-from tests.linked import finished, linked
+from tests.linked import finished
 from tests.watched import config_of
 
 

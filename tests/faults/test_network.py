@@ -17,10 +17,11 @@ from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import LinkChanged, MessageRejected
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.faults.kept import linked
 from tests.faults.proxy import UPGRADE, Attend, answer, before, drop, mute
 from tests.faults.report import report
 from tests.faults.through import Stopwatch, fresh, lost, through
-from tests.linked import finished, linked
+from tests.linked import finished
 from tests.watched import config_of
 
 
@@ -169,7 +170,7 @@ async def test_a_long_message_is_no_dead_server(server: RosbridgeServer) -> None
                 "x" * int(60_000 * (transport.PING_INTERVAL + transport.PING_TIMEOUT + 1))
             )
             server.publish_raw("/robot_0/cargo", frame)
-            await store.until(lambda state: state.robots["robot_0"].has_cargo)
+            await store.until(lambda state: state.robots["robot_0"].has_cargo, within=60)
             assert store.state.links["rosbridge"].phase is Phase.UP
             assert [change.phase for change in _changes(store.events)] == [Phase.CONNECTING, Phase.UP]
 
@@ -178,17 +179,19 @@ class _Slow:
     """A writer over which 60,000 bytes take a second."""
 
     def __init__(self, writer: asyncio.StreamWriter) -> None:
-        self._writer, self._full = writer, time.monotonic()
+        self._writer = writer
         self.transport = SimpleNamespace(abort=writer.transport.abort)
 
     def write(self, data: bytes) -> None:
         self._data = data
 
     async def drain(self) -> None:
+        due = time.monotonic()
         for start in range(0, len(self._data), 3000):
             self._writer.write(self._data[start : start + 3000])
             await self._writer.drain()
-            await asyncio.sleep(0.05)
+            due += 0.05  # by the clock: each sleep of a busy machine is longer than it should be
+            await asyncio.sleep(due - time.monotonic())
 
 
 def _changes(events: Sequence[object]) -> list[LinkChanged]:
@@ -277,4 +280,5 @@ class _Deaf:
     def on_open(self) -> None: ...
     def on_lost(self, reason: str, next_try_in: float) -> None: ...
     def on_frame(self, payload: bytes, is_binary: bool) -> None: ...
+    def on_sent(self, payload: bytes) -> None: ...
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None: ...

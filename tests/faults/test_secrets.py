@@ -1,10 +1,12 @@
 """Secrets come from safe places, reach only the bridge, and stand nowhere else."""
 
 import asyncio
+import gzip
 import hashlib
 import json
 import os
-from collections.abc import AsyncIterator, Callable
+import zipfile
+from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 
@@ -18,9 +20,11 @@ from fleet_tui.config.check import checked
 from fleet_tui.config.load import load
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import ConfigError
+from fleet_tui.journal.indexing import open_recording
+from fleet_tui.journal.records import Keyframe
 from tests.faults.in_terminal import in_terminal
+from tests.faults.kept import linked
 from tests.faults.through import lost
-from tests.linked import linked
 from tests.watched import config_of
 
 WORD = "Bearer s3same-0pen"
@@ -194,16 +198,35 @@ async def test_no_output_holds_a_secret(tmp_path: Path, mode: int) -> None:
             'rosauth_env = "MINE"\n[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n'
         )
         kept(tmp_path / "word", WORD, mode)
-        for arguments in ((), ("check",), ("status", "--timeout", "2"), ("doctor",)):
+        record = ("record", str(tmp_path / "state" / "x"), "--timeout", "2")
+        status, bundle = ("status", "--timeout", "2"), ("doctor", "--bundle")
+        for arguments in ((), ("check",), ("config", "show"), ("pause", "r"), status, bundle, record):
             output = await asyncio.to_thread(_seen, tmp_path, arguments, mode == 0o600)
             for hidden in (WORD, "s3same", SHARED, "hush-hush"):
                 assert hidden not in output
     written = [path for path in (tmp_path / "state").rglob("*") if path.is_file()]
     for path in written:
         assert path.stat().st_mode & 0o077 == 0
+        content = path.read_bytes()
+        if content[:2] == b"\x1f\x8b":
+            content = b"".join(_unpacked(path))
+        elif zipfile.is_zipfile(path):
+            with zipfile.ZipFile(path) as archive:
+                content = b"".join(map(archive.read, archive.namelist()))
+            assert b"Bearer" not in content and b"what is in effect" in content
         for hidden in (WORD, "s3same", SHARED, "hush-hush"):
-            assert hidden not in path.read_text()
-    assert written or mode != 0o600
+            assert hidden.encode() not in content
+    recorded = {path.name for path in written if path.suffix == ".gz" or path.name == "x"}
+    assert len(recorded) == (2 if mode == 0o600 else 0)
+    assert [path.suffix for path in written].count(".zip") == 1
+
+
+def _unpacked(path: Path) -> Iterator[bytes]:
+    """What is in a recording, also where it is not readable at once."""
+    for record in open_recording(path).records():
+        yield repr(record).encode() + (record.state if isinstance(record, Keyframe) else b"")
+    with gzip.open(path) as file:
+        yield file.read()
 
 
 def _seen(home: Path, arguments: tuple[str, ...], is_taken: bool) -> str:

@@ -13,10 +13,10 @@ from fleet_tui.link.reasons import refusal
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.store import Store
 from tests.faults.certificates import Signed, sign
+from tests.faults.kept import linked
 from tests.faults.proxy import before
 from tests.faults.report import report
 from tests.faults.through import Stopwatch, fresh, lost
-from tests.linked import linked
 from tests.watched import config_of
 
 

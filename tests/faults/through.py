@@ -5,12 +5,17 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 
 from fleet_tui.link.fleet_link import FleetLink
+from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.faults.kept import linked
 from tests.faults.proxy import FaultProxy, before
-from tests.linked import linked, ready
+from tests.linked import ready
 from tests.watched import WatchedStore, config_of
+
+PLANTED = ("robot_1", "battery")
+"""The alarm that is there before the fault."""
 
 Holds = Callable[[FleetState], object]
 
@@ -33,10 +38,16 @@ class Stopwatch:
 async def through(
     server: RosbridgeServer, robots: int = 2
 ) -> AsyncIterator[tuple[FaultProxy, FleetLink, WatchedStore, Stopwatch]]:
-    """A link through a proxy, when all telemetry has come."""
+    """A link through a proxy, when all telemetry has come, an alarm is there and a command under way."""
     async with before(server.url) as proxy, linked(config_of(proxy.url, robots)) as (link, store):
         await store.until(ready)
+        server.world.robots["robot_1"].battery = 5.0
+        server.silent_services.add("/robot_1/Application_layout/Pause")
+        link.submit(PauseRobot("robot_1"))
+        await store.until(lambda state: state.alarms and server.calls)
+        call = server.calls.pop()
         yield proxy, link, store, Stopwatch(store)
+        assert call not in server.calls, "it was sent again"
 
 
 def lost(reason: str = "") -> Holds:

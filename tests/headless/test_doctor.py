@@ -15,7 +15,7 @@ import pytest
 from PIL import Image
 
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import retyped
+from tests.headless.plants import renamed, retyped
 from tests.headless.running import config_file, run
 
 TEXT = ("subject", "check", "verdict", "measured")
@@ -55,8 +55,10 @@ async def test_json_has_its_promised_shape(server: RosbridgeServer, tmp_path: Pa
     assert set(report["counts"]) == {"ok", "warn", "fail", "skipped"}
     assert sum(report["counts"].values()) == len(report["findings"])
     assert report["first"]["subject"] == "robot_0" and report["first"]["check"] == "battery"
+    promised = (Path(__file__).parents[2] / "docs" / "doctor.md").read_text()
     for finding in report["findings"]:
         assert set(finding) == {*TEXT, "remedy", "values"}
+        assert [name for name in finding["values"] if f"`{name}`" not in promised] == []
         assert all(isinstance(finding[name], str) for name in TEXT)
     pose = next(one for one in report["findings"] if (one["subject"], one["check"]) == ("robot_1", "pose"))
     assert pose["values"]["rate_hz"] > 5 and pose["values"]["publishers"] == 1
@@ -146,6 +148,17 @@ async def test_the_spelling_of_ros_2_is_no_fault(server: RosbridgeServer, tmp_pa
     config_file(tmp_path, server.url, 2, 2)
     done = await run(tmp_path, "doctor")
     assert done.code == 0, done.out
+
+
+async def test_without_rosapi_a_name_may_be_what_is_wrong(server: RosbridgeServer, tmp_path: Path) -> None:
+    server.rosapi_alive = False
+    renamed(server, "/robot_0/queue", "/robot_0/action_queue")
+    path = config_file(tmp_path, server.url)
+    path.write_text(path.read_text().replace("[profile", '[[robots]]\nname = "robot_00"\n[profile', 1))
+    done = await run(tmp_path, "doctor")
+    failed = [line for line in done.out.splitlines() if line.startswith("   FAIL")]
+    assert "(without rosapi" in failed[0] and "[profile.topics] queue and its type right?" in failed[0]
+    assert "robot_00 robot: silent" in failed[1] and failed[1].endswith("is its name right?)")
 
 
 async def test_without_rosapi_topics_and_floors_are_judged_all_the_same(

@@ -1,7 +1,10 @@
 """What is written of commands, alarms and the console, and when."""
 
 import json
+import os
 import re
+import threading
+import time
 from collections.abc import Callable
 from datetime import datetime
 from pathlib import Path
@@ -9,10 +12,11 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.config.schema import Config, Operator
+from fleet_tui.config.start import initial_state
 from fleet_tui.journal import audit as module
 from fleet_tui.journal.audit import Audit, auditing, encode, operator_name
 from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
-from fleet_tui.journal.entries import TEXT_KEPT, Origin, without_secrets
+from fleet_tui.journal.entries import TEXT_KEPT, Origin
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -133,32 +137,48 @@ def test_the_console_itself_and_what_it_leaves_open(tmp_path: Path) -> None:
     assert len({one.run for one in found}) == 1
 
 
-class FullDisk(AuditFile):
-    """Refuses as long as it is told to."""
+class BadDisk(AuditFile):
+    """Refuses as long as it is `full`, and keeps who writes while it `answers` not."""
 
-    full = True
+    full = False
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path)
+        self.answers = threading.Event()
+        self.answers.set()
 
     def append(self, line: bytes) -> None:
+        self.answers.wait(20)
         if self.full:
             raise OSError(28, "No space left on device")
         super().append(line)
 
 
+@pytest.fixture
+def disk(tmp_path: Path) -> BadDisk:
+    return BadDisk(tmp_path / FILE_NAME)
+
+
+def becomes(holds: Callable[[], object]) -> None:
+    """Wait for the log's own thread."""
+    end = time.monotonic() + 10
+    while not holds():
+        assert time.monotonic() < end
+        time.sleep(0.002)
+
+
 def test_a_full_disk_is_said_and_what_was_not_written_is_written_later(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(module, "RETRY", 0.0)
-    store, disk = Store(known_fleet()), FullDisk(tmp_path / FILE_NAME)
-    audit = Audit(disk, ANA)
+    monkeypatch.setattr(module, "RETRY", 0.01)
+    disk.full = True
+    store, audit = Store(known_fleet()), Audit(disk, ANA)
     store.watchers.append(audit.watch)
     give(store, 1, ORDER, Stage.SENT, Stage.REFUSED)
     assert store.state.commands[0].stage is Stage.REFUSED
     assert audit.notes == ["audit: not written: No space left on device"]
-    audit.retry()
     disk.full = False
-    assert audit.notes != []
-    audit.retry()
-    assert audit.notes == []
+    becomes(lambda: audit.notes == [])
     give(store, 2, ORDER)
     assert [(one.id, one.change) for one in read(tmp_path)] == [
         *((1, change) for change in ("checked", "sent", "refused")),
@@ -166,33 +186,106 @@ def test_a_full_disk_is_said_and_what_was_not_written_is_written_later(
     ]
 
 
-def test_a_disk_is_not_tried_at_every_record(tmp_path: Path) -> None:
-    disk = FullDisk(tmp_path / FILE_NAME)
+def test_a_disk_is_not_tried_at_every_record(tmp_path: Path, disk: BadDisk) -> None:
+    disk.full = True
     audit = Audit(disk, ANA)
     audit.tell("one")
     disk.full = False
     audit.tell("two")
-    audit.retry()
     assert audit.notes != [] and not (tmp_path / FILE_NAME).exists()
     assert audit.close(known_fleet()) == 0  # the last chance is taken
     assert [one.change for one in read(tmp_path)] == ["one", "two", "closed"]
 
 
 def test_what_waits_has_a_bound_and_what_is_lost_is_counted(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(module, "WAITING", 10)
-    monkeypatch.setattr(module, "RETRY", 0.0)
-    disk = FullDisk(tmp_path / FILE_NAME)
+    disk.full = True
     audit = Audit(disk, ANA)
     for n in range(25):
         audit.tell(f"n{n}")
     disk.full = False
-    audit.retry()
+    assert audit.close(known_fleet()) == 0
     found = read(tmp_path)
-    assert [one.change for one in found] == [*(f"n{n}" for n in range(15, 25)), "lost"]
-    assert found[-1].words == "15 records before this one could not be written"
-    assert audit.notes == []
+    assert [one.change for one in found] == [*(f"n{n}" for n in range(16, 25)), "closed", "lost"]
+    assert found[-1].words == "16 records before this one could not be written"
+
+
+def test_a_disk_that_does_not_answer_holds_nobody(tmp_path: Path, disk: BadDisk) -> None:
+    """A network's file system: who commands waits a moment, once; the lines wait for the disk."""
+    store, audit = Store(known_fleet()), Audit(disk, ANA)
+    store.watchers.append(audit.watch)
+    give(store, 1, ORDER, Stage.SENT)
+    disk.answers.clear()
+    began = time.monotonic()
+    for n in range(2, 102):
+        give(store, n, ORDER, Stage.SENT)
+    assert time.monotonic() - began < 1.0
+    assert store.state.commands[-1].stage is Stage.SENT
+    assert audit.notes == ["audit: not written: the disk does not answer"]
+    disk.answers.set()
+    becomes(lambda: audit.notes == [] and len(read(tmp_path)) == 202)
+    assert [one.id for one in read(tmp_path)] == [n for n in range(1, 102) for _ in range(2)]
+
+
+def test_a_slow_disk_holds_nobody_for_long(
+    tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each line takes less than would be said: after the first nobody waits for a while."""
+
+    def append(line: bytes) -> None:
+        time.sleep(0.03)
+        AuditFile.append(disk, line)
+
+    monkeypatch.setattr(disk, "append", append)
+    audit = Audit(disk, ANA)
+    began = time.monotonic()
+    for n in range(20):
+        audit.tell(f"n{n}")
+    assert time.monotonic() - began < 0.3
+    becomes(lambda: disk.path.exists() and len(read(tmp_path)) == 20)
+
+
+def test_one_slow_line_leaves_no_command_before_its_own(
+    tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The disk is well, only the machine was busy for a moment."""
+
+    def slowly(line: bytes) -> None:
+        time.sleep(0.03)
+        AuditFile.append(disk, line)
+
+    audit = Audit(disk, ANA)
+    with monkeypatch.context() as patched:
+        patched.setattr(disk, "append", slowly)
+        audit.tell("slow")
+    for n in range(20):
+        audit.tell(f"n{n}")
+        assert read(tmp_path)[-1].change == f"n{n}"
+
+
+@pytest.mark.parametrize(("hangs", "says"), [(False, "No space left on device"), (True, module.HANGS)])
+def test_what_is_lost_for_good_is_said_at_the_end(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    hangs: bool,
+    says: str,
+) -> None:
+    disk = BadDisk(tmp_path / FILE_NAME)
+    disk.full = not hangs
+    monkeypatch.setattr(module, "AuditFile", lambda _path: disk)
+    store = Store(known_fleet())
+    with auditing(tmp_path, config_of("ws://site:9090"), store):
+        if hangs:
+            disk.answers.clear()
+        give(store, 1, ORDER, Stage.NOT_SENT)
+        began = time.monotonic()
+    assert time.monotonic() - began < 1.0
+    disk.answers.set()
+    lost = 3 if hangs else 4  # who opened it was written before it hung
+    assert capsys.readouterr().err == f"audit: {lost} records could not be written: {says}\n"
 
 
 def _no_folder(folder: Path) -> Path:
@@ -205,8 +298,15 @@ def _device(folder: Path) -> Path:
     return folder
 
 
+def _pipe(folder: Path) -> Path:
+    """It would take lines for nobody to read."""
+    os.mkfifo(folder / FILE_NAME)
+    return folder
+
+
 @pytest.mark.parametrize(
-    ("prepare", "says"), [(_no_folder, "Not a directory"), (_device, "No space left on device")]
+    ("prepare", "says"),
+    [(_no_folder, "Not a directory"), (_device, "is no regular file"), (_pipe, "is no regular file")],
 )
 def test_what_the_disk_says_stands_on_the_screen(
     tmp_path: Path, prepare: Callable[[Path], Path], says: str
@@ -230,6 +330,19 @@ def test_an_error_of_our_own_stops_no_dispatch(tmp_path: Path, monkeypatch: pyte
     assert [one.change for one in read(tmp_path)] == ["checked", "lost"]
 
 
+def test_an_error_of_our_own_does_not_end_the_writing(
+    tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "RETRY", 0.01)
+    with monkeypatch.context() as patched:
+        patched.setattr(disk, "append", lambda _line: 1 / 0)
+        audit = Audit(disk, ANA)
+        audit.tell("one")
+        assert audit.notes == ["audit: not written: ZeroDivisionError('division by zero')"]
+    becomes(lambda: audit.notes == [])
+    assert [one.change for one in read(tmp_path)] == ["one"]
+
+
 HOSTILE = "\x1b[2J\x9b31m\u202eevil\x07\r\n\ud800\x00[red]" + "é" * 2000
 
 
@@ -245,8 +358,6 @@ def test_hostile_words_stay_what_they_are_and_act_on_nobody(tmp_path: Path) -> N
 
 
 def test_a_record_costs_the_writer_little(tmp_path: Path) -> None:
-    import time
-
     store, _ = watched(tmp_path)
     began = time.perf_counter()
     for n in range(300):
@@ -267,11 +378,18 @@ def test_the_operator_is_named_by_the_config_or_the_login(monkeypatch: pytest.Mo
 
 
 @pytest.mark.parametrize(
-    "url", ["wss://ana:secret@site:9090/ros?token=secret#secret", "wss://secret@site:9090/ros"]
+    ("url", "kept"),
+    [
+        ("wss://ana:secret@site:9090/ros?token=secret#secret", "wss://***@site:9090/ros?***"),
+        ("wss://secret@site:9090/ros", "wss://***@site:9090/ros"),
+        ("wss://site:9090/ros#secret", "wss://site:9090/ros#***"),
+    ],
 )
-def test_no_secret_of_an_address_is_kept(url: str) -> None:
-    assert without_secrets(url) == "wss://site:9090/ros"
-    assert without_secrets("ws://[::1") == ""
+def test_no_secret_of_an_address_is_kept(tmp_path: Path, url: str, kept: str) -> None:
+    store = Store(initial_state(config_of(url), T0))
+    store.watchers.append(Audit(AuditFile(tmp_path / FILE_NAME), ANA).watch)
+    give(store, 1, ORDER, Stage.SENT)
+    assert {one.url for one in read(tmp_path)} == {kept}
 
 
 def test_a_record_reads_back_as_it_was() -> None:

@@ -86,6 +86,15 @@ def test_no_cell_is_a_formula(start: str) -> None:
     assert cell("Base = 3") == "Base = 3" and cell(None) == "" and cell(-3) == "-3"
 
 
+@pytest.mark.parametrize("start", ["=", "+", "-", "@", "\uff1d", '"=', " ="])
+def test_nor_where_a_semicolon_ends_a_cell(start: str) -> None:
+    """So it does in a spreadsheet that writes decimals with a comma."""
+    file = io.StringIO(newline="")
+    write_csv(file, [record(f"Base, 1;{start}1+1")])
+    cells = file.getvalue().split(";")[1:]
+    assert [one.lstrip(' "')[0] for one in cells] == ["'"]
+
+
 @given(st.text(max_size=40))
 def test_what_a_spreadsheet_reads_back(text: str) -> None:
     file = io.StringIO(newline="")

@@ -1,10 +1,12 @@
 """The whole link against the real loopback simulator."""
 
 import asyncio
+import gc
 
 import msgspec
 import pytest
 
+from fleet_tui.link import writer
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -30,6 +32,16 @@ async def test_everything_is_heard(server: RosbridgeServer) -> None:
         assert set(robot.charts) == {"floor_0", "floor_1"}
         assert "Base" in robot.charts["floor_0"].labels.values()
         assert state.is_online(robot)
+
+
+async def test_garbage_is_looked_for_while_it_runs(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Python by itself waits for a million new objects: for a console at work that is 10 minutes and more."""
+    monkeypatch.setattr(writer, "TIDY_EVERY", 0.0)
+    looks = gc.get_stats()[2]["collections"]
+    async with linked(config_of(server.url)) as (_, store):
+        await store.until(lambda _: gc.get_stats()[2]["collections"] > looks + 1)
 
 
 async def test_poses_are_subscribed_first_and_always_with_a_queue(server: RosbridgeServer) -> None:

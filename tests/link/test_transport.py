@@ -38,6 +38,9 @@ class Ear:
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         self._put("frame", payload, is_binary)
 
+    def on_sent(self, payload: bytes) -> None:
+        self._put("sent", payload)
+
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         self._put("too large", head, is_binary, size)
 

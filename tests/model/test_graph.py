@@ -1,5 +1,6 @@
 """Shortest ways, held against trying every way there is."""
 
+import gc
 import math
 from itertools import pairwise
 
@@ -67,3 +68,8 @@ def test_unknown_vertices_have_no_way() -> None:
     assert graph.path(1, 9) == graph.path(9, 1) == graph.path(8, 8) == ()
     assert graph.path(1, 1) == (1,)
     assert graph.neighbours == {1: ()}
+
+
+def test_a_large_graph_makes_no_search_for_garbage_longer() -> None:
+    """Each robot may have 20,000 vertices, and the network loop looks for garbage every minute."""
+    assert not any(map(gc.is_tracked, (Vertex(1, 0.0, 0.0), Edge(1, 2, 3))))

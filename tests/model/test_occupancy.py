@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
-from fleet_tui.model.occupancy import FREE, MAX_PIXELS, OCCUPIED, UNKNOWN, build_grid, grid_from_ros
+from fleet_tui.model.grid import MAX_PIXELS
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid, grid_from_ros
 
 SIZES = st.tuples(st.integers(1, 40), st.integers(1, 40))
 

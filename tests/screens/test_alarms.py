@@ -33,6 +33,8 @@ async def test_the_menu_of_a_row_goes_to_the_robot(server: RosbridgeServer) -> N
         await it.press("enter")
         await it.shows("robot_1: obstacle 4.2 s")
         await it.shows("1  Show robot_1 on the map")
+        (alarm,) = it.store.state.alarms
+        await it.shows(f"first seen {it.app.main.clock(alarm.first_wall)}, last seen ")
         await it.press("1")
         await it.shows("Queue robot_1", "queue")
         assert "robot_1" in it.app.main.selection.robot

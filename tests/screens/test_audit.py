@@ -1,6 +1,7 @@
 """The audit log on the screen, with keys alone."""
 
 import csv
+import errno
 import stat
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
@@ -11,7 +12,7 @@ import pytest
 from textual.widgets import Input
 
 from fleet_tui.journal.audit import auditing, encode
-from fleet_tui.journal.audit_file import FILE_NAME
+from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
 from fleet_tui.journal.reader import Reading
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import Console, console
@@ -132,15 +133,20 @@ async def test_the_console_without_a_log_says_so(server: RosbridgeServer) -> Non
 
 
 async def test_a_full_disk_stands_on_the_screen_and_dispatch_goes_on(
-    server: RosbridgeServer, tmp_path: Path
+    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     log = tmp_path / FILE_NAME
-    log.symlink_to("/dev/full")
+
+    def full(_file: AuditFile, _line: bytes) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    append = AuditFile.append
+    monkeypatch.setattr(AuditFile, "append", full)
     async with audited(server, tmp_path) as it:
         await it.press("p")
         await it.shows("robot_0 pause: confirmed")
         await it.shows("audit: not written: No space left on device")
-        log.unlink()
+        monkeypatch.setattr(AuditFile, "append", append)
         await it.hides("audit: not written")
     found = [one.change for one in Reading(log).newest_first()][::-1]
     assert found == ["opened", "checked", "sent", "accepted", "confirmed", "closed"]

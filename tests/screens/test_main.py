@@ -159,6 +159,7 @@ async def test_every_key_does_something_that_exists(server: RosbridgeServer) -> 
     async with console(config_of(server.url, 1)) as it:
         main = it.app.main
         places = {"map": main.map, "table": main.queue, "console": main, "anywhere": it.app}
+        places |= {"recording": main, "diagnostics": main.diagnostics}
         for key in KEYS:
             name = key.action.partition("(")[0]
             place = it.app if name.startswith("app.") else places[key.pane]

@@ -5,7 +5,7 @@ from msgspec.structs import replace
 
 from fleet_tui.config.schema import Link, RobotEntry
 from fleet_tui.config.start import initial_state
-from fleet_tui.keys import keymap
+from fleet_tui.keymap import keymap
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
@@ -115,3 +115,9 @@ def test_hints_show_the_keys_as_they_are_set(pane: str) -> None:
     assert " O order " in text_of(left) and " ? help " in text_of(right) and " : command " in text_of(right)
     assert (" home menu " in text_of(left)) is (pane == "table")
     assert text_of(left).startswith(" home menu " if pane == "table" else " ] robot ")
+
+
+def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
+    chosen, _ = keymap({"help_anywhere": "f2"})
+    left, right = hints(chosen, "anywhere")
+    assert text_of(left) == " f2 help  f12 pause all " and right == []

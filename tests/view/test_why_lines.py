@@ -1,6 +1,6 @@
 """The panel's text: since when, what, how likely, how old, and which key helps."""
 
-from fleet_tui.keys import keymap
+from fleet_tui.keymap import keymap
 from fleet_tui.model.events import CargoReported, PoseReported
 from fleet_tui.model.geometry import Pose
 from fleet_tui.view.why_lines import SHOWN, why_lines

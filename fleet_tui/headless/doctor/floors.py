@@ -1,7 +1,6 @@
 """What is said of floors: the map, the graph on it, the labels, and where the robots stand. Pure."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
 from fleet_tui.config.schema import Config, FloorEntry
 from fleet_tui.headless.doctor.charts import OFF_MAP, Chart, charts_of, class_at, live_grid
@@ -41,7 +40,7 @@ def placed_grid(
     grid = loaded.grid if loaded else live_grid(floor, topics)
     if grid is None or loaded is None or loaded.tied:
         return grid
-    return replace(grid, frame=chart.frame) if chart.frame else None
+    return OccupancyGrid(chart.frame, grid.levels) if chart.frame else None
 
 
 def _map(floor: FloorEntry, loaded: FloorMapLoaded | None, grid: OccupancyGrid | None) -> Finding:

@@ -10,6 +10,7 @@ from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.link.subscriptions import plain_type
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
+UNSEEN = "without rosapi nobody can tell whether it is there"
 LONG_ENOUGH = 1.5  # seconds without a message that mean anything
 
 
@@ -69,7 +70,8 @@ def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: B
             "robot",
             Verdict.FAIL,
             f"silent: nothing came on {listed([one.topic for one in asked])} in {waited:.1f} s",
-            "is it switched on and in the network? Do its nodes run (rosnode ping)?",
+            "is it switched on and in the network? Do its nodes run (rosnode ping)?"
+            + f" ({UNSEEN}: is its name right?)" * bool(facts.rosapi.problem),
         )
     measured = f"heard on {len(heard)} of {len(live)} live topics"
     return Finding(robot.name, "robot", Verdict.OK if heard else Verdict.SKIPPED, measured)
@@ -185,6 +187,8 @@ def _what_came(config: Config, facts: TopicFacts, rosapi: Rosapi) -> Finding:
         "first_after_s": None if facts.first_after is None else round(facts.first_after, 3),
     }
     verdict, measured, remedy = _judged(config, facts, publishers)
+    if rosapi.problem and not facts.count and verdict is not Verdict.SKIPPED:
+        remedy += f" ({UNSEEN}: are [profile.topics] {facts.wanted.kind.key} and its type right?)"
     if verdict is Verdict.OK:
         owners = f", {publishers} publisher{'s' * (publishers != 1)}" if publishers is not None else ""
         measured = f"{measured}, {facts.wanted.subscription.type}{owners}"

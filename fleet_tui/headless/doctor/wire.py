@@ -147,6 +147,9 @@ class Wire:
         if response is not None:
             self._calls.on_response(response)
 
+    def on_sent(self, payload: bytes) -> None:
+        """A question left."""
+
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """A message over the limit of the config was passed over: say so at its topic."""
         plain = head.replace(rb"\/", b"/")

@@ -1,0 +1,196 @@
+"""A ROS bag as a recording: what a bridge would have sent, and what the console would have made of it."""
+
+import secrets
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from fleet_tui import __version__
+from fleet_tui.bags.definitions import typestore
+from fleet_tui.bags.frames import Framer
+from fleet_tui.bags.opening import Bag, BagError, open_bag
+from fleet_tui.bags.topics import Chosen, choose
+from fleet_tui.bags.track import FIRST_AT, Track
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.journal.entries import Origin
+from fleet_tui.journal.part_file import PartFile
+from fleet_tui.journal.recording import LAST_SECOND
+from fleet_tui.journal.records import VERSION, Header, Packer, encode, public
+from fleet_tui.map_files import load_floor_map
+from fleet_tui.model.bounds import brief
+from fleet_tui.model.events import MessageRejected
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import OF_BAG, Phase
+
+LARGEST = 128 * 2**20
+"""Bytes of a message, in the bag or as a frame."""
+TELL_EVERY = 200
+"""Messages between two calls of the progress."""
+
+Progress = Callable[[float], None]
+
+
+@dataclass
+class Report:
+    """What became of a bag: how many of its messages are in the recording, from how many topics, how many
+    could not be read, came before the one before, or have a time that can't be; `notes` are for a person."""
+
+    messages: int = 0
+    topics: int = 0
+    unreadable: int = 0
+    late: int = 0
+    impossible: int = 0
+    seconds: float = 0.0
+    notes: list[str] = field(default_factory=list)
+
+
+def convert(path: Path, config: Config, out: Path, progress: Progress = lambda _share: None) -> Report:
+    """Make a recording, which must not be there yet, of the bag's messages that the config asks for.
+    `progress` is told the share that is done. Raises BagError, and leaves no file then."""
+    with open_bag(path) as bag:
+        chosen = choose(bag, config)
+        try:
+            file = PartFile(out, b"")
+        except FileExistsError:
+            raise BagError(f"{out}: is there already: give another name, or take it away first") from None
+        except OSError as problem:
+            raise BagError(f"{out}: can't be written: {problem.strerror}") from None
+        try:
+            return _Conversion(bag, config, chosen, file).run(progress)
+        except BaseException as problem:
+            out.unlink(missing_ok=True)
+            if isinstance(problem, OSError):
+                raise BagError(f"{out}: can't be written: {problem.strerror}") from None
+            raise
+        finally:
+            file.close()
+
+
+class _Conversion:
+    """Reads a bag from its first message to its last."""
+
+    def __init__(self, bag: Bag, config: Config, chosen: Chosen, file: PartFile) -> None:
+        self._bag, self._config, self._chosen, self._file = bag, config, chosen, file
+        self._report = Report(notes=list(chosen.notes))
+        self._framers: dict[int, Framer | None] = {}
+        self._track: Track | None = None
+        self._first = 0
+
+    def run(self, progress: Progress) -> Report:
+        """Convert all of it."""
+        connections = self._chosen.connections
+        total = max(1, sum(connection.msgcount for connection in connections))
+        done = 0
+        try:
+            for connection, stamp, raw in self._bag.messages(connections):
+                self._take(connection, stamp, raw)
+                done += 1
+                if done % TELL_EVERY == 0:
+                    progress(min(1.0, done / total))
+        except BagError as problem:
+            if self._report.messages == 0:
+                raise
+            self._report.notes.insert(0, f"not all of it could be read: {problem}")
+        if self._track is None:
+            raise BagError(
+                f"{self._bag.path}: it is empty: of the configured topics there is no message in it"
+            )
+        self._file.end()
+        progress(1.0)
+        return self._finished(self._track)
+
+    def _finished(self, track: Track) -> Report:
+        report = self._report
+        report.seconds = track.at - FIRST_AT
+        report.topics = len({framer.topic for framer in self._framers.values() if framer})
+        if report.unreadable:
+            report.notes.append(f"{report.unreadable:,} messages could not be read: the robots' rows say why")
+        if report.late:
+            report.notes.append(
+                f"{report.late:,} messages have a time before that of the message before them"
+            )
+        if report.impossible:
+            report.notes.append(
+                f"{report.impossible:,} messages have a time that can't be: they are left out"
+            )
+        what = "what consoles commanded, and how the links were, is not in a bag"
+        report.notes.insert(0, f"made of the ROS bag {self._bag.path.name}: {what}")
+        return report
+
+    def _take(self, connection: Any, stamp: int, raw: bytes) -> None:
+        # A database may hold anything where a number belongs.
+        if not (isinstance(stamp, int) and 0 <= stamp < LAST_SECOND * 1e9 and isinstance(raw, bytes)):
+            self._report.impossible += 1
+            return
+        if self._track is None:
+            self._first = stamp
+            self._track = self._begin(stamp / 1e9)
+        track = self._track
+        if not track.advance((stamp - self._first) / 1e9):
+            self._report.late += 1
+        framer = self._framer(track, connection)
+        if framer is None:
+            return
+        frame, problem = b"", f"{len(raw):,} bytes: a message of a bag may have {LARGEST:,}"
+        if len(raw) <= LARGEST:
+            frame, problem = _frame(framer, raw)
+        if problem or len(frame) > LARGEST:
+            self._report.unreadable += 1
+            self._reject(track, connection.topic, f"{connection.topic}: {problem}")
+            return
+        self._report.messages += 1
+        for link, _ in self._chosen.by_topic[connection.topic]:
+            track.heard(link, frame, framer.is_binary)
+
+    def _framer(self, track: Track, connection: Any) -> Framer | None:
+        """What writes a connection's messages, None where its type can't be read."""
+        key = id(connection)
+        if key not in self._framers:
+            as_cbor = any(one.kind.heavy for _, one in self._chosen.by_topic[connection.topic])
+            try:
+                store = typestore(connection)
+                self._framers[key] = Framer(
+                    store, connection.msgtype, connection.topic, self._bag.is_ros1, as_cbor
+                )
+            except Exception as problem:  # noqa: BLE001  # rosbags runs code that it made of the definition
+                self._framers[key] = None
+                text = brief(f"{connection.topic}: {problem}")
+                self._report.notes.append(text)
+                self._reject(track, connection.topic, text)
+        return self._framers[key]
+
+    def _reject(self, track: Track, topic: str, text: str) -> None:
+        for _, one in self._chosen.by_topic[topic]:
+            track.told(MessageRejected(one.robot, brief(text)))
+
+    def _begin(self, wall: float) -> Track:
+        name, config = self._bag.path.name, public(self._config)
+        header = Header(VERSION, __version__, secrets.token_hex(8), 0, FIRST_AT, wall, False, config)
+        self._file.write(encode(header, Packer()))
+        origin = Origin("", OF_BAG + name, "")
+        track = Track(self._file, self._config, self._first_state(wall), origin, wall)
+        for floor in self._config.floors:
+            if floor.map:
+                path = self._config.beside(floor.map)
+                track.told(load_floor_map(floor.name, path, self._config.profile.origin == "added"))
+        for robot, problem in self._chosen.refused:
+            track.told(MessageRejected(robot, problem))
+        return track
+
+    def _first_state(self, wall: float) -> FleetState:
+        """Nothing is known yet. The links are up, or all would be taken for lost; what they are stands where
+        the address of a bridge would."""
+        state = initial_state(self._config, FIRST_AT)
+        url = OF_BAG + self._bag.path.name
+        links = {name: replace(link, url=url, phase=Phase.UP) for name, link in state.links.items()}
+        return replace(state, links=links, wall=wall)
+
+
+def _frame(framer: Framer, raw: bytes) -> tuple[bytes, str]:
+    """The frame of a message, or why there is none."""
+    try:
+        return framer.frame(raw), ""
+    except Exception as problem:  # noqa: BLE001  # a hostile message leads rosbags into errors of every kind
+        return b"", str(problem) or type(problem).__name__

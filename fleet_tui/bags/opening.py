@@ -1,0 +1,157 @@
+"""Opens a ROS bag, whatever is in it: errors in plain words, and no more memory than there is."""
+
+import resource
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any
+
+from fleet_tui.errors import FleetError
+from fleet_tui.model.bounds import brief
+
+SUFFIXES = (".bag", ".db3", ".mcap")
+MEMORY = 4 * 2**30
+"""Bytes that reading may take: a few bytes of a compressed bag can stand for more than fits anywhere."""
+LARGEST_METADATA = 16 * 2**20
+"""Bytes of a metadata.yaml."""
+MISSING = "ROS bags are read by rosbags, which is not installed: pip install 'fleet-tui[bags]'"
+
+_REINDEX = "it was cut off, or is damaged: `rosbag reindex {name}` mends a ROS 1 bag"
+_RECOVER = "it was cut off, or is damaged: `mcap recover {name} -o mended.mcap` mends it"
+# What rosbags says (0.11), and what that means to a person.
+_WORDS = {
+    "not indexed": f"it has no index: {_REINDEX}",
+    "index looks damaged": _REINDEX,
+    "Could not read uint": _REINDEX,
+    "Header could not be read": _REINDEX,
+    "Got only": _REINDEX,
+    "end magic": _RECOVER,
+    "MCAP footer": _RECOVER,
+    "Truncated record": _RECOVER,
+    "seems to be empty": "it is empty",
+    "magic is invalid": "it is no bag",
+    "missing tables": "it is no bag",
+}
+
+
+class BagError(FleetError):
+    """A bag that can't be shown, and what to do."""
+
+
+def is_bag(path: Path) -> bool:
+    """Whether a path is a ROS bag, by its name: a folder of ROS 2 or a file."""
+    return path.suffix in SUFFIXES or path.is_dir()
+
+
+class Bag:
+    """An open bag. Connections are those of rosbags, one for each topic and publisher or file."""
+
+    def __init__(self, path: Path, reader: Any) -> None:
+        self.path, self._reader = path, reader
+        self.is_ros1 = path.suffix == ".bag"
+        self.connections: list[Any] = list(reader.connections)
+
+    def messages(self, connections: list[Any]) -> Iterator[tuple[Any, int, bytes]]:
+        """The messages of these connections: which one, nanoseconds since 1970, as they were sent.
+        Raises BagError where they can't be read on."""
+        with _in_words(self.path):
+            yield from self._reader.messages(connections)
+
+
+@contextmanager
+def open_bag(path: Path) -> Iterator[Bag]:
+    """Open a bag for reading. Raises BagError."""
+    try:
+        from rosbags.rosbag1 import Reader as Reader1
+        from rosbags.rosbag2 import Reader as Reader2
+    except ImportError:
+        raise BagError(MISSING) from None
+    size = _check(path)
+    with _bounded(MEMORY, size), _closing(path, Reader1 if path.suffix == ".bag" else Reader2) as reader:
+        yield Bag(path, reader)
+
+
+@contextmanager
+def _closing(path: Path, kind: Any) -> Iterator[Any]:
+    with _in_words(path):
+        reader = kind(path)
+        reader.open()
+    try:
+        yield reader
+    finally:
+        with suppress(Exception):
+            reader.close()
+
+
+def _check(path: Path) -> int:
+    """The size of all its files, in bytes. Raises BagError for what is none, before anything is opened."""
+    try:
+        if not path.exists():
+            raise BagError(f"{path}: no such file")
+        files = _of_folder(path) if path.is_dir() else [path]
+        for file in files:
+            if not file.is_file():
+                raise BagError(f"{file}: is no file")
+        return sum(file.stat().st_size for file in files)
+    except OSError as problem:
+        raise BagError(f"{path}: can't be read: {problem.strerror}") from None
+
+
+def _of_folder(path: Path) -> list[Path]:
+    inside = sorted(path.iterdir())
+    stored = [file for file in inside if file.suffix in SUFFIXES]
+    metadata = path / "metadata.yaml"
+    if not metadata.exists():
+        if not stored:
+            raise BagError(f"{path}: is no bag: there is no metadata.yaml in it, no .bag, .db3 or .mcap")
+        names = ", ".join(file.name for file in stored[:3])
+        raise BagError(
+            f"{path}: there is no metadata.yaml in it: give one of its files ({names}),"
+            " or mend it with `ros2 bag reindex`"
+        )
+    if metadata.stat().st_size > LARGEST_METADATA:
+        raise BagError(f"{metadata}: is larger than {LARGEST_METADATA:,} bytes: it is none")
+    return [file for file in inside if not file.is_dir()]
+
+
+@contextmanager
+def _in_words(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except BagError:
+        raise
+    except MemoryError:
+        raise BagError(f"{path}: reading it takes more than {MEMORY / 2**30:.0f} GB of memory") from None
+    except PermissionError:
+        raise BagError(f"{path}: can't be read: Permission denied") from None
+    except Exception as problem:  # noqa: BLE001  # a damaged bag leads rosbags into errors of every kind
+        raise BagError(f"{path}: {_words(path, problem)}") from None
+
+
+def _words(path: Path, problem: Exception) -> str:
+    said = " ".join(str(problem).replace(str(path), path.name).split())
+    for part, words in _WORDS.items():
+        if part in said:
+            return words.format(name=path.name)
+    return f"can't be read: {brief(said or type(problem).__name__)}"
+
+
+@contextmanager
+def _bounded(memory: int, size: int) -> Iterator[None]:
+    """Memory, and files that are unpacked, within bounds; `size` is that of the bag."""
+    try:
+        in_use = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+    except OSError:
+        # Not on Linux, where alone the limit of memory is kept.
+        yield
+        return
+    wanted = {resource.RLIMIT_AS: in_use + memory, resource.RLIMIT_FSIZE: 100 * size + 2**30}
+    before = {kind: resource.getrlimit(kind) for kind in wanted}
+    try:
+        for kind, most in wanted.items():
+            known = [one for one in before[kind] if one != resource.RLIM_INFINITY]
+            resource.setrlimit(kind, (min([most, *known]), before[kind][1]))
+        yield
+    finally:
+        for kind, limits in before.items():
+            resource.setrlimit(kind, limits)

@@ -1,0 +1,131 @@
+"""Which of a bag's topics are wanted, and what to say of the others."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from fleet_tui.bags.opening import Bag, BagError
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import did_you_mean
+from fleet_tui.link.subscriptions import Wanted, plain_type, type_problem, wanted_topics
+from fleet_tui.model.apply import LIVE_MAPS_KEPT
+from fleet_tui.model.bounds import LONGEST_NAME, brief
+from fleet_tui.robots import KINDS
+
+NAMED = 5
+"""Topics or robots that a message names; how many more there are, it says."""
+
+ByTopic = dict[str, list[tuple[str, Wanted]]]
+"""For whom each topic is: a link, and what it wants."""
+
+
+@dataclass
+class Chosen:
+    """The connections to read, for whom each topic is, by link, and what a person should know. `refused`
+    are topics whose type is another one, by robot."""
+
+    connections: list[Any] = field(default_factory=list)
+    by_topic: ByTopic = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    refused: list[tuple[str, str]] = field(default_factory=list)
+
+
+def choose(bag: Bag, config: Config) -> Chosen:
+    """What is to be read of a bag. Raises BagError where that is nothing."""
+    wanted = _wanted(config)
+    there = {one.topic: plain_type(one.msgtype) for one in bag.connections}
+    if not there:
+        raise BagError(f"{bag.path}: it is empty: there is no topic in it")
+    if not wanted:
+        raise BagError("the configuration has no robots, so nothing is asked for: add [[robots]]")
+    chosen = Chosen(by_topic={topic: ones for topic, ones in wanted.items() if topic in there})
+    for connection in bag.connections:
+        _take(chosen, connection, config)
+    _leave_maps(chosen)
+    if not chosen.connections:
+        raise BagError(f"{bag.path}: {_nothing(chosen, wanted, there)}")
+    chosen.notes += [*_absent(config, wanted, there), *_missing(wanted, there), *_unasked(wanted, there)]
+    return chosen
+
+
+def _wanted(config: Config) -> ByTopic:
+    interface = KINDS[config.profile.name](config.profile)
+    found: ByTopic = {}
+    for link in config.bridges:
+        # As the link does it: of two robots with one topic, the last one has it.
+        of_link = {one.subscription.topic: one for one in wanted_topics(config, interface, link)}
+        for topic, one in of_link.items():
+            found.setdefault(topic, []).append((link, one))
+    return found
+
+
+def _take(chosen: Chosen, connection: Any, config: Config) -> None:
+    for _, one in chosen.by_topic.get(connection.topic, ()):
+        problem = type_problem(one, {connection.topic: connection.msgtype}, config.profile)
+        if problem:
+            chosen.refused.append((one.robot, brief(problem)))
+            chosen.notes.append(brief(problem))
+        elif chosen.connections[-1:] != [connection]:
+            chosen.connections.append(connection)
+
+
+def _leave_maps(chosen: Chosen) -> None:
+    """The picture keeps so many live maps, and of a bag none can be asked for again: the first ones."""
+    taken = {connection.topic for connection in chosen.connections}
+    maps = [
+        topic
+        for topic, ones in chosen.by_topic.items()
+        if topic in taken and any(one.kind.heavy for _, one in ones)
+    ]
+    left = maps[LIVE_MAPS_KEPT:]
+    if left:
+        chosen.connections = [one for one in chosen.connections if one.topic not in left]
+        chosen.notes.append(f"of {len(maps)} live maps {LIVE_MAPS_KEPT} are read: not {_some(left)}")
+
+
+def _nothing(chosen: Chosen, wanted: ByTopic, there: Mapping[str, str]) -> str:
+    if chosen.notes:
+        return f"nothing in it can be read: {chosen.notes[0]}"
+    first = next(iter(wanted.values()))[0][1]
+    return (
+        f"none of the configured topics is in the bag: not {first.subscription.topic}{_near(first, there)};"
+        f" it has {_some(there)}: correct [profile.topics] or [[robots]]"
+    )
+
+
+def _near(wanted: Wanted, others: Mapping[str, str]) -> str:
+    """A topic of that type that may be meant."""
+    kind = plain_type(wanted.subscription.type)
+    return did_you_mean(wanted.subscription.topic, [topic for topic, of in others.items() if of == kind])
+
+
+def _absent(config: Config, wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
+    """Robots of which there is nothing."""
+    present = _present(wanted, there)
+    absent = [robot.name for robot in config.robots if robot.name not in present]
+    return [f"nothing of {_some(absent)} is in the bag"] if absent else []
+
+
+def _present(wanted: ByTopic, there: Mapping[str, str]) -> set[str]:
+    return {one.robot for topic, ones in wanted.items() if topic in there for _, one in ones}
+
+
+def _missing(wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
+    """Topics of the other robots."""
+    present = _present(wanted, there)
+    others = {topic: kind for topic, kind in there.items() if topic not in wanted}
+    missing = [one for topic, ((_, one), *_) in wanted.items() if topic not in there and one.robot in present]
+    named = [one.subscription.topic + _near(one, others) for one in missing[:NAMED]]
+    rest = [one.subscription.topic for one in missing[NAMED:]]
+    return [f"not in the bag: {_some([*named, *rest])} (correct [profile.topics])"] if missing else []
+
+
+def _unasked(wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
+    others = [topic for topic in there if topic not in wanted]
+    return [f"in the bag, but not asked for: {_some(others)}"] if others else []
+
+
+def _some(names: Iterable[str]) -> str:
+    found = list(names)
+    more = f" and {len(found) - NAMED} more" if len(found) > NAMED else ""
+    return ", ".join(brief(name, LONGEST_NAME) for name in found[:NAMED]) + more

@@ -1,0 +1,94 @@
+"""A recording while it is made of something that is long over: its clock is that of what is read."""
+
+import math
+
+from fleet_tui.config.schema import Config
+from fleet_tui.journal.entries import Origin, alarm_records
+from fleet_tui.journal.part_file import PartFile
+from fleet_tui.journal.records import Heard, Keyframe, Mark, Packer, Record, Told, encode
+from fleet_tui.model.events import Event, LinkHeard, TimePassed
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.playback.frames import Frames
+
+FIRST_AT = 1.0
+"""Monotonic seconds at which it begins."""
+TICKS_PER_SECOND = 10
+"""As the link tells the time."""
+KEYFRAME_EVERY = 60.0
+"""Seconds."""
+LONGEST_SILENCE = 7200.0
+"""Seconds without a message that are ticked through; of a longer silence the rest is leapt over."""
+
+
+class Track:
+    """Writes what is told to it, and what the clock and the alarms do meanwhile. What can't be written
+    raises OSError."""
+
+    def __init__(
+        self, file: PartFile, config: Config, state: FleetState, origin: Origin, wall: float
+    ) -> None:
+        """Go on after the header, at a Unix time, with a state whose `now` is FIRST_AT."""
+        self.at, self.state = FIRST_AT, state
+        self._file, self._origin, self._begun_wall = file, origin, wall
+        self._frames, self._packer = Frames(config), Packer()
+        self._ticks = 0
+        self._heard: dict[str, float] = {}
+        self._keyframe()
+
+    @property
+    def wall(self) -> float:
+        """The Unix time it is."""
+        return self._begun_wall + self.at - FIRST_AT
+
+    def heard(self, link: str, frame: bytes, is_binary: bool) -> None:
+        """A frame came now."""
+        self._heard[link] = self.at
+        text, data = ("", frame) if is_binary else (frame.decode(), b"")
+        self._take(Heard(self.at, self.wall, link, "topics", text, data, is_binary))
+
+    def told(self, event: Event) -> None:
+        """Something happened now."""
+        self._take(Told(self.at, self.wall, event))
+
+    def advance(self, seconds: float) -> bool:
+        """Let time pass until so long after the beginning. False where that has been already: then none
+        passes."""
+        until = FIRST_AT + seconds
+        if until < self.at:
+            return False
+        leap_at = self.at + LONGEST_SILENCE
+        while (at := FIRST_AT + self._ticks / TICKS_PER_SECOND) <= until:
+            if at > leap_at:
+                self._ticks = max(self._ticks, int(seconds * TICKS_PER_SECOND))
+                leap_at = math.inf
+                continue
+            self.at = at
+            self._tick()
+        self.at = until
+        return True
+
+    def _tick(self) -> None:
+        if self.at >= self._keyframe_at:
+            self._file.begin_member()
+            self._keyframe()
+        heard, self._heard = self._heard, {}
+        for link, at in heard.items():
+            self.told(LinkHeard(link, at))
+        self.told(TimePassed(self.at, self.wall))
+        self._ticks += 1
+
+    def _take(self, record: Record) -> None:
+        """Write what happened, and what it did to the alarms."""
+        self._put(record)
+        before, self.state = self.state, self._frames.after(self.state, record)
+        if before.alarms is not self.state.alarms:
+            for mark in alarm_records(self._origin, before, self.state, self.wall):
+                self._put(Mark(self.at, self.wall, mark))
+
+    def _keyframe(self) -> None:
+        self._keyframe_at = self.at + KEYFRAME_EVERY
+        self._put(Keyframe.of(self.at, self.wall, self.state, self._packer))
+        self._packer.forget()
+
+    def _put(self, record: Record) -> None:
+        self._file.write(encode(record, self._packer))

@@ -1,0 +1,38 @@
+"""A configuration as a file: what is in effect, so that it can be handed on."""
+
+import json
+from collections.abc import Mapping
+
+import msgspec
+
+from fleet_tui.config.schema import Config
+
+
+def _value(value: object) -> str:
+    """A value on one line. JSON's strings, numbers and lists are TOML's, too."""
+    if isinstance(value, Mapping):
+        pairs = (f"{_key(key)} = {_value(one)}" for key, one in value.items())
+        return "{" + ", ".join(pairs) + "}"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(_value, value)) + "]"
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _key(name: str) -> str:
+    return _value(name)
+
+
+def _lines(table: Mapping[str, object]) -> list[str]:
+    return [f"{_key(key)} = {_value(value)}" for key, value in table.items() if value is not None]
+
+
+def as_toml(config: Config) -> str:
+    """The text of a file that reads as this configuration."""
+    text = []
+    for name, part in msgspec.to_builtins(config, enc_hook=str).items():
+        if name == "path":
+            continue
+        head, tables = (f"[[{name}]]", part) if isinstance(part, list) else (f"[{name}]", [part])
+        for table in tables:
+            text += [head, *_lines(table), ""]
+    return "\n".join(text)

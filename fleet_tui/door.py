@@ -1,0 +1,57 @@
+"""The door: what the console talks to, the fleet or a recording of one. Typing it costs no import."""
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Protocol
+
+from fleet_tui.config.schema import Config
+from fleet_tui.model.commands import Command
+from fleet_tui.model.events import Event
+from fleet_tui.store import Store
+
+if TYPE_CHECKING:
+    from fleet_tui.link.tap import Tap
+    from fleet_tui.model.counters import LinkCounter
+
+
+class Door(Protocol):
+    """Feeds the store, and takes what the operator wants. Any thread may call."""
+
+    @property
+    def counters(self) -> "Mapping[str, LinkCounter]":
+        """What came over each link. It changes all the time."""
+
+    def submit(self, command: Command) -> object:
+        """Send a command now or not at all."""
+
+    def tell(self, event: Event) -> None:
+        """Take a fact that came from elsewhere into the picture."""
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Ask for the live map of one robot's floor."""
+
+    def overhear(self, on: bool) -> None:
+        """Listen to the log and diagnostics of all robots, or no longer."""
+
+    def close(self) -> None:
+        """Let nothing more through."""
+
+
+Opening = Callable[[Config, Store, Callable[[Door], None]], None]
+"""Opens a door, in a thread of its own, and hands it over as soon as it stands."""
+
+
+def to_the_fleet(
+    config: Config, store: Store, stands: Callable[[Door], None], tap: "Tap | None" = None
+) -> None:
+    """Connect to every bridge, then load the maps. Importing the link takes longer than painting."""
+    from fleet_tui.link.fleet_link import FleetLink
+
+    link = FleetLink(config, store, tap)
+    link.open()
+    stands(link)
+    from fleet_tui.map_files import load_floor_map
+
+    for floor in config.floors:
+        if floor.map:
+            path = config.beside(floor.map)
+            link.tell(load_floor_map(floor.name, path, config.profile.origin == "added"))

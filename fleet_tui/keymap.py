@@ -1,0 +1,100 @@
+"""Which keys an operator may give to what: checked before the screen opens, since Textual is silent."""
+
+from collections.abc import Iterable, Mapping
+
+from fleet_tui.errors import did_you_mean
+from fleet_tui.keys import KEYS, Key
+
+_BY_ID = {key.id: key for key in KEYS}
+
+_EVERYWHERE = frozenset({"console", "recording", "anywhere"})
+# Textual's names of keys that print nothing.
+_NAMED = frozenset(
+    [*("enter", "tab", "escape", "space", "backspace", "delete", "insert", "home", "end")]
+    + [*("pageup", "pagedown", "up", "down", "left", "right")]
+    + [f"f{n}" for n in range(1, 25)]
+)
+# Ctrl-C never commands a robot; these arrive from a terminal as other keys.
+_FORBIDDEN = {
+    "ctrl+c": "Ctrl-C is kept free",
+    "ctrl+i": "a terminal sends it as tab",
+    "ctrl+m": "a terminal sends it as enter",
+    "ctrl+[": "a terminal sends it as escape",
+}
+
+
+def _problem_of_key(key: str) -> str | None:
+    """Why a key can't be bound, None where it can."""
+    if key in _FORBIDDEN:
+        return _FORBIDDEN[key]
+    *modifiers, last = key.split("+") if len(key) > 1 else [key]
+    known = (len(last) == 1 and last.isprintable() and not last.isspace()) or last in _NAMED
+    if not known:
+        return f"no such key{did_you_mean(last, _NAMED)}"
+    if len(last) == 1 and "shift" in modifiers:
+        return "write the shifted character itself"
+    if len(last) == 1 and last.isupper() and "ctrl" in modifiers:
+        return f"a terminal sends it as {key.lower()}"
+    wrong = [name for name in modifiers if name not in ("ctrl", "shift", "alt")]
+    return f"no such modifier {wrong[0]}, use ctrl, shift or alt" if wrong else None
+
+
+def _types_nothing(key: str) -> bool:
+    """Whether a key means nothing to a text field: a space or an arrow would be taken from it."""
+    *modifiers, last = key.split("+")
+    return "ctrl" in modifiers or "alt" in modifiers or (len(last) > 1 and last[1:].isdigit())
+
+
+def _same_place(one: Key, other: Key) -> bool:
+    """Whether two keys can be pressed at the same moment."""
+    if "diagnostics" in (one.pane, other.pane):
+        # The console's keys don't reach in there; it is made of one table.
+        return {one.pane, other.pane} <= {"diagnostics", "table", "anywhere"}
+    return one.pane == other.pane or not _EVERYWHERE.isdisjoint((one.pane, other.pane))
+
+
+def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list[str]]:
+    """The keys of every id after the config's `changes` (id = "key" or "key,key"), and one line
+    for each problem: unknown id, impossible key, two ids on one key."""
+    problems = []
+    chosen = {key.id: key.keys for key in KEYS}
+    for id_, text in changes.items():
+        if id_ not in _BY_ID:
+            problems.append(f"keys.{id_}: no such key id{did_you_mean(id_, _BY_ID)}")
+            continue
+        keys = ("," if text == "," else part.strip() for part in ([text] if text == "," else text.split(",")))
+        chosen[id_] = tuple(keys)
+        for key in chosen[id_]:
+            wrong = _problem_of_key(key)
+            if _BY_ID[id_].pane == "anywhere" and not _types_nothing(key):
+                wrong = "works while typing too, so it must be a function key or a ctrl key"
+            if wrong:
+                problems.append(f"keys.{id_}: {key!r}: {wrong}")
+    chosen |= _yielded(chosen, changes)
+    problems.extend(_clashes(chosen))
+    return chosen, problems
+
+
+def _yielded(chosen: Mapping[str, tuple[str, ...]], changes: Mapping[str, str]) -> dict[str, tuple[str, ...]]:
+    """The keys of recordings without those that the config gives to something else: the fleet comes first."""
+    given = {key for id_ in changes if id_ in chosen for key in chosen[id_]}
+    return {
+        key.id: tuple(one for one in key.keys if one not in given)
+        for key in KEYS
+        if key.pane == "recording" and key.id not in changes
+    }
+
+
+def _clashes(chosen: Mapping[str, Iterable[str]]) -> list[str]:
+    taken: dict[str, list[Key]] = {}
+    problems = []
+    for id_, keys in chosen.items():
+        this = _BY_ID[id_]
+        for key in keys:
+            for other in taken.setdefault(key, []):
+                if _same_place(this, other):
+                    problems.append(
+                        f"keys.{id_}: {key!r} is taken by {other.id}: give one of them another key"
+                    )
+            taken[key].append(this)
+    return problems

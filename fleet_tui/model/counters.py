@@ -1,0 +1,215 @@
+"""What came over the wire, counted. It changes at every message, so it is no part of the fleet's state:
+the network loop writes, the screen reads what it finds, and neither waits for the other."""
+
+from collections import deque
+from collections.abc import Iterable
+from itertools import pairwise
+from math import inf
+from typing import TypeVar
+
+from msgspec import Struct, structs
+
+from fleet_tui.model.robot_words import Diagnosis, LogLine
+
+WINDOW = 5.0
+"""Seconds over which rates are measured."""
+MARKS = 6
+BEATS = 60
+"""Round trips of which the spread is told: five minutes."""
+LARGEST_KEPT = 1_000_000
+"""Bytes of a message that is kept whole; of a larger one its head is."""
+HEAD = 4096
+LOG_LINES = 500
+"""Lines of the robots' log that are kept."""
+MOST_DIAGNOSES = 500
+"""Names under which robots report their health."""
+
+
+T = TypeVar("T")
+
+
+def snapshot(newest: deque[T]) -> tuple[T, ...]:
+    """All there is, though another thread may be adding to it."""
+    while True:
+        try:
+            return tuple(newest)
+        except RuntimeError:  # it was changed in the middle
+            continue
+
+
+class Flow:
+    """Something that comes again and again: how often, how much of it. Times are monotonic seconds.
+
+    A rate is that of the last WINDOW seconds; once a second a mark says where the count stood.
+    """
+
+    __slots__ = ("_mark", "_marks", "at", "bytes", "count")
+
+    def __init__(self) -> None:
+        self.count = self.bytes = 0
+        self.at: float | None = None
+        """When it came last."""
+        self._marks: deque[tuple[float, int, int]] = deque(maxlen=MARKS)
+        self._mark = -inf
+
+    def take(self, size: int, at: float) -> None:
+        """One more came, of so many bytes."""
+        self.count += 1
+        self.bytes += size
+        self.at = at
+        if not self._mark <= at < self._mark + 1.0:
+            if at < self._mark:
+                self._marks.clear()  # a recording was turned back
+            self._mark = at
+            self._marks.append((at, self.count, self.bytes))
+
+    def rates(self, now: float) -> tuple[float, float] | None:
+        """Messages and bytes a second; None of what came only once, or never."""
+        if self.at is None or self.count < 2:
+            return None
+        for at, count, size in snapshot(self._marks):
+            if at >= now - WINDOW and self.count > count:
+                # Between n arrivals lie n - 1 gaps. A silence longer than such a gap counts, too.
+                gaps, span = self.count - count, max(self.at - at, 1e-9)
+                span = max(span, now - at - span / gaps)
+                return gaps / span, (self.bytes - size) / span
+        return 0.0, 0.0
+
+
+class Raw(Struct, frozen=True, gc=False):
+    """A frame as it came, or the head of a large one; `size` is that of all of it."""
+
+    payload: bytes
+    is_binary: bool
+    at: float
+    size: int
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all of it was kept."""
+        return len(self.payload) == self.size
+
+
+class BadMessage(Struct, frozen=True):
+    """A message that could not be read, and why."""
+
+    text: str
+    raw: Raw
+
+
+class TopicCounter(Flow):
+    """One topic. `robot` and `kind` say whose and what, both empty for the robots' log and health;
+    `once`: it comes once, `on_demand`: only while its floor is shown."""
+
+    __slots__ = ("bad", "errors", "kind", "last", "not_subscribed", "on_demand", "once", "robot", "topic")
+
+    def __init__(
+        self, topic: str, robot: str = "", kind: str = "", once: bool = False, on_demand: bool = False
+    ) -> None:
+        super().__init__()
+        self.topic, self.robot, self.kind = topic, robot, kind
+        self.once, self.on_demand = once, on_demand
+        self.errors = 0
+        self.last: Raw | None = None
+        self.bad: BadMessage | None = None
+        self.not_subscribed = ""
+        """Why it is not asked for, empty where it is."""
+
+    def heard(self, payload: bytes, is_binary: bool, at: float) -> None:
+        """A frame of it came."""
+        size = len(payload)
+        self.take(size, at)
+        kept = payload if size <= LARGEST_KEPT else payload[:HEAD]
+        self.last = Raw(kept, is_binary, at, size)
+
+    def failed(self, text: str, raw: Raw | None = None) -> None:
+        """A frame, else the one that came last, could not be read, or not all of it."""
+        self.errors += 1
+        found = raw or self.last
+        if found is not None:
+            self.bad = BadMessage(text, found)
+
+
+class RoundTrips:
+    """How long the heartbeat's calls took, in seconds."""
+
+    def __init__(self) -> None:
+        self._took: deque[float] = deque(maxlen=BEATS)
+        self.at: float | None = None
+        self.unanswered = 0
+
+    def take(self, seconds: float, at: float) -> None:
+        """An answer came."""
+        self._took.append(seconds)
+        self.at = at
+
+    @property
+    def took(self) -> tuple[float, ...]:
+        """The last ones, the newest at the end."""
+        return snapshot(self._took)
+
+    @property
+    def jitter(self) -> float:
+        """By how much two in a row differ, on average."""
+        took = self.took
+        return sum(abs(b - a) for a, b in pairwise(took)) / max(1, len(took) - 1)
+
+
+class LinkCounter:
+    """One bridge."""
+
+    def __init__(self, name: str, topics: Iterable[TopicCounter]) -> None:
+        self.name = name
+        self.topics = {topic.topic: topic for topic in topics}
+        """Those that are asked for, in that order, and no others ever."""
+        self.all = Flow()
+        """Every frame on the connection for telemetry."""
+        self.round_trips = RoundTrips()
+        self.connections = 0
+        self.lost_at: float | None = None
+        self.lost_why = ""
+        self.dropped = 0
+        """Frames that were passed over, being too large or too many."""
+        self.unreadable = 0
+        """Frames of which not even the topic could be read."""
+        self.bad: BadMessage | None = None
+        """The newest of them."""
+        self.log: deque[LogLine] = deque(maxlen=LOG_LINES)
+        self.logged = 0
+        """How many lines of the robots' log ever came."""
+        self.health: dict[str, Diagnosis] = {}
+        self._is_up = False
+
+    def opened(self) -> None:
+        """There is a connection."""
+        self.connections += 1
+        self._is_up = True
+
+    def lost(self, why: str, at: float) -> None:
+        """There is none. Tries that fail after that lose nothing."""
+        if self._is_up:
+            self._is_up, self.lost_at, self.lost_why = False, at, why
+
+    def keep_one_map(self, newest: TopicCounter) -> None:
+        """Of all that comes only on demand, keep the newest whole, of the others how they begin."""
+        for topic in self.topics.values():
+            if topic.on_demand and topic is not newest and topic.last is not None:
+                topic.last = structs.replace(topic.last, payload=topic.last.payload[:HEAD])
+
+    def failed(self, text: str, payload: bytes, is_binary: bool, at: float) -> None:
+        """A frame came that could not be read at all."""
+        self.unreadable += 1
+        self.bad = BadMessage(text, Raw(payload[:HEAD], is_binary, at, len(payload)))
+
+    def take_log(self, line: LogLine) -> None:
+        """A line of the robots' log came."""
+        self.logged += 1
+        self.log.append(line)
+
+    def take_health(self, diagnoses: Iterable[Diagnosis]) -> None:
+        """What robots say of their health; the newest of each name counts."""
+        health = dict(self.health)
+        for one in diagnoses:
+            if one.name in health or len(health) < MOST_DIAGNOSES:
+                health[one.name] = one
+        self.health = health  # swapped whole: somebody may be reading

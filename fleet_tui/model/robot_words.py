@@ -1,0 +1,56 @@
+"""What robots say of themselves: lines of their log, and how they find their parts."""
+
+from enum import IntEnum
+
+from msgspec import Struct
+
+
+class Severity(IntEnum):
+    """How serious a line of the log is."""
+
+    DEBUG = 1
+    INFO = 2
+    WARN = 3
+    ERROR = 4
+    FATAL = 5
+
+
+# rosgraph_msgs/Log has powers of two, rcl_interfaces/msg/Log tens.
+_SEVERITIES = dict(zip((1, 2, 4, 8, 16), Severity, strict=True)) | dict(
+    zip((10, 20, 30, 40, 50), Severity, strict=True)
+)
+
+
+class LogLine(Struct, frozen=True):
+    """A line of /rosout that came at `at` (monotonic seconds); `level` is ROS 1's or ROS 2's number."""
+
+    at: float
+    level: int
+    node: str
+    text: str
+
+    @property
+    def severity(self) -> Severity | None:
+        """None for a number that neither ROS knows."""
+        return _SEVERITIES.get(self.level)
+
+
+class Health(IntEnum):
+    """Levels of diagnostic_msgs/DiagnosticStatus, the same in ROS 1 and 2."""
+
+    OK = 0
+    WARN = 1
+    ERROR = 2
+    STALE = 3
+
+
+class Diagnosis(Struct, frozen=True):
+    """What /diagnostics said of one part at `at` (monotonic seconds); `level` as `Health` has it."""
+
+    at: float
+    name: str
+    level: int
+    message: str
+    hardware: str = ""
+    values: tuple[tuple[str, str], ...] = ()
+    """Measured values by name."""

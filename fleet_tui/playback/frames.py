@@ -1,0 +1,51 @@
+"""What a record does to the picture: frames are read again as the link read them."""
+
+from collections.abc import Mapping
+
+from fleet_tui.config.schema import Config
+from fleet_tui.journal.records import Heard, Record, Told
+from fleet_tui.link.reading import Reading
+from fleet_tui.link.subscriptions import wanted_topics
+from fleet_tui.model.apply import apply
+from fleet_tui.model.counters import LinkCounter
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.robots import KINDS
+from fleet_tui.rosbridge.operations import ServiceResponse
+
+
+class Frames:
+    """Reads the frames of every bridge of a recording."""
+
+    def __init__(self, config: Config) -> None:
+        interface = KINDS[config.profile.name](config.profile)
+        self._readings = {
+            name: Reading(
+                name,
+                config.bridge(name),
+                config.profile,
+                {wanted.subscription.topic: wanted for wanted in wanted_topics(config, interface, name)},
+            )
+            for name in config.bridges
+        }
+
+    @property
+    def counters(self) -> Mapping[str, LinkCounter]:
+        """What was read of each bridge since the last jump."""
+        return {name: reading.counter for name, reading in self._readings.items()}
+
+    def count_anew(self) -> None:
+        """There was a jump: what came before it may lie in the future."""
+        for reading in self._readings.values():
+            reading.count_anew()
+
+    def after(self, state: FleetState, record: Record) -> FleetState:
+        """The state after a record. Answers are passed over: what they did was told."""
+        match record:
+            case Told(event=event):
+                return apply(state, event)
+            case Heard(channel="topics", link=link) if link in self._readings:
+                at = record.at if record.came is None else record.came
+                read = self._readings[link].read(record.payload, record.binary, at)
+                if read is not None and not isinstance(read, ServiceResponse):
+                    return apply(state, read)
+        return state

@@ -1,0 +1,172 @@
+"""What is on each page of the diagnostics screen at this moment, or at the one at which it was frozen."""
+
+import threading
+import time
+from collections.abc import Callable, Hashable, Mapping
+from enum import IntEnum
+from typing import Protocol
+
+from fleet_tui.log_file import TAIL
+from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter, snapshot
+from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.robot_words import LogLine, Severity
+from fleet_tui.terminal.budget import Budget, memory
+from fleet_tui.view.console_rows import OwnFacts, console_table
+from fleet_tui.view.health_rows import health_table
+from fleet_tui.view.link_rows import Links, link_table
+from fleet_tui.view.raw_message import copied, raw_table
+from fleet_tui.view.robot_log_rows import lines_of, robot_log_table
+from fleet_tui.view.table import Table
+from fleet_tui.view.topic_rows import topic_table
+
+
+class Page(IntEnum):
+    """The pages, by the keys that show them."""
+
+    LINK = 1
+    TOPICS = 2
+    RAW = 3
+    LOG = 4
+    HEALTH = 5
+    CONSOLE = 6
+
+
+FILTERED = (Page.TOPICS, Page.LOG, Page.HEALTH, Page.CONSOLE)
+
+
+class Wire(Protocol):
+    """Where it all comes from."""
+
+    @property
+    def counters(self) -> Mapping[str, LinkCounter]:
+        """What came over each link. It changes all the time."""
+
+    def overhear(self, on: bool) -> None:
+        """Listen to the log and diagnostics of all robots, or no longer."""
+
+
+class Pages:
+    """`topic` is the link and the topic whose messages are shown, `least` the level of the robots' log
+    from which on lines are shown, `wanted` what must stand in the rows of a page."""
+
+    def __init__(
+        self, state: Callable[[], FleetState], wire: Callable[[], Wire | None], clock: Callable[[float], str]
+    ) -> None:
+        self._state, self._wire, self._clock = state, wire, clock
+        self.topic: tuple[str, str] | None = None
+        self.shows_bad = False
+        self.least = Severity.DEBUG
+        self.wanted: dict[Page, str] = {}
+        self.opened: set[Hashable] = set()
+        self._frozen: dict[Page, float] = {}
+        self._raw: tuple[Raw | None, str] = (None, "")
+        self._lines: tuple[LogLine, ...] = ()
+
+    def links(self) -> Links:
+        """Each link, and what came over it."""
+        wire, state = self._wire(), self._state()
+        counters = wire.counters if wire is not None else {}
+        return [(state.links[name], counter) for name, counter in counters.items() if name in state.links]
+
+    def first_topic(self, robot: str) -> tuple[str, str] | None:
+        """The topic to begin with: a robot's first."""
+        found = [(link.name, one) for link, counter in self.links() for one in counter.topics.values()]
+        return next(((link, one.topic) for link, one in found if one.robot == robot), None)
+
+    def table(self, page: Page, budget: Budget) -> Table:
+        """The rows of a page."""
+        state, links, wanted = self._state(), self.links(), self.wanted.get(page, "")
+        match page:
+            case Page.LINK:
+                return link_table(links, state.now)
+            case Page.TOPICS:
+                return topic_table(state, links, wanted, state.now)
+            case Page.RAW:
+                return self._raw_table(state)
+            case Page.LOG:
+                if page not in self._frozen:
+                    self._lines = lines_of(links)
+                return robot_log_table(self._lines, links, state, self._clock, self.least, wanted)
+            case Page.HEALTH:
+                return health_table(links, self.opened, wanted, state.now)
+            case Page.CONSOLE:
+                return console_table(_own_facts(budget), snapshot(TAIL.lines), wanted)
+
+    def _raw_table(self, state: FleetState) -> Table:
+        topic = self._topic()
+        if topic is None:
+            return Table((), (), "no topic is chosen: Enter on a row of Topics")
+        if Page.RAW not in self._frozen:
+            bad = topic.bad
+            if self.shows_bad:
+                self._raw = (bad.raw, bad.text) if bad else (None, "bad")
+            else:
+                self._raw = topic.last, bad.text if bad and bad.raw is topic.last else ""
+        return raw_table(topic, *self._raw, state.now)
+
+    def _topic(self) -> TopicCounter | None:
+        wire = self._wire()
+        if wire is None or self.topic is None:
+            return None
+        link, topic = self.topic
+        return wire.counters[link].topics[topic]
+
+    def choose(self, link: str, topic: str) -> None:
+        """Show the messages of this topic, live."""
+        self.topic, self.shows_bad = (link, topic), False
+        self._frozen.pop(Page.RAW, None)
+
+    def turn_bad(self) -> None:
+        """The last bad message, or the last one again."""
+        self.shows_bad = not self.shows_bad
+        self._frozen.pop(Page.RAW, None)
+
+    def next_level(self) -> None:
+        """Fewer lines of the robots' log, after the fewest all again."""
+        least = Severity.DEBUG if self.least is Severity.FATAL else Severity(self.least + 1)
+        self.least = least
+
+    def freeze(self, page: Page) -> bool:
+        """Keep what is shown, or go on; False where there is nothing to keep."""
+        if page not in (Page.RAW, Page.LOG):
+            return False
+        if page in self._frozen:
+            del self._frozen[page]
+        else:
+            self._frozen[page] = self._state().now
+        return True
+
+    def frozen(self, page: Page) -> str:
+        """Since when a page shows what was, empty where it is live."""
+        at = self._frozen.get(page)
+        return "" if at is None else f"frozen {age(self._state().now - at)} ago"
+
+    def copy(self, page: Page, key: Hashable, budget: Budget) -> tuple[str, str]:
+        """What is copied, and what to say of it; empty where there is nothing."""
+        if page is Page.RAW and self._raw[0] is not None and self.topic is not None:
+            text, size = copied(self._raw[0])
+            return text, f"the message of {self.topic[1]}, {size}"
+        table = self.table(page, budget)
+        if key not in table.keys:
+            return "", ""
+        row = table.rows[table.keys.index(key)]
+        text = "".join(part for part, _ in row.runs).strip()
+        return text, f"the row, {len(text)} characters"
+
+
+def _own_facts(budget: Budget) -> OwnFacts:
+    now = time.monotonic()
+    pictures, sent = budget.sent.rates(now) or (0.0, 0.0)
+    resident, peak = memory() or (None, None)
+    return OwnFacts(
+        budget.every,
+        budget.ticks.spread(),
+        budget.paints.spread(),
+        pictures,
+        sent,
+        budget.held,
+        resident,
+        peak,
+        threading.active_count(),
+        age(now - budget.began),
+    )

@@ -1,0 +1,64 @@
+"""`fleet-tui serve`. The web server is imported when it is to run: it is an extra."""
+
+import sys
+
+import click
+
+from fleet_tui.config.load import find, load
+from fleet_tui.errors import FleetError
+from fleet_tui.options import common, drawing_mode, merged
+
+
+@click.group()
+def served() -> None:
+    """Holds the command; the command line shows it as its own."""
+
+
+@served.command()
+@click.option(
+    "--port", type=click.IntRange(0, 65535), default=8000, show_default=True, help="0 takes a free one."
+)
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
+@click.option(
+    "--allow-commands", is_flag=True, help="Let commands leave; without it the browser only watches."
+)
+@click.option("--demo", is_flag=True, help="Every tab with a simulated fleet of its own.")
+@drawing_mode
+@common
+@merged
+def serve(
+    config_file: str | None,
+    debug: bool,
+    port: int,
+    host: str,
+    allow_commands: bool,
+    demo: bool,
+    drawing: str | None,
+) -> None:
+    """Show the console in a browser, on this machine alone and read-only unless told otherwise."""
+    path = find(config_file)
+    load(path)  # what is wrong with it is said here, not in each tab
+    command = [
+        sys.executable,
+        "-m",
+        "fleet_tui",
+        *(["demo"] if demo else []),
+        "--config",
+        str(path.absolute()),
+    ]
+    command += [] if allow_commands else ["--read-only"]
+    command += ["--debug"] if debug else []
+    command += ["--drawing", drawing] if drawing else []
+    try:
+        from fleet_tui.serve.run import run
+    except ModuleNotFoundError as missing:
+        needed = "pip install 'textual-serve==1.1.3', or fleet-tui with its extra: 'fleet-tui[serve]'"
+        raise FleetError(f"serve needs {missing.name}, which is not installed: {needed}") from missing
+    click.echo(_said(allow_commands), err=True)
+    run(command, host, port, debug, click.echo, lambda line: click.echo(line, err=True))
+
+
+def _said(allow_commands: bool) -> str:
+    if allow_commands:
+        return "Commands are allowed: who opens a tab commands the robots."
+    return "read-only: no command leaves; --allow-commands lets them."

@@ -1,0 +1,75 @@
+"""Who may speak to the server: pages of its own, asked for by a name that is surely this machine's.
+
+A browser lets any page open a websocket to 127.0.0.1, and a name that resolves to it makes any
+page count as ours (DNS rebinding). So the page must come from here, and by no foreign name.
+"""
+
+import socket
+from ipaddress import ip_address
+from urllib.parse import urlsplit
+
+from aiohttp import web
+from aiohttp.typedefs import Handler, Middleware
+
+HEADERS = {
+    "X-Frame-Options": "DENY",  # or another page could have its visitors click here
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-cache",
+}
+POLICY = (
+    "default-src 'self' 'unsafe-inline'; img-src 'self' data:; frame-ancestors 'none'; connect-src 'self'"
+)
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this machine can reach it."""
+    try:
+        return ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+def is_ours(host: str, names: frozenset[str]) -> bool:
+    """Whether a Host header is a plain address, which nobody can rebind, or one of our names."""
+    try:
+        name = urlsplit(f"//{host}").hostname or ""
+        if name in names:
+            return True
+        ip_address(name)
+    except ValueError:
+        return False
+    return True
+
+
+def is_same_origin(origin: str, host: str) -> bool:
+    """Whether a page comes from the very server that it speaks to."""
+    scheme, _, place = origin.partition("://")
+    return scheme in ("http", "https") and place == host
+
+
+def names_of(host: str) -> frozenset[str]:
+    """What this server is called, listening on `host`."""
+    own = socket.gethostname().lower()
+    return frozenset({"localhost", host} | (set() if is_loopback(host) else {own, f"{own}.local"}))
+
+
+def guard(host: str) -> Middleware:
+    """The check of every request to a server that listens on `host`."""
+    names = names_of(host)
+
+    @web.middleware
+    async def check(request: web.Request, handler: Handler) -> web.StreamResponse:
+        if not is_ours(request.host, names):
+            raise web.HTTPForbidden(text="fleet-tui serve: not by this name; open it by its address.\n")
+        if request.path == "/ws" and not is_same_origin(request.headers.get("Origin", ""), request.host):
+            raise web.HTTPForbidden(text="fleet-tui serve: another page may not open a console.\n")
+        return await handler(request)
+
+    return check
+
+
+async def say_policy(request: web.Request, response: web.StreamResponse) -> None:
+    """Nothing is fetched from elsewhere, nothing is shown inside another page."""
+    ours = f"ws://{request.host} wss://{request.host}"
+    response.headers.update({**HEADERS, "Content-Security-Policy": f"{POLICY} {ours}"})

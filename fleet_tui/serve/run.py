@@ -1,0 +1,136 @@
+"""The web server: one page, and a console for each tab that shows it."""
+
+import asyncio
+import logging
+import signal
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from importlib import resources
+from json import JSONDecodeError
+
+import textual_serve
+from aiohttp import WSCloseCode, WSMsgType, web
+
+from fleet_tui.errors import FleetError
+from fleet_tui.log_file import log_to_file
+from fleet_tui.serve.guard import guard, is_loopback, say_policy
+from fleet_tui.serve.tab import Tab
+
+MOST_TABS = 8
+"""Each is a process of some 90 MB."""
+WAIT_FOR_A_PLACE = 3.0
+"""Seconds: a page that is loaded again leaves its place and wants one."""
+LONGEST_MESSAGE = 2**20
+"""Bytes from a page: a paste."""
+
+Say = Callable[[str], object]
+
+
+class Consoles:
+    """The page, its files, and the consoles behind it."""
+
+    def __init__(self, command: Sequence[str]) -> None:
+        self._command = command
+        self._places = asyncio.Semaphore(MOST_TABS)
+        self._open: set[web.WebSocketResponse] = set()
+
+    def application(self, host: str) -> web.Application:
+        """What is served."""
+        app = web.Application(middlewares=[guard(host)])
+        files = resources.files(textual_serve) / "static"
+        app.add_routes([web.get("/", _page), web.get("/ws", self._tab), web.static("/static", str(files))])
+        app.on_response_prepare.append(say_policy)
+        app.on_shutdown.append(self._close_all)
+        return app
+
+    async def _tab(self, request: web.Request) -> web.WebSocketResponse:
+        websocket = web.WebSocketResponse(timeout=1.0, heartbeat=5.0, max_msg_size=LONGEST_MESSAGE)
+        try:
+            await asyncio.wait_for(self._places.acquire(), WAIT_FOR_A_PLACE)
+        except TimeoutError:
+            await websocket.prepare(request)
+            reason = f"{MOST_TABS} tabs are open, more are not served: close one."
+            await websocket.close(code=WSCloseCode.TRY_AGAIN_LATER, message=reason.encode())
+            return websocket
+        try:
+            await websocket.prepare(request)
+            self._open.add(websocket)
+            await _converse(Tab(self._command, websocket), websocket, request)
+        finally:
+            self._open.discard(websocket)
+            self._places.release()
+        return websocket
+
+    async def _close_all(self, _app: web.Application) -> None:
+        reason = b"fleet-tui serve has ended."
+        ends = [one.close(code=WSCloseCode.GOING_AWAY, message=reason) for one in self._open]
+        await asyncio.gather(*ends, return_exceptions=True)
+
+
+async def _converse(tab: Tab, websocket: web.WebSocketResponse, request: web.Request) -> None:
+    try:
+        await tab.start(_cells(request, "width", 80), _cells(request, "height", 24))
+        async for message in websocket:
+            if message.type is WSMsgType.TEXT:
+                with suppress(JSONDecodeError):
+                    await tab.hear(message.json())
+    finally:
+        await tab.stop()
+
+
+def _cells(request: web.Request, name: str, default: int) -> int:
+    said = request.query.get(name, "")
+    return int(said) if said.isdecimal() and len(said) < 6 else default
+
+
+async def _page(_request: web.Request) -> web.Response:
+    page = (resources.files("fleet_tui.serve") / "page.html").read_text("utf-8")
+    return web.Response(text=page, content_type="text/html")
+
+
+def run(command: Sequence[str], host: str, port: int, debug: bool, announce: Say, warn: Say) -> None:
+    """Serve until SIGTERM; `announce` gets the URL. Raises FleetError, and SystemExit(130) on Ctrl-C."""
+    log_to_file(debug)
+    logging.getLogger("aiohttp").setLevel(logging.DEBUG if debug else logging.WARNING)
+    if asyncio.run(_serve(command, host, port, announce, warn)):
+        raise SystemExit(130)
+
+
+async def _serve(command: Sequence[str], host: str, port: int, announce: Say, warn: Say) -> bool:
+    """Serve until something ends it, and say whether that was Ctrl-C."""
+    loop = asyncio.get_running_loop()
+    ended: asyncio.Future[bool] = loop.create_future()
+
+    def end(interrupted: bool) -> None:
+        if not ended.done():
+            ended.set_result(interrupted)
+
+    loop.add_signal_handler(signal.SIGINT, end, True)
+    loop.add_signal_handler(signal.SIGTERM, end, False)
+    runner = web.AppRunner(Consoles(command).application(host), access_log=None, shutdown_timeout=5.0)
+    await runner.setup()
+    try:
+        await _listen(runner, host, port)
+        taken = runner.addresses[0][1]
+        if not is_loopback(host):
+            warn(_warning(host, taken))
+        announce(f"http://{f'[{host}]' if ':' in host else host}:{taken}/")
+        return await ended
+    finally:
+        await runner.cleanup()
+
+
+async def _listen(runner: web.AppRunner, host: str, port: int) -> None:
+    try:
+        await web.TCPSite(runner, host, port).start()
+    except OSError as problem:
+        why = problem.strerror or problem
+        raise FleetError(f"can't serve on {host} port {port}: {why}; --port 0 takes a free one") from None
+
+
+def _warning(host: str, port: int) -> str:
+    return (
+        f"warning: whoever reaches {host} port {port} has this console: no password, no encryption.\n"
+        f"Safer: leave --host out, and on the other machine\n"
+        f"  ssh -L {port}:127.0.0.1:{port} THIS_MACHINE    then open http://127.0.0.1:{port}/"
+    )

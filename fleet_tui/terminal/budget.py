@@ -1,0 +1,64 @@
+"""What the console's own pictures cost, and what its process takes."""
+
+import time
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+
+from fleet_tui.model.counters import Flow
+
+KEPT = 100
+"""Durations of which the spread is told: of ticks, the last 10 s."""
+
+
+class Durations:
+    """How long something took, the last times."""
+
+    def __init__(self) -> None:
+        self._seconds: deque[float] = deque(maxlen=KEPT)
+
+    def take(self, seconds: float) -> None:
+        """It was done once more."""
+        self._seconds.append(seconds)
+
+    def timed(self, work: Callable[[], None]) -> None:
+        """Do it, and take the time."""
+        began = time.perf_counter()
+        work()
+        self.take(time.perf_counter() - began)
+
+    def spread(self) -> tuple[float, float, float] | None:
+        """The median, the 95 % and the longest, in seconds; None before the first time."""
+        ordered = sorted(self._seconds)
+        if not ordered:
+            return None
+        return ordered[len(ordered) // 2], ordered[int(len(ordered) * 0.95)], ordered[-1]
+
+
+class Budget:
+    """Ticks and paintings, what was sent to the terminal, and how often a picture had to wait for it."""
+
+    def __init__(self) -> None:
+        self.began = time.monotonic()
+        self.every = 0.1
+        """Seconds from one tick to the next."""
+        self.ticks, self.paints = Durations(), Durations()
+        self.sent = Flow()
+        self.held = 0
+
+
+def memory() -> tuple[int, int] | None:
+    """Bytes that the process has in memory, and the most it ever had; None where Linux's /proc is missing.
+
+    VmHWM, not ru_maxrss: that one survives exec.
+    """
+    try:
+        lines = Path("/proc/self/status").read_text().splitlines()
+    except OSError:
+        return None
+    found = {
+        name: rest.split()[0] for name, _, rest in (line.partition(":") for line in lines) if rest.split()
+    }
+    if "VmRSS" not in found or "VmHWM" not in found:
+        return None
+    return int(found["VmRSS"]) * 1024, int(found["VmHWM"]) * 1024

@@ -1,0 +1,72 @@
+"""The log of the robots, newest last: level and text filter it."""
+
+from collections.abc import Callable
+
+from fleet_tui.model.counters import snapshot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot_words import LogLine, Severity
+from fleet_tui.view.link_rows import Links, down
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.table import LateRows, Row, Table, column
+from fleet_tui.view.text import fit, visible
+from fleet_tui.view.units import ago
+
+_LOOKS = {
+    Severity.DEBUG: ("· DEBUG", Ink.DIM),
+    Severity.INFO: ("  INFO ", Ink.TEXT),
+    Severity.WARN: ("▲ WARN ", Ink.WARN),
+    Severity.ERROR: ("✗ ERROR", Ink.ALARM),
+    Severity.FATAL: ("✗ FATAL", Ink.ALARM),
+}
+
+
+def lines_of(links: Links) -> tuple[LogLine, ...]:
+    """What all robots said, in the order in which it came."""
+    return tuple(
+        sorted((line for _, counter in links for line in snapshot(counter.log)), key=lambda one: one.at)
+    )
+
+
+def wanted_lines(lines: tuple[LogLine, ...], least: Severity, wanted: str) -> list[LogLine]:
+    """Those of a level, and worse, in which `wanted` stands. A level that nobody knows is let through."""
+    sought = wanted.casefold()
+    return [
+        line
+        for line in lines
+        if (line.severity or Severity.FATAL) >= least and sought in f"{line.node} {line.text}".casefold()
+    ]
+
+
+def _row(line: LogLine, nodes: int, time: str) -> Row:
+    word, ink = _LOOKS[line.severity] if line.severity else (f"level {line.level}", Ink.WARN)
+    runs = (
+        (f"{time} ", Ink.DIM),
+        (f"{word:<8}", ink),
+        (fit(line.node, nodes) + " ", Ink.DIM),
+        (visible(line.text), Ink.ALARM if ink is Ink.ALARM else Ink.TEXT),
+    )
+    return Row(id(line), runs)
+
+
+def robot_log_table(
+    lines: tuple[LogLine, ...],
+    links: Links,
+    state: FleetState,
+    clock: Callable[[float], str],
+    least: Severity,
+    wanted: str,
+) -> Table:
+    """A row for each line; `clock` writes Unix seconds as the time of day at which it came."""
+    found = wanted_lines(lines, least, wanted)
+    nodes = column((line.node for line in found), 4, 24)
+    offset = state.wall - state.now
+    rows = LateRows(
+        [id(line) for line in found], lambda n: _row(found[n], nodes, clock(found[n].at + offset))
+    )
+    note = f" /rosout  {len(found)} of {len(lines)} lines, {least.name}"
+    note += "" if least is Severity.FATAL else " and worse"
+    note += f", with {visible(wanted)}" if wanted else ""
+    note += f", last {ago(lines[-1].at, state.now)}" if lines else ""
+    title = ("Log of the robots", Ink.TITLE), (note, Ink.DIM), *down(links)
+    empty = "no such line" if lines else "nothing has come on /rosout since this screen was first opened"
+    return Table(title, rows, empty)

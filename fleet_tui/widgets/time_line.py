@@ -1,0 +1,26 @@
+"""The time line of a recording, above the hints."""
+
+from collections.abc import Callable
+
+from textual import events
+
+from fleet_tui.view.time_line import Moment, time_line
+from fleet_tui.widgets.ink_view import InkView
+from fleet_tui.widgets.messages import TimePicked
+
+
+class TimeLine(InkView):
+    """Two rows: how far it is, and what happened. A click goes there."""
+
+    DEFAULT_CSS = "TimeLine { height: 2; width: 1fr; }"
+
+    def show(self, moment: Moment, clock: Callable[[float], str]) -> None:
+        """Show where it stands now."""
+        if self.size.width > 0:
+            self.paint_rows(time_line(moment, clock, self.size.width))
+
+    def on_click(self, event: events.Click) -> None:
+        """Tell which time was meant."""
+        event.stop()
+        if event.y == 0:
+            self.post_message(TimePicked(event.x, self.size.width))

@@ -1,0 +1,282 @@
+"""Whatever a bag is: a message in one line, or what can be read of it. Never a crash, never code of it."""
+
+import os
+import resource
+import sqlite3
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from backports import zstd
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fleet_tui.bags import convert as converting
+from fleet_tui.bags.convert import convert
+from fleet_tui.bags.definitions import typestore
+from fleet_tui.bags.frames import Framer
+from fleet_tui.bags.opening import BagError, is_bag
+from fleet_tui.errors import FleetError
+from fleet_tui.journal.indexing import open_recording
+from tests.bags.made import KINDS, Said, bag_config, made, written
+from tests.bags.test_convert import battery, made_of, night, played, pose
+from tests.bags.test_frames import LINE, Connection
+from tests.fleets import R0
+
+
+def said_of(bag: Path, folder: Path) -> str:
+    """The error of a bag, which is one line and leaves nothing behind."""
+    form = "ros1" if bag.suffix == ".bag" else "mcap"
+    with pytest.raises(BagError) as raised:
+        convert(bag, bag_config(form), folder / "r.jsonl.gz")
+    assert not (folder / "r.jsonl.gz").exists()
+    assert "\n" not in str(raised.value) and len(str(raised.value)) < 1000
+    return str(raised.value).replace(str(bag), "BAG")
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> Iterator[Path]:
+    (tmp_path / "empty.bag").touch()
+    (tmp_path / "empty.mcap").touch()
+    (tmp_path / "empty.db3").touch()
+    (tmp_path / "text.bag").write_text("Dear diary\n")
+    (tmp_path / "text.mcap").write_text("Dear diary, this is longer than a footer of mcap has to be\n")
+    (tmp_path / "text.db3").write_text("Dear diary\n")
+    (tmp_path / "old.bag").write_text("#ROSBAG V1.2\n")
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "lost").mkdir()
+    (tmp_path / "lost" / "lost_0.db3").touch()
+    (tmp_path / "yaml").mkdir()
+    (tmp_path / "yaml" / "metadata.yaml").write_text("rosbag2_bagfile_information: 7\n")
+    (tmp_path / "huge").mkdir()
+    with (tmp_path / "huge" / "metadata.yaml").open("wb") as file:
+        file.truncate(2**25)
+    (tmp_path / "code").mkdir()
+    (tmp_path / "code" / "metadata.yaml").write_text("a: !!python/object/apply:os.system ['touch ran']\n")
+    os.mkfifo(tmp_path / "pipe.bag")
+    os.mkfifo(tmp_path / "lost" / "pipe.mcap")
+    yield tmp_path
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("none.bag", "BAG: no such file"),
+        ("empty.bag", "BAG: it is empty"),
+        ("empty.mcap", "BAG: it is empty"),
+        ("empty.db3", "BAG: it is no bag"),
+        ("text.bag", "BAG: it is no bag"),
+        ("text.mcap", "BAG: it is no bag"),
+        ("text.db3", "BAG: can't be read: Cannot open database text.db3: "),
+        ("old.bag", "BAG: can't be read: Bag version 102 is not supported."),
+        ("folder", "BAG: is no bag: there is no metadata.yaml in it, no .bag, .db3 or .mcap"),
+        (
+            "lost",
+            "BAG: there is no metadata.yaml in it: give one of its files (lost_0.db3, pipe.mcap), or mend",
+        ),
+        ("yaml", "BAG: can't be read: Invalid bag metadata: "),
+        ("huge", "BAG/metadata.yaml: is larger than 16,777,216 bytes: it is none"),
+        ("code", "BAG: can't be read: "),
+        ("pipe.bag", "BAG: is no file"),
+    ],
+)
+def test_what_is_no_bag_is_named_with_the_remedy(files: Path, name: str, words: str) -> None:
+    assert said_of(files / name, files).startswith(words)
+    assert not Path("ran").exists() and not (files / "ran").exists()
+
+
+def test_a_bag_without_messages_is_empty(tmp_path: Path) -> None:
+    assert "it is empty: there is no topic in it" in said_of(written(tmp_path, "ros1", []), tmp_path)
+    assert "it is empty: there is no topic in it" in said_of(written(tmp_path, "mcap", []), tmp_path)
+
+
+def test_without_rosbags_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    bag = written(tmp_path, "ros1", night())
+    monkeypatch.setitem(sys.modules, "rosbags.rosbag1", None)
+    assert "pip install 'fleet-tui[bags]'" in said_of(bag, tmp_path)
+
+
+def test_a_bag_that_was_cut_off_names_what_mends_it(tmp_path: Path) -> None:
+    ros1 = written(tmp_path, "ros1", night())
+    whole = ros1.read_bytes()
+    ros1.write_bytes(whole[: len(whole) // 2])
+    assert "`rosbag reindex night.bag` mends" in said_of(ros1, tmp_path)
+    # As rosbag leaves it: the place of the index is written last.
+    at = whole.index(b"index_pos=") + len(b"index_pos=")
+    ros1.write_bytes(whole[:at] + bytes(8) + whole[at + 8 :])
+    assert "it has no index" in said_of(ros1, tmp_path)
+    [mcap] = written(tmp_path, "mcap", night()).glob("*.mcap")
+    mcap.write_bytes(mcap.read_bytes()[:-100])
+    assert "`mcap recover night.mcap -o mended.mcap` mends" in said_of(mcap, tmp_path)
+
+
+def file_of(bag: Path) -> Path:
+    if bag.is_file():
+        return bag
+    [file] = [file for file in bag.iterdir() if file.name != "metadata.yaml"]
+    return file
+
+
+@pytest.mark.parametrize("form", KINDS)
+def test_damage_is_an_error_or_what_could_be_read(form: str, tmp_path: Path) -> None:
+    bag = written(tmp_path, form, night())
+    file, config = file_of(bag), bag_config(form)
+    whole = file.read_bytes()
+    read = []
+
+    # The same each time: the last line wants some that can be read.
+    @settings(max_examples=60, deadline=None, database=None, derandomize=True)
+    @given(st.integers(0, len(whole) - 1), st.integers(0, 255), st.integers(0, 3))
+    def damaged(place: int, byte: int, cut: int) -> None:
+        content = bytearray(whole)
+        content[place] = byte
+        file.write_bytes(content[:place] if cut == 0 else content)
+        out = tmp_path / "r.jsonl.gz"
+        out.unlink(missing_ok=True)
+        try:
+            report = convert(bag, config, out)
+        except FleetError as problem:
+            assert "\n" not in str(problem) and not out.exists()
+        else:
+            recording = open_recording(out)
+            assert recording.note == "" and report.messages + report.unreadable > 0
+            played(recording)
+            read.append(report)
+
+    damaged()
+    assert any(report.messages > 20 for report in read)
+
+
+def test_memory_is_bounded_while_a_bag_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A message of a gigabyte in a few bytes."""
+    monkeypatch.setattr("fleet_tui.bags.opening.MEMORY", 2**28)
+    bag = written(tmp_path, "sqlite3-message", [pose(0), pose(1)])
+    with sqlite3.connect(file_of(bag)) as database:
+        bomb = zstd.compress(bytes(2**30))
+        database.execute("UPDATE messages SET data = ?", (bomb,))
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    said = said_of(bag, tmp_path)
+    assert said.endswith("of memory"), said
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 2**20
+    assert resource.getrlimit(resource.RLIMIT_AS)[0] == resource.RLIM_INFINITY
+
+
+def test_a_message_that_is_too_large_is_bad_data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(converting, "LARGEST", 1000)
+    said = [pose(0), Said(1, f"/{R0}/queue", "ActionQueue", {"orders": [{"status": "x" * 2000}]}), pose(2)]
+    report, recording = made_of(written(tmp_path, "ros1", said), bag_config("ros1"), tmp_path / "r.jsonl.gz")
+    assert (report.messages, report.unreadable) == (2, 1)
+    assert "a message of a bag may have 1,000" in played(recording).robots[R0].last_fault
+
+
+def test_a_message_that_is_none_costs_nothing_else(tmp_path: Path) -> None:
+    bag = written(tmp_path, "sqlite3", [pose(0), battery(1, 50.0), pose(2)])
+    with sqlite3.connect(file_of(bag)) as database:
+        database.execute("UPDATE messages SET data = ? WHERE id = 1", (b"\x00\x01\x00\x00" + b"\xff" * 40,))
+    report, recording = made_of(bag, bag_config("sqlite3"), tmp_path / "r.jsonl.gz")
+    assert (report.messages, report.unreadable) == (2, 1)
+    robot = played(recording).robots[R0]
+    assert robot.faults == 1 and robot.last_fault.startswith("/robot_0/pose: ") and robot.pose is not None
+
+
+@pytest.mark.parametrize("stamp", [-5, "noon", b"noon", None])
+def test_a_time_that_can_not_be_is_left_out(tmp_path: Path, stamp: object) -> None:
+    bag = written(tmp_path, "sqlite3", [pose(n) for n in range(4)])
+    with sqlite3.connect(file_of(bag)) as database:
+        database.execute("CREATE TABLE loose (id, topic_id, timestamp, data)")
+        database.execute("INSERT INTO loose SELECT * FROM messages")
+        database.execute("DROP TABLE messages")
+        database.execute("ALTER TABLE loose RENAME TO messages")
+        database.execute("UPDATE messages SET timestamp = ? WHERE id = 3", (stamp,))
+    report, recording = made_of(bag, bag_config("sqlite3"), tmp_path / "r.jsonl.gz")
+    assert (report.messages, report.impossible) == (3, 1)
+    assert "1 messages have a time that can't be: they are left out" in report.notes
+    assert recording.end.at == 4.0
+
+
+HOSTILE = {
+    "a field that is code": "int32 x):\n  import os\n",
+    "no name": "int32 \n",
+    "a name that is no name": "int32 a-b c\nint32 'x'",
+    "it lacks": "Other one",
+    "itself": "T again",
+    "endless": "string[999999999] x",
+    "of endless": f"A[1000] a\n{LINE}\nMSG: p/A\nB[1000] b\n{LINE}\nMSG: p/B\nstring[1000] c",
+    "a head that is code": f'int32 x\nq/A a\n{LINE}\nMSG: q/A"):\n  evil\nint32 a',
+    "long": "# x\n" * 200_000,
+}
+
+
+@pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE)
+def test_a_hostile_definition_never_becomes_code(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosbags.typesys.store.exec", None, raising=False)
+    with pytest.raises(BagError) as raised:
+        typestore(Connection("p/msg/T", text))
+    assert "definition" in str(raised.value) and "\n" not in str(raised.value)
+
+
+@pytest.mark.parametrize("name", ["p/msg/T'); evil(", "T", "p/msg/T\n", "__import__('os')", ""])
+def test_a_hostile_type_never_becomes_code(name: str) -> None:
+    with pytest.raises(BagError, match="definition"):
+        typestore(Connection(name, "int32 x"))
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.text(st.sampled_from("int32 foat[]<=5xyz_/#\"'()\n=:;\\{}T\t"), max_size=60))
+def test_any_definition_is_read_or_refused(text: str) -> None:
+    try:
+        store = typestore(Connection("p/msg/T", text))
+    except BagError as problem:
+        assert "\n" not in str(problem)
+    else:
+        store.get_msgdef("p/msg/T")
+
+
+IDL = """module p { module msg {
+  struct Inner { string words; };
+  struct T { int32 x; sequence<p::msg::Inner> all; };
+}; };"""
+
+
+@pytest.mark.parametrize("text", [IDL, f"{LINE}\nIDL: p/msg/T\n{IDL}"])
+def test_a_definition_may_be_idl(text: str) -> None:
+    store = typestore(Connection("p/msg/T", text, "IDL"))
+    msg = made(store, "p/msg/T", {"x": 5, "all": [{"words": "a"}]})
+    framer = Framer(store, "p/msg/T", "/a", False, as_cbor=False)
+    assert framer.frame(bytes(store.serialize_cdr(msg, "p/msg/T"))).endswith(
+        b'"msg":{"x":5,"all":[{"words":"a"}]}}'
+    )
+
+
+@pytest.mark.parametrize("name", ["x: int = evil()", "import os", "1x", "", "ä"])
+def test_whatever_idl_is_taken_for_never_becomes_code(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    from rosbags.interfaces import Nodetype
+
+    read = {"p/msg/T": ([("int32", "A", "evil()")], [(name, (Nodetype.BASE, ("int32", 0)))])}
+    monkeypatch.setattr("rosbags.typesys.get_types_from_idl", lambda _text: read)
+    with pytest.raises(BagError, match="without a plain name"):
+        typestore(Connection("p/msg/T", "", "IDL"))
+
+
+def test_without_a_definition_standard_types_are_known_and_others_named() -> None:
+    """As in a bag of ROS 2 Humble."""
+    assert typestore(Connection("geometry_msgs/msg/PoseStamped", "", "NONE")).get_msgdef(
+        "std_msgs/msg/Header"
+    )
+    with pytest.raises(
+        BagError, match="definition of oh_ressources/msg/ActionQueue is not in the bag: record as"
+    ):
+        typestore(Connection("oh_ressources/msg/ActionQueue", "", "NONE"))
+
+
+def test_a_constant_is_no_field() -> None:
+    store = typestore(
+        Connection("p/msg/T", 'string NAME=a "quoted" # thing\nint8 A = 5\nint8 b # = 5\nint8 c 7')
+    )
+    assert [name for name, _ in store.fielddefs["p/msg/T"][1]] == ["b", "c"]
+
+
+def test_a_bag_is_told_by_its_name(tmp_path: Path) -> None:
+    assert is_bag(tmp_path) and is_bag(Path("a.bag")) and is_bag(Path("a.db3")) and is_bag(Path("a.mcap"))
+    assert not is_bag(Path("night.jsonl.gz")) and not is_bag(Path("bag"))

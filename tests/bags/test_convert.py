@@ -1,0 +1,357 @@
+"""A bag becomes a recording: the same picture as if a bridge had sent it, and alarms in time."""
+
+import math
+import shutil
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import reduce
+from itertools import pairwise
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+from fleet_tui.bags.convert import Report, convert
+from fleet_tui.bags.opening import BagError
+from fleet_tui.config.profile import Profile
+from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.start import initial_state
+from fleet_tui.journal.indexing import open_recording
+from fleet_tui.journal.recording import Recording
+from fleet_tui.journal.records import Heard, Keyframe, Told
+from fleet_tui.model import events
+from fleet_tui.model.apply import apply
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.model.link import Phase
+from fleet_tui.model.occupancy import grid_from_ros
+from fleet_tui.model.order import Order, OrderQueue
+from fleet_tui.playback.frames import Frames
+from tests.bags.made import KINDS, WALL, Said, bag_config, written
+from tests.fleets import F0, LINK, R0
+from tests.journal.recordings import plain
+
+POSE = "geometry_msgs/msg/PoseStamped"
+FLOAT = "std_msgs/msg/Float32"
+MAP = "nav_msgs/msg/OccupancyGrid"
+
+
+def nanoseconds(at: float) -> int:
+    return round((at - int(at)) * 1e9)
+
+
+def stamp(at: float) -> float:
+    return WALL + int(at) + nanoseconds(at) * 1e-9
+
+
+def pose(at: float, x: float = 0.0, robot: str = R0) -> Said:
+    header = {"frame_id": F0, "stamp": {"sec": WALL + int(at), "nanosec": nanoseconds(at)}}
+    place = {"position": {"x": x, "y": 2.0}, "orientation": {"w": 1.0}}
+    return Said(at, f"/{robot}/pose", POSE, {"header": header, "pose": place})
+
+
+def battery(at: float, percent: float) -> Said:
+    return Said(at, f"/{R0}/battery", FLOAT, {"data": percent})
+
+
+def night() -> list[Said]:
+    """A map, a graph, labels and an order at the beginning, then poses, then a battery that runs low."""
+    frame = {"resolution": 0.5, "width": 3, "height": 2, "origin": {"orientation": {"w": 1.0}}}
+    vertices = [{"id": 1, "x": 1.0, "y": 2.0}, {"id": 2, "x": 3.0, "y": 4.0, "type": "charger"}]
+    order = {"id": 7, "start": 1, "end": 2, "status": "Grüße ☃"}
+    return [
+        Said(0, f"/{R0}/{F0}/map", MAP, {"info": frame, "data": [0, 100, -1, 0, 50, 0]}),
+        Said(0, f"/{R0}/{F0}/map_metadata", "nav_msgs/msg/MapMetaData", frame),
+        Said(
+            0,
+            f"/{R0}/{F0}/graph",
+            "Graph",
+            {"vertices": vertices, "edges": [{"id": 5, "start": 1, "end": 2}]},
+        ),
+        Said(
+            0,
+            f"/{R0}/{F0}/labeled_vertices",
+            "LabeledVertices",
+            {"vertices": [{"label": "B", "vertex_id": 1}]},
+        ),
+        Said(
+            0.25,
+            f"/{R0}/queue",
+            "ActionQueue",
+            {"last_order_id": 7, "current_order_id": 7, "orders": [order]},
+        ),
+        Said(0.25, f"/{R0}/cargo", "std_msgs/msg/Bool", {"data": True}),
+        *(pose(0.5 + n / 5, n / 10) for n in range(20)),
+        *(battery(5 + n, 25.0 - 2.5 * n) for n in range(6)),
+    ]
+
+
+def as_told() -> list[tuple[float, events.Event]]:
+    """What the night means: seconds from the beginning, and the facts."""
+    frame = MapFrame(0.5, 3, 2, Pose(0.0, 0.0, 0.0))
+    cells = np.array([0, 100, -1, 0, 50, 0], np.int8).tobytes()
+    vertices = {1: Vertex(1, 1.0, 2.0), 2: Vertex(2, 3.0, 4.0, Role.DOCKING)}
+    queue = OrderQueue(7, 7, (Order(7, 1, 2, "Grüße ☃"),))
+    return [
+        (0, events.GridReceived(R0, F0, grid_from_ros(frame, cells))),
+        (0, events.FrameReceived(R0, F0, frame)),
+        (0, events.GraphReceived(R0, F0, RouteGraph(vertices, (Edge(5, 1, 2),), False))),
+        (0, events.LabelsReceived(R0, F0, {1: "B"})),
+        (0.25, events.QueueReported(R0, 1.25, queue)),
+        (0.25, events.CargoReported(R0, 1.25, True)),
+        *(
+            (0.5 + n / 5, events.PoseReported(R0, 1.5 + n / 5, Pose(n / 10, 2.0), F0, stamp(0.5 + n / 5)))
+            for n in range(20)
+        ),
+        *((5 + n, events.BatteryReported(R0, 6.0 + n, 25.0 - 2.5 * n)) for n in range(6)),
+    ]
+
+
+def live(config: Config, told: Iterable[tuple[float, events.Event]], bag: str) -> FleetState:
+    """The state after these facts, with a clock that ticks ten times a second beside them."""
+    state = initial_state(config, 1.0)
+    links = {name: replace(link, url=f"rosbag://{bag}", phase=Phase.UP) for name, link in state.links.items()}
+    state = replace(state, links=links, wall=float(WALL))
+    ticks, heard = 0, None
+    for at, event in told:
+        while ticks / 10 <= at:
+            if heard is not None:
+                state = apply(state, events.LinkHeard(LINK, heard))
+                heard = None
+            state = apply(state, events.TimePassed(1.0 + ticks / 10, WALL + (1.0 + ticks / 10) - 1.0))
+            ticks += 1
+        state = apply(state, event)
+        heard = 1.0 + at
+    return state
+
+
+def played(recording: Recording, from_at: float = -math.inf) -> FleetState:
+    """The state at the end, from the last keyframe before a second."""
+    records = recording.records(from_at)
+    first = next(records)
+    assert isinstance(first, Keyframe)
+    return reduce(Frames(recording.config).after, records, recording.state(first))
+
+
+def made_of(bag: Path, config: Config, out: Path) -> tuple[Report, Recording]:
+    report = convert(bag, config, out)
+    recording = open_recording(out)
+    assert recording.note == ""
+    return report, recording
+
+
+@pytest.mark.parametrize("form", KINDS)
+def test_a_bag_makes_the_picture_that_its_messages_mean(form: str, tmp_path: Path) -> None:
+    config = bag_config(form)
+    bag = written(tmp_path, form, night())
+    shares: list[float] = []
+    report = convert(bag, config, tmp_path / "r.jsonl.gz", shares.append)
+    recording = open_recording(tmp_path / "r.jsonl.gz")
+    assert (report.messages, report.topics, report.unreadable, report.late) == (32, 8, 0, 0)
+    assert report.seconds == 10.0 and shares[-1] == 1.0
+    expected = live(config, as_told(), bag.name)
+    assert plain(played(recording)) == plain(expected)
+    assert expected.alarms, "a low battery, or nothing was tested of alarms"
+    assert [mark.record.what for mark in recording.marks if mark.record.change == "raised"] == ["battery"]
+    assert recording.begin.wall == WALL and recording.end.wall == WALL + 10
+
+
+@pytest.mark.parametrize("form", ["sqlite3", "mcap"])
+def test_a_file_of_a_folder_will_do(form: str, tmp_path: Path) -> None:
+    bag = written(tmp_path, form, night())
+    [file] = [file for file in bag.iterdir() if file.suffix in (".db3", ".mcap")]
+    alone = shutil.copy(file, tmp_path / f"alone{file.suffix}")
+    _, recording = made_of(Path(alone), bag_config(form), tmp_path / "r.jsonl.gz")
+    assert plain(played(recording)) == plain(live(bag_config(form), as_told(), Path(alone).name))
+
+
+def test_it_is_said_that_it_is_a_bag_and_nothing_secret_is_kept(tmp_path: Path) -> None:
+    config = msgspec.structs.replace(bag_config("ros1"), rosbridge=Link("wss://site:9090/?token=hidden"))
+    report, recording = made_of(written(tmp_path, "ros1", night()), config, tmp_path / "r.jsonl.gz")
+    assert report.notes[0].startswith("made of the ROS bag night.bag: ")
+    link = played(recording).links[LINK]
+    assert (link.url, link.is_bag, link.commands_connected) == ("rosbag://night.bag", True, False)
+    content = b"".join(record.payload for record in recording.records() if isinstance(record, Heard))
+    assert "hidden" not in repr(recording.header) and b"hidden" not in content
+
+
+def test_alarms_ripen_as_they_would_have(tmp_path: Path) -> None:
+    """Robot 0 is silent for 20 s, robot 1 all the time: five seconds, as the config has it."""
+    said = [pose(n / 10) for n in range(50)] + [pose(25 + n / 10) for n in range(50)]
+    config = bag_config("mcap", robots=2)
+    _, recording = made_of(written(tmp_path, "mcap", said), config, tmp_path / "r.jsonl.gz")
+    raised = [(mark.at, mark.record.robot) for mark in recording.marks if mark.record.change == "raised"]
+    assert [robot for _, robot in raised] == ["robot_1", "robot_0"]
+    assert [at for at, _ in raised] == pytest.approx([1 + 5.0, 1 + 4.9 + 5.0], abs=0.21)
+    back = [mark.at for mark in recording.marks if mark.record.robot == R0 and mark.record.change == "over"]
+    assert all(at > 26 for at in back)
+
+
+def test_a_picture_may_begin_at_every_minute(tmp_path: Path) -> None:
+    said = [*night(), *(pose(12 + n, 0.1 * n) for n in range(200))]
+    _, recording = made_of(written(tmp_path, "mcap", said), bag_config("mcap"), tmp_path / "r.jsonl.gz")
+    assert [moment.at for moment in recording.keyframes] == [1.0, 61.0, 121.0, 181.0]
+    assert len({(place.member, place.nth) for place in recording.places}) == 4
+    ends = [plain(played(recording, moment.at)) for moment in recording.keyframes]
+    assert all(end == ends[0] for end in ends)
+
+
+def ticks(recording: Recording) -> list[float]:
+    return [
+        record.at
+        for record in recording.records()
+        if isinstance(record, Told) and isinstance(record.event, events.TimePassed)
+    ]
+
+
+def test_an_hour_without_a_message_is_lived_through(tmp_path: Path) -> None:
+    bag = written(tmp_path, "ros1", [pose(0), pose(3600)])
+    _, recording = made_of(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")
+    assert len(ticks(recording)) == 36001 and len(recording.keyframes) == 61
+    assert recording.end.at == 3601.0
+
+
+def test_a_year_without_a_message_is_leapt_over(tmp_path: Path) -> None:
+    year = 365 * 86400
+    bag = written(tmp_path, "ros1", [pose(0), pose(year), pose(year + 1)])
+    _, recording = made_of(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")
+    times = ticks(recording)
+    assert len(times) == pytest.approx(72_000 + 12, abs=3)
+    assert max(after - before for before, after in pairwise(times)) > year - 7300
+    assert recording.end.wall == WALL + year + 1
+    assert played(recording).now == pytest.approx(year + 2, abs=0.11)
+
+
+def test_out_of_order_messages_are_taken_as_they_come(tmp_path: Path) -> None:
+    """Parts of a folder overlap where several were written at once."""
+    first = written(tmp_path, "sqlite3", [pose(n / 10, 1.0) for n in range(30)], name="first")
+    second = written(tmp_path, "sqlite3", [pose(2 + n / 10, 2.0) for n in range(30)], name="second")
+    shutil.copy(second / "second.db3", first / "second.db3")
+    text = (first / "metadata.yaml").read_text()
+    both = text.replace("  - first.db3", "  - first.db3\n  - second.db3")
+    assert both != text
+    (first / "metadata.yaml").write_text(both)
+    report, recording = made_of(first, bag_config("sqlite3"), tmp_path / "r.jsonl.gz")
+    assert report.messages == 60 and report.late == 9
+    assert "9 messages have a time before that of the message before them" in report.notes[-1]
+    times = [record.at for record in recording.records()]
+    assert times == sorted(times)
+
+
+def test_renamed_fields_and_topics_are_read_as_the_profile_says(tmp_path: Path) -> None:
+    from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+
+    store = get_typestore(Stores.ROS1_NOETIC)
+    store.register(get_types_from_msg("int32 nr\nint32 from\nint32 to\nstring state", "agv/msg/Task"))
+    store.register(get_types_from_msg("int32 last\nint32 now\nTask[] tasks", "agv/msg/Tasks"))
+    names = {"queue.last_order_id": "last", "queue.current_order_id": "now", "queue.orders": "tasks"}
+    names |= {"order.id": "nr", "order.start": "from", "order.end": "to", "order.status": "state"}
+    profile = Profile(topics={"queue": "/{robot}/tasks"}, types={"queue": "agv/Tasks"}, fields=names)
+    config = msgspec.structs.replace(bag_config("ros1"), profile=profile)
+    task = {"nr": 3, "from": 1, "to": 2, "state": "Q"}
+    said = [Said(0, f"/{R0}/tasks", "agv/msg/Tasks", {"last": 3, "now": 3, "tasks": [task]})]
+    bag = written(tmp_path, "ros1", said, store)
+    _, recording = made_of(bag, config, tmp_path / "r.jsonl.gz")
+    assert played(recording).robots[R0].orders == OrderQueue(3, 3, (Order(3, 1, 2, "Q"),))
+
+
+@pytest.mark.parametrize("form", ["ros1", "mcap"])
+def test_bad_data_is_that_of_the_robot_as_it_is_live(form: str, tmp_path: Path) -> None:
+    said = [battery(0, 50.0), battery(1, math.nan), battery(2, math.inf), pose(3)]
+    report, recording = made_of(written(tmp_path, form, said), bag_config(form), tmp_path / "r.jsonl.gz")
+    robot = played(recording).robots[R0]
+    assert report.messages == 4 and robot.faults == 2
+    assert robot.battery is not None and robot.battery.value == 50.0
+    frames = [record.text for record in recording.records() if isinstance(record, Heard)]
+    assert frames[1].endswith('"msg":{"data":null}}') and frames[2] == frames[1]
+
+
+def test_another_type_is_not_read_and_the_remedy_is_said(tmp_path: Path) -> None:
+    said = [pose(0), Said(1, f"/{R0}/battery", "std_msgs/msg/Float64", {"data": 5.0})]
+    report, recording = made_of(written(tmp_path, "ros1", said), bag_config("ros1"), tmp_path / "r.jsonl.gz")
+    problem = (
+        "/robot_0/battery has type std_msgs/msg/Float64, not std_msgs/Float32:"
+        " correct profile.topics.battery or profile.types.battery"
+    )
+    assert problem in report.notes and report.messages == 1
+    robot = played(recording).robots[R0]
+    assert robot.battery is None and robot.last_fault == problem
+
+
+def test_what_is_missing_is_said_once_with_the_nearest_name(tmp_path: Path) -> None:
+    said = [
+        pose(0),
+        Said(0, f"/{R0}/action_queue", "ActionQueue", {}),
+        Said(0, "/tf\x1b[2J", "std_msgs/msg/Bool", {}),
+    ]
+    config = bag_config("ros1", robots=3)
+    report, _ = made_of(written(tmp_path, "ros1", said), config, tmp_path / "r.jsonl.gz")
+    assert report.notes[1:] == [
+        "nothing of robot_1, robot_2 is in the bag",
+        "not in the bag: /robot_0/queue, did you mean /robot_0/action_queue?, /robot_0/obstacle,"
+        " /robot_0/battery, /robot_0/cargo, /robot_0/floor_0/graph and 3 more (correct [profile.topics])",
+        "in the bag, but not asked for: /robot_0/action_queue, /tf\x1b[2J",
+    ]
+
+
+def test_a_bag_of_other_robots_is_refused(tmp_path: Path) -> None:
+    bag = written(tmp_path, "ros1", [pose(0, robot="agv_1")])
+    with pytest.raises(BagError) as raised:
+        convert(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")
+    assert str(raised.value) == (
+        f"{bag}: none of the configured topics is in the bag: not /robot_0/pose, did you mean /agv_1/pose?;"
+        " it has /agv_1/pose: correct [profile.topics] or [[robots]]"
+    )
+    assert not (tmp_path / "r.jsonl.gz").exists()
+
+
+def test_of_many_live_maps_the_first_robots_stay(tmp_path: Path) -> None:
+    grid = {"info": {"resolution": 1.0, "width": 2, "height": 1, "origin": {"orientation": {"w": 1.0}}}}
+    said = [Said(0, f"/robot_{n}/{F0}/map", MAP, {**grid, "data": [n, n]}) for n in range(6)]
+    config = bag_config("mcap", robots=6)
+    report, recording = made_of(written(tmp_path, "mcap", said), config, tmp_path / "r.jsonl.gz")
+    robots = played(recording).robots
+    assert [name for name, robot in robots.items() if robot.charts[F0].grid] == [
+        f"robot_{n}" for n in range(4)
+    ]
+    assert f"of 6 live maps 4 are read: not /robot_4/{F0}/map, /robot_5/{F0}/map" in report.notes
+
+
+def test_a_large_map_needs_no_process_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("fleet_tui.link.reading.decode_apart", None)
+    frame = {"resolution": 0.05, "width": 2500, "height": 2000, "origin": {"orientation": {"w": 1.0}}}
+    said = [Said(0, f"/{R0}/{F0}/map", MAP, {"info": frame, "data": np.full(5_000_000, 100, np.int8)})]
+    _, recording = made_of(written(tmp_path, "ros1", said), bag_config("ros1"), tmp_path / "r.jsonl.gz")
+    grid = played(recording).robots[R0].charts[F0].grid
+    assert grid is not None and grid.frame.width == 2500
+
+
+def test_the_floors_map_files_are_loaded(tmp_path: Path) -> None:
+    config = bag_config("ros1")
+    floors = [FloorEntry(F0, "no_such.png")]
+    config = msgspec.structs.replace(config, floors=floors, path=tmp_path / "config.toml")
+    _, recording = made_of(written(tmp_path, "ros1", night()), config, tmp_path / "r.jsonl.gz")
+    assert "no_such.png" in played(recording).floors[F0].problem
+
+
+def test_each_link_hears_its_own_robots(tmp_path: Path) -> None:
+    robots = [RobotEntry("robot_0"), RobotEntry("robot_1", link="north")]
+    config = msgspec.structs.replace(
+        bag_config("ros1"), robots=robots, links={"north": Link("ws://north:9090")}
+    )
+    said = [pose(0), pose(1, 4.0, "robot_1"), pose(3)]
+    _, recording = made_of(written(tmp_path, "ros1", said), config, tmp_path / "r.jsonl.gz")
+    heard = [(record.link, record.at) for record in recording.records() if isinstance(record, Heard)]
+    assert heard == [(LINK, 1.0), ("north", 2.0), (LINK, 4.0)]
+    state = played(recording)
+    assert state.links["north"].heard == 2.0 and state.robots["robot_1"].pose is not None
+
+
+def test_a_file_that_is_there_stays(tmp_path: Path) -> None:
+    bag = written(tmp_path, "ros1", night())
+    (tmp_path / "r.jsonl.gz").write_text("mine")
+    with pytest.raises(BagError, match="is there already"):
+        convert(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")
+    assert (tmp_path / "r.jsonl.gz").read_text() == "mine"

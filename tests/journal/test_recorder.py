@@ -1,0 +1,307 @@
+"""What the recorder leaves: the same picture at every instant, whatever the disk does meanwhile."""
+
+import json
+import os
+import stat
+import subprocess
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.journal import part_files, recorder
+from fleet_tui.journal.entries import Origin
+from fleet_tui.journal.indexing import open_recording
+from fleet_tui.journal.part_files import Limits
+from fleet_tui.journal.recorder import Recorder
+from fleet_tui.journal.records import Heard, Keyframe, Mark, RecordingError, Sent, Told
+from fleet_tui.journal.taps import Taps
+from fleet_tui.link.fleet_link import FleetLink
+from fleet_tui.link.reading import Reading
+from fleet_tui.link.subscriptions import wanted_topics
+from fleet_tui.model import events
+from fleet_tui.model.apply import apply
+from fleet_tui.model.commands import PauseRobot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.robots import KINDS
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.store import Store
+from tests.fleets import T0, WALL, fleet
+from tests.journal.recordings import plain
+from tests.linked import finished, ready
+from tests.watched import WatchedStore, config_of
+
+ORIGIN = Origin("ana", "here:1", "r")
+CONFIG = config_of("ws://site:9090")
+
+
+@pytest.fixture
+def store() -> Store:
+    return Store(fleet())
+
+
+@pytest.fixture
+def recording(tmp_path: Path, store: Store) -> Iterator[Recorder]:
+    recording = Recorder(tmp_path / "night.jsonl.gz", CONFIG, store, ORIGIN)
+    yield recording
+    recording.close()
+
+
+def tell(recorder: Recorder, store: Store, event: events.Event) -> None:
+    """As the link does."""
+    recorder.told(event)
+    store.tell(event)
+
+
+def ticks(recorder: Recorder, store: Store, count: int, begin: float = T0) -> None:
+    for n in range(count):
+        tell(recorder, store, events.TimePassed(begin + n / 100, WALL))
+
+
+def wait(holds: Callable[[], object], within: float = 10.0) -> None:
+    until = time.monotonic() + within
+    while not holds():
+        assert time.monotonic() < until, "never"
+        time.sleep(0.01)
+
+
+def played(path: Path, config: Config) -> Iterator[tuple[object, FleetState]]:
+    """Each record with the state after it, as a replay makes it."""
+    read = open_recording(path)
+    interface = KINDS[config.profile.name](config.profile)
+    readings = {
+        link: Reading(
+            link,
+            config.bridge(link),
+            config.profile,
+            {one.subscription.topic: one for one in wanted_topics(config, interface, link)},
+        )
+        for link in config.bridges
+    }
+    state = fleet()
+    for record in read.records():
+        match record:
+            case Keyframe():
+                state = read.state(record)
+            case Told(event=event):
+                state = apply(state, event)
+            case Heard(channel="topics"):
+                at = record.at if record.came is None else record.came
+                brought = readings[record.link].read(record.payload, record.binary, at)
+                state = apply(state, brought) if isinstance(brought, events.Event) else state
+        yield record, state
+
+
+class Everything(WatchedStore):
+    """Remembers every state."""
+
+    def __init__(self, state: FleetState) -> None:
+        super().__init__(state)
+        self.states = [state]
+
+    def tell(self, event: events.Event) -> None:
+        super().tell(event)
+        self.states.append(self.state)
+
+
+async def test_a_replay_is_at_every_instant_what_the_run_was(
+    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Begun in the middle of a run, with commands, alarms and live maps, over keyframes and parts."""
+    monkeypatch.setattr(recorder, "KEYFRAME_EVERY", 0.5)
+    config, path = config_of(server.url, 2, 2), tmp_path / "x.jsonl.gz"
+    store, taps = Everything(initial_state(config, time.monotonic())), Taps()
+    link = FleetLink(config, store, taps)
+    link.open()
+    await store.until(ready)
+    running = taps.attach(Recorder(path, config, store, ORIGIN, Limits(part_seconds=1.5)))
+    await store.until(lambda _: running.records > 5)
+    link.show_map("robot_0", "floor_0")
+    await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+    await finished(link, store, PauseRobot("robot_0"))
+    link.tell(events.FloorMapLoaded("floor_1", None, "no such file"))
+    server.publish_raw("/robot_0/battery", {"data": 5.0})
+    await store.until(lambda state: state.alarms and len(running.paths) > 1)
+    later = time.monotonic() + 1.0
+    await store.until(lambda state: state.now > later)
+    taps.detach(running)
+    link.close()
+    records = list(played(path, config))
+    assert {type(record) for record, _ in records} == {Keyframe, Heard, Sent, Told, Mark}
+    begin = plain(records[0][1])
+    at = next(n for n, state in enumerate(store.states) if plain(state) == begin)
+    for record, state in records:
+        at += isinstance(record, Told) or (
+            isinstance(record, Heard) and plain(state) != plain(store.states[at])
+        )
+        assert plain(state) == plain(store.states[at]), record
+    assert at > 100 and open_recording(path).marks
+
+
+def test_a_file_that_is_there_is_left_alone(recording: Recorder, store: Store) -> None:
+    for name in ("night.jsonl.gz", "night.0003.jsonl.gz"):
+        recording.path.with_name(name).touch()
+        with pytest.raises(RecordingError, match="is there already"):
+            Recorder(recording.path, CONFIG, store, ORIGIN)
+
+
+def test_a_link_of_somebody_is_not_followed(tmp_path: Path, store: Store) -> None:
+    (tmp_path / "x").symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(RecordingError, match="is there already"):
+        Recorder(tmp_path / "x", CONFIG, store, ORIGIN)
+    assert not (tmp_path / "elsewhere").exists()
+
+
+def test_where_nothing_can_be_written(tmp_path: Path, store: Store) -> None:
+    (tmp_path / "file").touch()
+    for place in ("file/x", "a\0b"):
+        with pytest.raises(RecordingError, match="can't be written"):
+            Recorder(tmp_path / place, CONFIG, store, ORIGIN)
+
+
+def test_only_the_owner_reads_it(recording: Recorder) -> None:
+    assert stat.S_IMODE(recording.path.stat().st_mode) == 0o600
+
+
+def test_it_can_be_read_while_it_is_written(recording: Recorder, store: Store) -> None:
+    ticks(recording, store, 5)
+    recording.heard("rosbridge", "topics", b"\xff", True, time.monotonic())
+    assert recording.flush()
+    read = open_recording(recording.path)
+    assert [type(record) for record in read.records()] == [Keyframe, *[Told] * 5, Heard]
+    assert "still being written" in read.note
+    recording.close()
+    assert open_recording(recording.path).note == ""
+
+
+def test_any_program_can_read_it(recording: Recorder, store: Store) -> None:
+    ticks(recording, store, 2)
+    recording.close()
+    lines = subprocess.run(["zcat", recording.path], check=True, capture_output=True).stdout.splitlines()
+    assert [json.loads(line)["kind"] for line in lines] == ["header", "keyframe", "told", "told"]
+
+
+def test_a_frame_that_was_read_late_says_when_it_came(recording: Recorder, store: Store) -> None:
+    ticks(recording, store, 1)
+    now = time.monotonic()
+    recording.heard("rosbridge", "topics", b"{}", False, now - 1.0)
+    recording.close()
+    *_, told, late = open_recording(recording.path).records()
+    assert isinstance(late, Heard) and late.came == now - 1.0 and late.at == told.at
+
+
+def test_old_parts_go_and_each_begins_with_all_that_is_known(tmp_path: Path, store: Store) -> None:
+    path = tmp_path / "ring.jsonl.gz"
+    recording = Recorder(path, CONFIG, store, ORIGIN, Limits(part_bytes=1, kept=3))
+    for n in range(8):
+        ticks(recording, store, 1, T0 + n / 10)
+        assert recording.flush()
+        wait(lambda: recording._writer.wants_keyframe)
+    recording.close()
+    assert len(recording.paths) == 3 and sorted(tmp_path.iterdir()) == recording.paths
+    first = recording.paths[0]
+    assert open_recording(path).parts == recording.paths
+    first.rename(tmp_path / "alone.gz")
+    (begin, *_) = open_recording(tmp_path / "alone.gz").records()
+    assert isinstance(begin, Keyframe) and begin.fleet_state().now > T0
+
+
+def test_what_comes_too_fast_is_counted_and_the_picture_is_right_again(
+    recording: Recorder, store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ticks(recording, store, 1)
+    assert recording.flush()
+    monkeypatch.setattr(recorder, "MOST_WAITING", 0)
+    recording.sent("rosbridge", "topics", b"1")
+    for _ in range(3):
+        recording.sent("rosbridge", "topics", b"2")
+    assert recording.problem == "too much comes at once"
+    tell(recording, store, events.TimePassed(T0 + 0.5, WALL))
+    monkeypatch.undo()
+    wait(lambda: recording.flush())
+    ticks(recording, store, 1, T0 + 0.6)
+    assert recording.problem == ""
+    recording.close()
+    read = open_recording(recording.path)
+    (lost,) = read.lost
+    assert lost.records == 4 and "faster" in lost.why
+    after = next(record for record in read.records(lost.at) if isinstance(record, Keyframe))
+    assert read.state(after).now == T0 + 0.5
+
+
+def test_the_disk_is_full_for_a_while(
+    recording: Recorder, store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ticks(recording, store, 3)
+    assert recording.flush()
+    write = os.write
+    with monkeypatch.context() as full:
+        full.setattr(part_files, "RETRY", 0.0)
+
+        def refuse(fd: int, content: bytes) -> int:
+            if content[:2] == b"\x1f\x8b":
+                raise OSError(28, "No space left on device")
+            return write(fd, content[:1]) if len(content) > 1 else refuse(fd, b"\x1f\x8b")
+
+        full.setattr("fleet_tui.journal.part_file.os.write", refuse)
+        ticks(recording, store, 3, T0 + 0.1)
+        recording.flush()
+        assert recording.problem == "No space left on device"
+        ticks(recording, store, 3, T0 + 0.2)
+        recording.flush()
+        assert len(recording.paths) == 1
+    wait(lambda: recording.flush() and recording._writer.wants_keyframe)
+    ticks(recording, store, 3, T0 + 0.3)
+    assert recording.flush() and recording.problem == ""
+    recording.close()
+    read = open_recording(recording.path)
+    assert len(read.parts) == 2 and "cut off" in read.note
+    (lost,) = read.lost
+    assert lost.records >= 6 and lost.why == "No space left on device"
+    assert read.state([one for one in read.records() if isinstance(one, Keyframe)][-1]).now == T0 + 0.22
+
+
+def test_the_folder_is_taken_away(tmp_path: Path, store: Store) -> None:
+    recording = Recorder(tmp_path / "in" / "x.gz", CONFIG, store, ORIGIN)
+    ticks(recording, store, 3)
+    assert recording.flush()
+    recording.path.unlink()
+    recording.path.parent.rmdir()
+    recording.flush()
+    assert recording.problem == "the file has been taken away"
+    wait(lambda: recording.flush() and recording._writer.wants_keyframe)
+    ticks(recording, store, 3)
+    assert recording.flush() and recording.problem == ""
+    recording.close()
+    assert open_recording(recording.path).keyframes
+
+
+def test_several_record_at_once_and_end_by_themselves(tmp_path: Path, store: Store) -> None:
+    taps = Taps()
+    one = taps.attach(Recorder(tmp_path / "one.gz", CONFIG, store, ORIGIN))
+    taps.told(events.TimePassed(T0, WALL))
+    other = taps.attach(Recorder(tmp_path / "other.gz", CONFIG, store, ORIGIN))
+    taps.told(events.TimePassed(T0 + 1, WALL))
+    taps.detach(one)
+    taps.told(events.TimePassed(T0 + 2, WALL))
+    taps.detach(other)
+    assert store.watchers == []
+    for path, count in ((one.path, 2), (other.path, 2)):
+        assert [type(record) for record in open_recording(path).records()] == [Keyframe, *[Told] * count]
+
+
+def test_what_cannot_be_written_costs_no_more_than_itself(recording: Recorder, store: Store) -> None:
+    tell(recording, store, events.MessageRejected("robot_0", "half \ud800 a pair"))
+    tell(recording, store, events.TimePassed(T0, WALL))
+    recording.close()
+    assert [type(record) for record in open_recording(recording.path).records()] == [Keyframe, Told]
+
+
+def test_nothing_is_taken_after_the_end(recording: Recorder, store: Store) -> None:
+    ticks(recording, store, 1)
+    recording.close()
+    ticks(recording, store, 1)
+    assert len(list(open_recording(recording.path).records())) == 2

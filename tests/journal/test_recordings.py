@@ -1,0 +1,153 @@
+"""The last minutes that a console always keeps, and the recordings that are asked for."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from fleet_tui.config.schema import Recording
+from fleet_tui.journal import recordings as module
+from fleet_tui.journal.indexing import open_recording
+from fleet_tui.journal.recordings import Recordings, remove_stale
+from fleet_tui.journal.records import RecordingError
+from fleet_tui.model import events
+from fleet_tui.store import Store
+from tests.fleets import T0, WALL, fleet
+from tests.watched import config_of
+
+CONFIG = config_of("ws://site:9090")
+
+
+@pytest.fixture
+def kept(tmp_path: Path) -> Iterator[Recordings]:
+    kept = Recordings(CONFIG, Store(fleet()), tmp_path)
+    yield kept
+    kept.close()
+
+
+def tick(kept: Recordings, at: float = T0) -> None:
+    event = events.TimePassed(at, WALL)
+    kept.taps.told(event)
+    kept._store.tell(event)
+
+
+def test_the_last_minutes_are_at_hand_while_they_are_written(kept: Recordings, tmp_path: Path) -> None:
+    assert kept.recent() == []
+    kept.keep_recent()
+    tick(kept)
+    (path,) = kept.recent()
+    assert path.parent == tmp_path / "recent" and path.stat().st_mode & 0o777 == 0o600
+    assert path.parent.stat().st_mode & 0o777 == 0o700
+    assert len(list(open_recording(path).records())) == 2
+    assert kept.notes() == []
+
+
+def test_only_the_last_minutes_stay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("fleet_tui.journal.recorder.KEYFRAME_EVERY", 0.0)
+    monkeypatch.setattr(module, "RECENT_PART", 1e-6)
+    config = msgspec.structs.replace(CONFIG, recording=Recording(recent_minutes=1e-6 / 60 * 2))
+    kept = Recordings(config, Store(fleet()), tmp_path)
+    kept.keep_recent()
+    first = kept.recent()
+    for n in range(8):
+        tick(kept, T0 + n / 100)
+    paths = kept.recent()
+    assert len(paths) == 3 and not first[0].exists()
+    joined = tmp_path / "joined.gz"
+    joined.write_bytes(b"".join(path.read_bytes() for path in paths))
+    assert len(open_recording(joined).keyframes) == 3
+    kept.close()
+
+
+def test_the_bytes_of_the_last_minutes_are_bounded(tmp_path: Path) -> None:
+    config = msgspec.structs.replace(CONFIG, recording=Recording(recent_mb=1.0))
+    kept = Recordings(config, Store(fleet()), tmp_path)
+    kept.keep_recent()
+    for n in range(60):
+        kept.taps.heard("rosbridge", "topics", os.urandom(100_000), True, 0.0)
+        kept.recent()
+        tick(kept, T0 + n / 100)
+    paths = kept.recent()
+    total = sum(path.stat().st_size for path in paths)
+    kept.close()
+    assert 500_000 < total < 1_250_000 and len(paths) >= 5
+    assert sorted((tmp_path / "recent").iterdir()) == paths
+
+
+def test_none_are_kept_where_none_are_wanted(tmp_path: Path) -> None:
+    config = msgspec.structs.replace(CONFIG, recording=Recording(recent_minutes=0))
+    kept = Recordings(config, Store(fleet()), tmp_path)
+    kept.keep_recent()
+    assert kept.recent() == [] and not (tmp_path / "recent").exists()
+
+
+def test_where_they_cannot_be_kept_that_is_said(tmp_path: Path) -> None:
+    (tmp_path / "recent").touch()
+    kept = Recordings(CONFIG, Store(fleet()), tmp_path)
+    kept.keep_recent()
+    (note,) = kept.notes()
+    assert note.startswith("last minutes not kept: ") and "can't be written" in note
+    tick(kept)
+    kept.close()
+
+
+def test_what_ended_processes_left_goes_but_for_the_last(tmp_path: Path) -> None:
+    gone = subprocess.Popen([sys.executable, "-c", ""])
+    gone.wait()
+    host = module._host()
+    running = os.getppid()
+    names = {
+        f"{host}-{gone.pid}-20240531-120000.jsonl.gz": False,
+        f"{host}-{gone.pid}-20240531-120000.0001.jsonl.gz": False,
+        f"{host}-{gone.pid}-20240601-120000.jsonl.gz": True,
+        f"{host}-{gone.pid}-20240601-120000.0001.jsonl.gz": True,
+        f"{host}-{os.getpid()}-20240501-120000.jsonl.gz": False,
+        f"{host}-{running}-20240501-120000.jsonl.gz": True,
+        f"elsewhere-{gone.pid}-20240501-120000.jsonl.gz": True,
+        "mine.txt": True,
+    }
+    for name in names:
+        (tmp_path / name).touch()
+    remove_stale(tmp_path)
+    assert {path.name for path in tmp_path.iterdir()} == {name for name, stays in names.items() if stays}
+    remove_stale(tmp_path / "nowhere")
+
+
+def test_a_recording_is_begun_and_ended(kept: Recordings, tmp_path: Path) -> None:
+    assert kept.stop() == "nothing is recorded"
+    path = kept.start()
+    assert path.parent == tmp_path / "recordings"
+    assert kept.notes() == ["rec 0 s"] and kept.recorder is not None
+    tick(kept)
+    said = kept.stop()
+    assert said.startswith("recorded 0 s, 0.0 MB: ") and said.endswith(str(path))
+    assert kept.notes() == [] and open_recording(path).note == ""
+
+
+def test_a_recording_that_is_not_written_is_not_called_one(
+    kept: Recordings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = kept.start()
+    tick(kept)
+    path.unlink()
+    recorder = kept.recorder
+    assert recorder is not None and recorder.flush()
+    assert kept.notes() == ["rec: not written: the file has been taken away"]
+    with pytest.raises(RecordingError):
+        monkeypatch.setattr(module, "_now", lambda: "no/where\0")
+        kept.start()
+    assert kept.recorder is recorder
+    assert "not whole: the file has been taken away" in kept.stop()
+
+
+def test_a_demo_does_not_push_out_what_a_site_left(tmp_path: Path) -> None:
+    demo = Recordings(CONFIG, Store(fleet()), tmp_path, demo=True)
+    demo.keep_recent()
+    (path,) = demo.recent()
+    demo.close()
+    assert path.parent == tmp_path / "recent" / "demo"
+    assert module.recent_runs(tmp_path) == {}

@@ -1,0 +1,97 @@
+"""A recording whose files go while it is looked at, and the ends of its marks."""
+
+from pathlib import Path
+from typing import BinaryIO
+
+import pytest
+
+from fleet_tui.journal import indexing
+from fleet_tui.journal.members import open_plain
+from fleet_tui.journal.parts import part_path
+from fleet_tui.journal.records import Keyframe, RecordingError
+from fleet_tui.model.events import TimePassed
+from tests.fleets import LINK, T0, WALL, link_up
+from tests.journal.recordings import header, written
+from tests.playback.taped import MadeUp
+from tests.playback.test_replay_console import at, replayed
+from tests.watched import config_of
+
+
+@pytest.fixture
+def parts(tmp_path: Path) -> list[Path]:
+    """80 s in four files of 20 s each."""
+    made = MadeUp(config_of("ws://site:9090"), keyframe_every=20.0)
+    for second in range(80):
+        made.tell(second, link_up(T0 + second), TimePassed(T0 + second, WALL + second))
+    begins = [n for n, record in enumerate(made.records) if isinstance(record, Keyframe)]
+    first = tmp_path / "night.jsonl.gz"
+    return [
+        written(part_path(first, n), [header(made.config, part=n, at=T0 + 20 * n), *made.records[a:b]])
+        for n, (a, b) in enumerate(zip(begins, [*begins[1:], None], strict=True))
+    ]
+
+
+@pytest.mark.parametrize("gone", range(1, 4))
+def test_a_part_that_goes_while_the_recording_is_opened(
+    parts: list[Path], monkeypatch: pytest.MonkeyPatch, gone: int
+) -> None:
+    def opened(path: Path) -> BinaryIO:
+        file = open_plain(path)
+        if path == parts[gone]:
+            path.unlink()
+        return file
+
+    monkeypatch.setattr(indexing, "open_plain", opened)
+    recording = indexing.open_recording(parts[0])
+    assert len(recording.keyframes) == 3
+    assert f"{parts[gone].name}: no such file" in recording.note
+
+
+def test_a_file_that_becomes_a_recording_while_it_is_opened(
+    parts: list[Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    empty, looks = parts[0].with_name("empty"), []
+    empty.touch()
+
+    def opened(path: Path) -> BinaryIO:
+        looks.append(path)
+        return open_plain(empty if len(looks) == 1 else path)
+
+    monkeypatch.setattr(indexing, "open_plain", opened)
+    for part in parts[1:]:
+        part.unlink()
+    with pytest.raises(RecordingError, match="is no recording"):
+        indexing.open_recording(parts[0])
+
+
+async def test_what_is_gone_is_said_and_what_is_shown_stays_true(parts: list[Path]) -> None:
+    async with replayed(parts[0], "+45s") as it:
+        parts[0].unlink()
+        await it.press("home")
+        await it.shows("night.jsonl.gz has changed since it was opened: open it again")
+        # Where it stands, it can still be played on.
+        await it.press(".")
+        await it.shows(at(46))
+        assert "the end of the recording" not in it.text
+        await it.press("<", "<")
+        await it.shows(at(26))
+        await it.hides("has changed since")
+        assert LINK in it.store.state.links
+
+
+async def test_a_part_that_is_gone_is_not_called_silence(parts: list[Path]) -> None:
+    async with replayed(parts[0], "+37s") as it:
+        parts[2].unlink()
+        await it.press("space")
+        await it.shows("there is no record of the 0:21 before this")
+        await it.shows("night.0002.jsonl.gz: no such file")
+
+
+async def test_where_no_mark_follows_that_is_said(parts: list[Path]) -> None:
+    async with replayed(parts[0], "+19s") as it:
+        await it.press(")")
+        await it.shows("no alarm, command or gap is marked after this")
+        await it.press("(")
+        await it.shows("▲ robot_0 never seen", "time-line")
+        await it.press("(")
+        await it.shows("no alarm, command or gap is marked before this")

@@ -1,0 +1,239 @@
+"""The console on a recording: what it shows, that it moves in time, and that nothing leaves it."""
+
+import socket
+import time
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.app import FleetApp
+from fleet_tui.config.schema import Config
+from fleet_tui.console import replaying
+from fleet_tui.model.events import TimePassed
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.playback.start import playing
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.themes import load_themes
+from fleet_tui.view.drawing import Drawing
+from tests.console_pilot import Console, console
+from tests.fleets import R0, T0, WALL
+from tests.playback.taped import MadeUp, shift
+from tests.watched import WatchedStore, config_of
+
+
+def clock(second: float) -> str:
+    """The wall clock of a recorded second, as everywhere on the screen."""
+    return time.strftime("%H:%M:%S", time.localtime(WALL + second))
+
+
+def at(second: float) -> str:
+    return f"REPLAY {time.strftime('%Y-%m-%d', time.localtime(WALL + second))} {clock(second)}"
+
+
+@asynccontextmanager
+async def replayed(path: Path, start: str = "", size: tuple[int, int] = (120, 40)) -> AsyncIterator[Console]:
+    """The console on a recording, stopped."""
+    player, config = playing(path, Config(), 1.0, start, lambda _share: None)
+    player.toggle()
+    store = WatchedStore(player.state)
+    app = replaying(config, player, load_themes(None)[0], Drawing.BRAILLE)
+    app.store = app.main.store = store
+    async with app.run_test(size=size) as pilot:
+        running = Console(app, store, pilot)
+        await running.shows("stopped")
+        yield running
+
+
+@pytest.fixture
+def night(tmp_path: Path) -> Path:
+    return shift(tmp_path / "night.jsonl.gz").path
+
+
+def x(state: FleetState) -> float:
+    pose = state.robots[R0].pose
+    assert pose is not None
+    return pose.value.x
+
+
+@pytest.mark.parametrize("size", [(120, 40), (80, 24), (50, 14)])
+async def test_it_is_never_mistaken_for_the_fleet(night: Path, size: tuple[int, int]) -> None:
+    async with replayed(night, "+50s", size) as it:
+        status, bar, told = it.text.splitlines()[0], it.pane("time-line"), it.text
+        assert at(50) in status and ("● rosbridge 0.0 s" in status) is (size[0] >= 80)
+        assert "0:50" in bar or " 50 " in bar
+        assert "4:59" in bar and "stopped x1  read-only" in told and clock(50) in bar
+        await it.press("?")
+        assert at(50) in it.text.splitlines()[0]
+
+
+async def test_it_moves_in_time_by_keys(night: Path) -> None:
+    async with replayed(night, "+50s") as it:
+        assert x(it.store.state) == 50.0
+        await it.press(">")
+        await it.shows(at(60))
+        await it.press("<", "<")
+        await it.shows(at(40))
+        await it.press(".")
+        await it.shows(at(41))
+        await it.press(",", ",")
+        await it.shows(at(39))
+        assert x(it.store.state) == 39.0
+        await it.press("end")
+        await it.shows("the end of the recording")
+        await it.shows(at(299))
+        await it.press("home")
+        await it.shows(at(0))
+        await it.type("@+2m5s")
+        await it.shows("Go to +2m5s")
+        await it.press("enter")
+        await it.shows(at(125))
+        await it.type(f"@{clock(30)}")
+        await it.press("enter")
+        await it.shows(at(30))
+
+
+async def test_marks_say_what_they_are(night: Path) -> None:
+    async with replayed(night) as it:
+        await it.press(")")
+        await it.shows("▲ robot_0 offline", "time-line")
+        assert "offline" in it.pane("alarms")
+        await it.press(")")
+        await it.shows("◆ robot_0 pause", "time-line")
+        await it.shows(at(200))
+        await it.press(")")
+        await it.shows("12 records are missing here: the disk was full")
+        await it.press("(", "(", "(")
+        await it.shows(at(105))
+        bar = it.pane("time-line").splitlines()[0]
+        assert bar.index("●") < bar.index("◆") < bar.index("╳")
+
+
+async def test_it_plays_at_its_pace_and_stops_at_the_end(night: Path) -> None:
+    async with replayed(night, "+296s") as it:
+        for _ in range(3):
+            await it.press("F")
+        await it.shows("stopped x8")
+        await it.press("space")
+        await it.shows("the end of the recording")
+        assert x(it.store.state) == 299.0
+        await it.press("space", "S", "backspace")
+        await it.shows("the end of the recording")
+        assert it.app.main.player is not None and it.app.main.player.moment.speed == 1.0
+
+
+async def test_nothing_can_be_sent_or_acknowledged(night: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    opened: list[object] = []
+    monkeypatch.setattr(socket.socket, "connect", lambda *address: opened.append(address))
+    monkeypatch.setattr(socket.socket, "connect_ex", lambda *address: opened.append(address))
+    async with replayed(night, "+110s") as it:
+        before = it.store.state
+        for key in ("p", "r", "P", "X", "f12"):
+            it.app.main.say("")
+            await it.press(key)
+            await it.shows("not sent: this is a recording")
+        for line in (":pause robot_0", ":robot_0 > Base"):
+            it.app.main.say("")
+            await it.type(line)
+            await it.press("enter")
+            await it.shows("not sent: this is a recording")
+        await it.press("a")
+        await it.shows("nothing is acknowledged or shelved: this is a recording")
+        await it.press("b")
+        await it.shows("nothing to pack here")
+        await it.press("L")
+        await it.shows("this console keeps no audit log")
+        assert it.store.state is before
+        assert it.store.events == []
+    assert opened == []
+
+
+async def test_help_and_hints_begin_with_the_recording(night: Path) -> None:
+    async with replayed(night) as it:
+        assert "play/stop" in it.text.splitlines()[-1]
+        await it.press("?")
+        await it.shows("The recording")
+        assert it.text.index("The recording") < it.text.index("Play or stop")
+
+
+async def test_old_trails_are_forgotten_where_time_jumps(night: Path) -> None:
+    async with replayed(night, "+20s") as it:
+        await it.press("t", ".", ".")
+        assert it.app.main.map.scene is not None
+        await it.shows(at(22))
+        assert len(it.app.main.map._trails.of(it.app.main.map.scene))
+        await it.press("<")
+        await it.shows(at(12))
+        points = it.app.main.map._trails.of(it.app.main.map.scene)
+        assert points[:, 0].max(initial=0.0) <= 12.0
+
+
+async def test_space_in_a_text_field_is_a_space(night: Path) -> None:
+    async with replayed(night, "+20s") as it:
+        await it.type(":pause ")
+        assert it.app.main.player is not None
+        await it.shows("stopped")
+        assert it.app.main.player.moment.paused
+        assert it.store.state.now == T0 + 20
+
+
+@pytest.fixture
+def damaged(night: Path) -> Path:
+    night.write_bytes(night.read_bytes()[:-400])
+    return night
+
+
+async def test_a_damaged_recording_is_played_to_its_last_whole_record(damaged: Path) -> None:
+    async with replayed(damaged, "+10s") as it:
+        await it.shows("it ends in the middle", "time-line")
+        await it.press("end")
+        await it.shows("the end of the recording")
+        assert 250.0 <= x(it.store.state) < 299.0
+
+
+async def test_a_click_on_the_time_line_goes_there(night: Path) -> None:
+    async with replayed(night) as it:
+        await it.pilot.click("#time-line", offset=(60, 0))
+        await it.shows("REPLAY")
+        await it.until(lambda state: 130 < state.now - T0 < 170)
+
+
+async def test_what_is_said_at_a_command_is_seen(night: Path) -> None:
+    async with replayed(night, "+200s") as it:
+        await it.press("p")
+        await it.shows("not sent: this is a recording")
+        await it.press(".")
+        await it.shows(at(201))
+        await it.shows("not sent: this is a recording")
+        await it.press("<")
+        await it.hides("not sent: this is a recording")
+
+
+async def test_without_a_recording_its_keys_mean_nothing(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url)) as it:
+        await it.press("space", ".", "@", "end")
+        assert it.app.main.time_line is None
+        assert not it.app.main.palette.is_open
+        await it.press("?")
+        await it.shows("Fleet")
+        assert "The recording" not in it.text
+
+
+async def test_where_nothing_was_recorded_it_goes_on_and_says_so(tmp_path: Path) -> None:
+    made = MadeUp(config_of("ws://site:9090"))
+    for second in (0, 1, 2, 602, 603, 604):
+        made.tell(second, TimePassed(T0 + second, WALL + second))
+    async with replayed(made.written(tmp_path / "gap.jsonl.gz").path, "+2s") as it:
+        await it.press("space")
+        await it.shows("╳ there is no record of the 10:00 before this")
+        await it.shows(at(604))
+
+
+async def test_nobody_is_called_to_a_recorded_alarm(night: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    called: list[str] = []
+    monkeypatch.setattr(FleetApp, "call", lambda _app, sequence: called.append(sequence))
+    async with replayed(night, "+100s") as it:
+        await it.press(">")
+        await it.shows("robot_0 offline", "alarms")
+    assert called == []

@@ -1,0 +1,46 @@
+"""`b`: one key packs what a ticket needs."""
+
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.console_pilot import console
+from tests.watched import config_of
+
+
+async def test_a_key_packs_and_says_where(server: RosbridgeServer, tmp_path: Path) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        go_on = threading.Event()
+        shots: list[str] = []
+
+        def pack(shot: str, is_over: Callable[[], bool]) -> Path:
+            shots.append(shot)
+            go_on.wait(10)
+            path = tmp_path / "incident.zip"
+            path.write_bytes(b"0" * 1_200_000)
+            return path
+
+        it.app.main.pack = pack
+        await it.press("b")
+        await it.shows("packing an incident")
+        await it.press("b")
+        await it.shows("still packing")
+        go_on.set()
+        await it.shows("packed 1.2 MB: /")
+    assert len(shots) == 1
+    assert "robot_0" in shots[0] and shots[0].startswith("<svg")
+
+
+async def test_what_fails_is_said(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+
+        def pack(shot: str, is_over: Callable[[], bool]) -> Path:
+            raise OSError("No space left on device")
+
+        it.app.main.pack = pack
+        await it.press("b")
+        await it.shows("the incident could not be packed: No space left on device")
+        it.app.main.pack = None
+        await it.press("b")
+        await it.shows("nothing to pack here")

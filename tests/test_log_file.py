@@ -1,0 +1,57 @@
+"""The log on a disk that hangs."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+# More messages than may wait, while the first is being written; `answers` says whether it ever is.
+PROGRAM = """
+import logging, sys, threading, time
+from fleet_tui import log_file
+from fleet_tui.terminal.ending import end_within
+
+hangs, answers = threading.Event(), threading.Event()
+emit = log_file._Private.emit
+
+def slowly(self, record):
+    hangs.set()
+    answers.wait()
+    emit(self, record)
+
+log_file.WAITING = 10
+log_file._Private.emit = slowly
+log_file.log_to_file(False)
+log = logging.getLogger("x")
+log.warning("n0")
+hangs.wait()
+for n in range(1, 15):
+    log.warning("n%d", n)
+if sys.argv[1] == "answers":
+    answers.set()
+    while logging.getLogger().handlers[0].queue.qsize():
+        time.sleep(0.01)
+    log.warning("at last")
+end_within(1.0, 7)
+"""
+
+
+@pytest.mark.parametrize("then", ["answers", "hangs"])
+def test_what_can_not_wait_is_counted_and_nothing_is_said_on_the_screen(tmp_path: Path, then: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM, then],
+        env={**os.environ, "XDG_STATE_HOME": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=20,
+        check=False,
+    )
+    assert (done.stdout, done.stderr) == ("", "")
+    assert done.returncode == (0 if then == "answers" else 7)
+    lines = (tmp_path / "fleet-tui" / "fleet-tui.log").read_text().splitlines()
+    if then == "answers":
+        waited = [f"n{n}" for n in range(11)]
+        assert [line.rpartition(" ")[2] for line in lines if " x: " in line] == [*waited, "last"]
+        assert "4 messages before this one are lost: the disk did not answer" in lines[-2]
