@@ -9,6 +9,5 @@ def test_nothing_grows_while_100_robots_drive() -> None:
     assert max(one.threads for one in settled) <= max(one.threads for one in samples[:3])
     assert max(one.files for one in settled) <= max(one.files for one in samples[:3])
     assert max(tasks[len(tasks) // 3 :]) <= max(tasks[:5]) + 1  # a timer of Textual's may be between two
-    # In the first minute garbage gathers and caches fill, at some 20 MB a minute; messages that are kept
-    # are over 30 MB a minute more.
-    assert growth(samples) < 40.0
+    # Caches fill at first; one kept message in two would be more than this.
+    assert growth(samples) < 20.0

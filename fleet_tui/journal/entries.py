@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from datetime import datetime
-from functools import cache
 from typing import Any, assert_never
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, transitions
@@ -51,7 +50,6 @@ def _kept(text: str) -> str:
     return text if text.isascii() else text.encode(errors="backslashreplace").decode()
 
 
-@cache
 def command_records(
     origin: Origin, before: FleetState, after: FleetState, wall: Callable[[float], float]
 ) -> Iterator[AuditRecord]:

@@ -1,5 +1,6 @@
 """What is written of commands, alarms and the console, and when."""
 
+import gc
 import json
 import os
 import re
@@ -28,6 +29,7 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.events import AlarmAcknowledged, CommandAdvanced, CommandIssued
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.store import Store
 from tests.fleets import F0, R0, T0, WALL, battery, commanded, link_lost, queue, tick
 from tests.journal.records import ANA, known_fleet, read, record, watched
@@ -55,6 +57,20 @@ def test_a_command_from_the_key_to_its_end(tmp_path: Path) -> None:
         assert (one.operator, one.console, one.run, one.version) == ("ana", "host:1", "run1", 1)
         assert (one.link, one.url) == ("rosbridge", "ws://site:9090")
         assert datetime.fromisoformat(one.time).utcoffset() is not None
+
+
+def held_states() -> int:
+    gc.collect()
+    return sum(isinstance(one, FleetState) for one in gc.get_objects())
+
+
+def test_no_state_is_kept_once_its_lines_are_written(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    give(store, 7, ORDER, Stage.SENT)
+    held = held_states()
+    for second in range(1, 6):
+        store.tell(tick(T0 + second))
+    assert held_states() == held
 
 
 def test_the_order_that_was_recognised_and_the_robots_words_are_in_it(tmp_path: Path) -> None:
