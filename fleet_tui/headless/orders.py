@@ -2,7 +2,7 @@
 
 import signal
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
 import click
 
@@ -56,9 +56,11 @@ def robots_of(config: Config, word: str) -> list[str]:
 @contextmanager
 def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
     """A link to send on, with the audit log kept; Ctrl-C says what is not known."""
-    with session(config) as (link, store):
-        given = Sending(link, store, asked)
+    given = None
+    with ExitStack() as opened:  # and closed after the last words: that takes its time
         try:
+            link, store = opened.enter_context(session(config))
+            given = Sending(link, store, asked)
             with auditing(state_folder(), config, store) as audit:
                 try:
                     yield given
@@ -67,18 +69,18 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
                         say(note, err=True)
         except KeyboardInterrupt:
             signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second one would only spoil what is said now
-            _say_what_is_open(given, say)
+            if given and given.under_way:
+                _say_what_is_open(given, say)
+            else:
+                say("interrupted: nothing more was sent", err=True)
             raise
 
 
 def _say_what_is_open(given: Sending, say: Say) -> None:
-    under_way = given.under_way
-    for record in under_way:
+    for record in given.under_way:
         known = f"order {record.order_id} is in the queue, and stays there"
         known = known if record.ended else f"it was {record.stage.value}, and may still be carried out"
         say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
-    if not under_way:
-        say("interrupted: nothing more was sent", err=True)
 
 
 def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
