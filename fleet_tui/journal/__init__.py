@@ -1,1 +1,1 @@
-"""What is kept on disk of what happened: the audit log, written, read back and exported."""
+"""What is kept on disk of what happened: the audit log and recordings, written, read back and exported."""

@@ -2,7 +2,6 @@
 
 import asyncio
 import logging
-import signal
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from importlib import resources
@@ -15,6 +14,7 @@ from fleet_tui.errors import FleetError
 from fleet_tui.log_file import log_to_file
 from fleet_tui.serve.guard import guard, is_loopback, say_policy
 from fleet_tui.serve.tab import Tab
+from fleet_tui.stopping import stopped_by_signal
 
 MOST_TABS = 8
 """Each is a process of some 90 MB."""
@@ -98,15 +98,7 @@ def run(command: Sequence[str], host: str, port: int, debug: bool, announce: Say
 
 async def _serve(command: Sequence[str], host: str, port: int, announce: Say, warn: Say) -> bool:
     """Serve until something ends it, and say whether that was Ctrl-C."""
-    loop = asyncio.get_running_loop()
-    ended: asyncio.Future[bool] = loop.create_future()
-
-    def end(interrupted: bool) -> None:
-        if not ended.done():
-            ended.set_result(interrupted)
-
-    loop.add_signal_handler(signal.SIGINT, end, True)
-    loop.add_signal_handler(signal.SIGTERM, end, False)
+    stopped = stopped_by_signal()
     runner = web.AppRunner(Consoles(command).application(host), access_log=None, shutdown_timeout=5.0)
     await runner.setup()
     try:
@@ -115,7 +107,7 @@ async def _serve(command: Sequence[str], host: str, port: int, announce: Say, wa
         if not is_loopback(host):
             warn(_warning(host, taken))
         announce(f"http://{f'[{host}]' if ':' in host else host}:{taken}/")
-        return await ended
+        return await stopped
     finally:
         await runner.cleanup()
 

@@ -2,7 +2,6 @@
 
 import asyncio
 import os
-import signal
 import sys
 import threading
 from collections.abc import Callable
@@ -11,6 +10,7 @@ from contextlib import suppress
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
+from fleet_tui.stopping import stop, stopped_by_signal
 
 
 def run(
@@ -40,28 +40,20 @@ def run(
 
 async def _serve(server: RosbridgeServer, announce: Callable[[str], None], stop_with_stdin: bool) -> bool:
     """Serve until something ends it, and say whether that was Ctrl-C."""
-    loop = asyncio.get_running_loop()
-    ended: asyncio.Future[bool] = loop.create_future()
-
-    def end(interrupted: bool) -> None:
-        if not ended.done():
-            ended.set_result(interrupted)
-
-    loop.add_signal_handler(signal.SIGINT, end, True)
-    loop.add_signal_handler(signal.SIGTERM, end, False)
+    stopped = stopped_by_signal()
     await server.start()
     try:
         announce(server.url)
         if stop_with_stdin:
-            threading.Thread(target=_await_stdin, args=(loop, end), daemon=True).start()
-        return await ended
+            threading.Thread(target=_await_stdin, args=(stopped,), daemon=True).start()
+        return await stopped
     finally:
         await server.stop()
 
 
-def _await_stdin(loop: asyncio.AbstractEventLoop, end: Callable[[bool], None]) -> None:
+def _await_stdin(stopped: asyncio.Future[bool]) -> None:
     # os.read, not sys.stdin.read: a daemon thread inside a buffered read aborts the interpreter's exit.
     while os.read(sys.stdin.fileno(), 4096):
         pass
     with suppress(RuntimeError):  # the loop is closed: something else ended it at the same moment
-        loop.call_soon_threadsafe(end, False)
+        stopped.get_loop().call_soon_threadsafe(stop, stopped, False)

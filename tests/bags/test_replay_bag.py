@@ -7,15 +7,9 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.bags.convert import convert
-from fleet_tui.config.schema import Config
-from fleet_tui.console import replaying
-from fleet_tui.playback.start import playing
-from fleet_tui.themes import load_themes
-from fleet_tui.view.drawing import Drawing
 from tests.bags.made import Said, bag_config, written
 from tests.bags.test_convert import night
-from tests.console_pilot import Console
-from tests.watched import WatchedStore
+from tests.playback.replayed import replayed
 
 CONFIG = """
 [[floors]]
@@ -57,14 +51,7 @@ def test_a_bag_that_can_not_be_read_is_one_line_and_exit_code_2(tmp_path: Path) 
 async def test_the_console_says_that_it_is_a_bag(tmp_path: Path, size: tuple[int, int]) -> None:
     made = tmp_path / "r.jsonl.gz"
     report = convert(written(tmp_path, "ros1", night()), bag_config("ros1"), made)
-    player, config = playing(made, Config(), 1.0, "+5s", lambda _share: None, report.notes)
-    player.toggle()
-    store = WatchedStore(player.state)
-    app = replaying(config, player, load_themes(None)[0], Drawing.BRAILLE)
-    app.store = app.main.store = store
-    async with app.run_test(size=size) as pilot:
-        running = Console(app, store, pilot)
-        await running.shows("stopped")
+    async with replayed(made, "+5s", size, report.notes) as running:
         assert "REPLAY 2023-11-1" in running.text.splitlines()[0]
         assert size[0] < 100 or "● rosbag://night.bag" in running.text.splitlines()[0]
         assert "made of the ROS bag night.bag" in running.text

@@ -12,8 +12,9 @@ from fleet_tui.journal.records import Keyframe, RecordingError
 from fleet_tui.model.events import TimePassed
 from tests.fleets import LINK, T0, WALL, link_up
 from tests.journal.recordings import header, written
+from tests.playback.replayed import replayed
 from tests.playback.taped import MadeUp
-from tests.playback.test_replay_console import at, replayed
+from tests.playback.test_replay_console import at
 from tests.watched import config_of
 
 

@@ -2,25 +2,19 @@
 
 import socket
 import time
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
 from pathlib import Path
 
 import pytest
 
 from fleet_tui.app import FleetApp
-from fleet_tui.config.schema import Config
-from fleet_tui.console import replaying
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.playback.start import playing
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.themes import load_themes
-from fleet_tui.view.drawing import Drawing
-from tests.console_pilot import Console, console
+from tests.console_pilot import console
 from tests.fleets import R0, T0, WALL
+from tests.playback.replayed import replayed
 from tests.playback.taped import MadeUp, shift
-from tests.watched import WatchedStore, config_of
+from tests.watched import config_of
 
 
 def clock(second: float) -> str:
@@ -30,20 +24,6 @@ def clock(second: float) -> str:
 
 def at(second: float) -> str:
     return f"REPLAY {time.strftime('%Y-%m-%d', time.localtime(WALL + second))} {clock(second)}"
-
-
-@asynccontextmanager
-async def replayed(path: Path, start: str = "", size: tuple[int, int] = (120, 40)) -> AsyncIterator[Console]:
-    """The console on a recording, stopped."""
-    player, config = playing(path, Config(), 1.0, start, lambda _share: None)
-    player.toggle()
-    store = WatchedStore(player.state)
-    app = replaying(config, player, load_themes(None)[0], Drawing.BRAILLE)
-    app.store = app.main.store = store
-    async with app.run_test(size=size) as pilot:
-        running = Console(app, store, pilot)
-        await running.shows("stopped")
-        yield running
 
 
 @pytest.fixture

@@ -7,8 +7,9 @@ import pytest
 from fleet_tui.journal.records import Heard
 from fleet_tui.model.events import TimePassed
 from tests.fleets import LINK, R0, T0, WALL, link_up
+from tests.playback.replayed import replayed
 from tests.playback.taped import MadeUp
-from tests.playback.test_replay_console import at, replayed
+from tests.playback.test_replay_console import at
 from tests.watched import config_of
 
 POSE = f"/{R0}/pose"

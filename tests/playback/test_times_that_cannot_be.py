@@ -7,8 +7,8 @@ import pytest
 
 from fleet_tui.model.events import TimePassed
 from tests.fleets import T0, link_up
+from tests.playback.replayed import replayed
 from tests.playback.taped import MadeUp
-from tests.playback.test_replay_console import replayed
 from tests.watched import config_of
 
 

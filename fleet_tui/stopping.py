@@ -1,0 +1,19 @@
+"""How a command that serves until it is stopped learns that it is."""
+
+import asyncio
+import signal
+
+
+def stop(stopped: asyncio.Future[bool], interrupted: bool) -> None:
+    """Set the future, whoever else did at the same moment. On its loop."""
+    if not stopped.done():
+        stopped.set_result(interrupted)
+
+
+def stopped_by_signal() -> asyncio.Future[bool]:
+    """A future of the running loop: True at Ctrl-C, False at SIGTERM."""
+    loop = asyncio.get_running_loop()
+    stopped: asyncio.Future[bool] = loop.create_future()
+    loop.add_signal_handler(signal.SIGINT, stop, stopped, True)
+    loop.add_signal_handler(signal.SIGTERM, stop, stopped, False)
+    return stopped
