@@ -221,14 +221,13 @@ class Connection(roslibpy.Ros):  # type: ignore[misc]  # roslibpy has no types
 
     def send(self, payload: bytes) -> None:
         """Send a frame. On the loop. Raises LinkError without a connection."""
-        proto = self.factory._proto
-        if proto is None or proto._manual_disconnect:
-            raise LinkError("no link")
-        proto.sendMessage(payload, isBinary=False)
+        self._refuse_without_link()
+        self.factory._proto.sendMessage(payload, isBinary=False)
         self.factory.listener.on_sent(payload)
 
     def _refuse_without_link(self) -> None:
-        if not self.is_connected:
+        # After a server's goodbye the connection stands, and takes nothing, until somebody hangs up.
+        if not self.is_connected or self.factory._proto.state != _Protocol.STATE_OPEN:
             raise LinkError("no link")
 
     def send_on_ready(self, message: Any) -> None:

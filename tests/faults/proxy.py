@@ -5,7 +5,7 @@ import base64
 import hashlib
 import ssl
 import time
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
 from contextlib import asynccontextmanager, suppress
 
 Attend = Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]]
@@ -103,19 +103,38 @@ def answer(status: str, *headers: str) -> Attend:
     """Answer the handshake so, as another kind of server does. `{accept}` is the right answer to the key."""
 
     async def attend(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        request = (await reader.readuntil(b"\r\n\r\n")).decode()
-        key = next(line[19:] for line in request.splitlines() if line.lower().startswith("sec-websocket-key"))
-        magic = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11"
-        accept = base64.b64encode(hashlib.sha1((key + magic).encode()).digest()).decode()
-        lines = [f"HTTP/1.1 {status}", *headers, "Content-Length: 0", "", ""]
-        writer.write("\r\n".join(lines).replace("{accept}", accept).encode())
-        await writer.drain()
+        await _shake_hands(reader, writer, status, headers)
         await reader.read()
 
     return attend
 
 
+async def _shake_hands(
+    reader: asyncio.StreamReader, writer: asyncio.StreamWriter, status: str, headers: Sequence[str]
+) -> None:
+    request = (await reader.readuntil(b"\r\n\r\n")).decode()
+    key = next(line[19:] for line in request.splitlines() if line.lower().startswith("sec-websocket-key"))
+    magic = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11"
+    accept = base64.b64encode(hashlib.sha1((key + magic).encode()).digest()).decode()
+    lines = [f"HTTP/1.1 {status}", *headers, "Content-Length: 0", "", ""]
+    writer.write("\r\n".join(lines).replace("{accept}", accept).encode())
+    await writer.drain()
+
+
 UPGRADE = ("Upgrade: websocket", "Connection: Upgrade", "Sec-WebSocket-Accept: {accept}")
+
+
+def goodbye(agreed: Callable[[], None]) -> Attend:
+    """Open a WebSocket, close it, and do not hang up; `agreed`: the other side has closed it, too."""
+
+    async def attend(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        await _shake_hands(reader, writer, "101 Switching", UPGRADE)
+        writer.write(b"\x88\x02\x03\xe8")
+        await reader.readuntil(b"\x88\x82")
+        agreed()
+        await reader.read()
+
+    return attend
 
 
 @asynccontextmanager

@@ -18,7 +18,7 @@ from fleet_tui.model.events import LinkChanged, MessageRejected
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.faults.kept import linked
-from tests.faults.proxy import UPGRADE, Attend, answer, before, drop, mute
+from tests.faults.proxy import UPGRADE, Attend, answer, before, drop, goodbye, mute
 from tests.faults.report import report
 from tests.faults.through import Stopwatch, fresh, lost, through
 from tests.linked import finished
@@ -117,6 +117,26 @@ async def test_killed_inside_a_frame(server: RosbridgeServer) -> None:
     assert len(server.calls) == 1
     report("killed inside a frame", "301 bytes more, then reset", "connection lost", noticed, healed)
     assert noticed < 2 and healed < 4
+
+
+async def test_a_goodbye_without_hanging_up(server: RosbridgeServer) -> None:
+    """For seconds the connection stands, and takes nothing any more: a command is not lost in it."""
+    agreed = asyncio.Semaphore(0)
+    async with through(server) as (proxy, link, store, watch):
+        proxy.attend = goodbye(agreed.release)
+        watch.start()
+        proxy.cut()
+        for _ in ("commands", "topics"):
+            await agreed.acquire()
+        record = await finished(link, store, PauseRobot("robot_0"))
+        assert (record.stage, record.words) == (Stage.NOT_SENT, "no link")
+        noticed = await watch.until(lost("the server stopped answering"))
+        proxy.attend = proxy.relay
+        watch.start()
+        healed = await watch.until(fresh())
+    seen = "the server stopped answering"
+    report("goodbye", "the server closes and does not hang up", seen, noticed, healed)
+    assert noticed < 10 and healed < 8
 
 
 async def test_a_half_open_connection(server: RosbridgeServer) -> None:
