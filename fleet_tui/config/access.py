@@ -97,7 +97,8 @@ def _exposure(found: os.stat_result, is_private: bool) -> str:
 def unsafe_places(config: Config) -> Iterator[str]:
     """One line for each place through which any user of this machine could change the config."""
     path = config.path
-    for place in (path, *path.resolve().parents):
+    # A link can be replaced where it lies, too.
+    for place in dict.fromkeys((path, *path.absolute().parents, *path.resolve().parents)):
         try:
             mode = place.stat().st_mode
         except OSError:

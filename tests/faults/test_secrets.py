@@ -119,6 +119,14 @@ def test_a_config_that_anybody_can_change_is_reported(tmp_path: Path) -> None:
     found = list(unsafe_places(config))
     assert f"any user of this machine can change {config.path}: chmod o-w {config.path}" in found
     assert any(f"change {tmp_path / 'in'}:" in line for line in found)
+    (tmp_path / "safe").mkdir()
+    config.path.rename(tmp_path / "safe" / "config.toml")
+    config.path.symlink_to(tmp_path / "safe" / "config.toml")
+    config.path.chmod(0o644)
+    found = list(unsafe_places(config))
+    assert [line for line in found if str(tmp_path) in line] == [
+        f"any user of this machine can change {tmp_path / 'in'}: chmod o-w {tmp_path / 'in'}"
+    ]
     (tmp_path / "in").chmod(0o1777)
     assert not any(f"change {tmp_path / 'in'}:" in line for line in unsafe_places(config))
 
