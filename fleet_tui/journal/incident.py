@@ -30,6 +30,8 @@ from fleet_tui.model.audit_record import AuditRecord
 
 LOG_BYTES = 2**20
 """So much of the end of the log."""
+EARLIEST = (1980, 1, 1, 0, 0, 0)
+"""The first moment that a ZIP can name; a clock that nobody has set yet stands before it."""
 SPAN = 3600.0
 """Seconds of the audit log."""
 RECORDING = "recording.jsonl.gz"
@@ -86,15 +88,16 @@ class Incident:
         now = time.localtime()
         path = folder / f"incident-{time.strftime('%Y%m%d-%H%M%S', now)}.zip"
         words = {"version": __version__, "host": platform.node(), "time": time.strftime("%F %T %z", now)}
+        made = max(now[:6], EARLIEST)
         text = README.format(contents=self._contents(), **words)
         folder.mkdir(parents=True, exist_ok=True, mode=0o700)
         fd, part = tempfile.mkstemp(dir=folder, prefix=".incident-")
         try:
             with os.fdopen(fd, "wb") as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
                 for name, content in {"README.txt": text.encode(), **self._parts}.items():
-                    archive.writestr(zipfile.ZipInfo(name, now[:6]), content, zipfile.ZIP_DEFLATED)
+                    archive.writestr(zipfile.ZipInfo(name, made), content, zipfile.ZIP_DEFLATED)
                 for name, files in self._recordings.items():
-                    with archive.open(zipfile.ZipInfo(name, now[:6]), "w") as recording:
+                    with archive.open(zipfile.ZipInfo(name, made), "w") as recording:
                         _join(files, recording)
             path.touch(mode=0o600, exist_ok=False)  # the name is ours from now on
             Path(part).replace(path)

@@ -43,7 +43,9 @@ class IncidentActions(Screen[None], inherit_bindings=False):
             # The usual place fits 80 columns.
             where = str(path).replace(str(Path.home()), "~", 1)
             said = f"packed {size_text(path.stat().st_size)}: {where}"
-        except OSError as problem:
+        except Exception as problem:
+            # Whatever it is, the operator learns of it, and may try again.
+            LOG.exception("packing")
             said = f"the incident could not be packed: {problem}"
         LOG.info("%s", said)
         self._packing = False

@@ -3,6 +3,7 @@
 import asyncio
 import os
 import stat
+import time
 import zipfile
 from pathlib import Path
 
@@ -54,6 +55,12 @@ def test_what_is_missing_is_named_with_the_reason(tmp_path: Path) -> None:
     (line,) = [line for line in found["README.txt"].splitlines() if line.startswith("fleet-tui.log")]
     assert "missing: the end of the log" in line
     assert "No such file" in line
+
+
+def test_a_clock_that_nobody_has_set_is_no_obstacle(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    then = time.localtime(1000.0)
+    monkeypatch.setattr(time, "localtime", lambda *_: then)
+    assert opened(Incident().write(tmp_path)).keys() == {"README.txt"}
 
 
 def test_no_secret_is_in_it(tmp_path: Path) -> None:

@@ -34,13 +34,16 @@ async def test_a_key_packs_and_says_where(server: RosbridgeServer, tmp_path: Pat
 
 async def test_what_fails_is_said(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
+        problems = [OSError("No space left on device"), ValueError("of ours")]
 
         def pack(shot: str, is_over: Callable[[], bool]) -> Path:
-            raise OSError("No space left on device")
+            raise problems.pop(0)
 
         it.app.main.pack = pack
         await it.press("b")
         await it.shows("the incident could not be packed: No space left on device")
+        await it.press("b")
+        await it.shows("the incident could not be packed: of ours")
         it.app.main.pack = None
         await it.press("b")
         await it.shows("nothing to pack here")
