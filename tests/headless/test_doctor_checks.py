@@ -25,7 +25,12 @@ from fleet_tui.headless.doctor.terminal import (
     size_finding,
     speed_finding,
 )
+from fleet_tui.headless.doctor.wire import Heard
+from fleet_tui.link.subscriptions import Wanted
+from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.robots.interface import TopicKind
+from fleet_tui.rosbridge.operations import Subscription
 
 FLOOR = FloorEntry("floor_0")
 IDS = st.integers(0, 7)
@@ -60,6 +65,23 @@ def test_labels_given_twice_or_not_at_all() -> None:
     routes = graph([])
     assert "given twice: Base" in label_finding(FLOOR, "", {0: "Base", 1: "Base"}, routes).measured
     assert label_finding(FLOOR, "", {}, routes).verdict is Verdict.WARN
+
+
+def test_a_message_that_is_being_read_is_not_one_that_can_not_be_read() -> None:
+    """A large map takes its time on a thread, and the facts may be asked for meanwhile."""
+    seen = []
+
+    def translate(robot: str, floor: str, msg: object, at: float) -> Event:
+        seen.append(heard.facts(at).count)
+        return TimePassed(at, at)
+
+    wanted = Wanted(
+        TopicKind("map", translate), "robot_0", "floor_0", Subscription("/map", "", compression="")
+    )
+    heard = Heard(wanted, 0.0)
+    heard.take({}, 1.0)
+    facts = heard.facts(2.0)
+    assert seen == [0] and (facts.count, facts.event) == (1, TimePassed(1.0, 1.0))
 
 
 def test_round_trips_and_clocks() -> None:

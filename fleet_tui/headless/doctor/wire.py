@@ -37,13 +37,17 @@ class Heard:
 
     def take(self, msg: object, at: float) -> None:
         """One message, still encoded."""
-        self.count += 1
-        self.first, self.last = self.first or at, at
         try:
             event = self.wanted.kind.translate(self.wanted.robot, self.wanted.floor, msg, at)
         except WireError as problem:
             self.faults, self.problem = self.faults + 1, str(problem)
-            return
+        else:
+            self._keep(event, at)
+        # Last: facts may be asked for in the middle of a large map, by another thread.
+        self.first, self.last = self.first or at, at
+        self.count += 1
+
+    def _keep(self, event: Event, at: float) -> None:
         self.event = event
         if isinstance(event, GraphReceived) and event.faults:
             self.faults, self.problem = self.faults + event.faults, event.fault
