@@ -2,9 +2,11 @@
 
 import secrets
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from msgspec.structs import replace
 
 from fleet_tui import __version__
 from fleet_tui.bags.definitions import typestore

@@ -4,10 +4,10 @@ A condition holds or it doesn't; an alarm remembers that it held until a person 
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
 from enum import Enum
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 Key = tuple[str, str]
 """Source and kind: what tells one alarm from another."""
@@ -84,8 +84,7 @@ class Condition(Struct, frozen=True):
         return self.priority.value < before.priority.value or not self.parts <= before.parts
 
 
-@dataclass(frozen=True, slots=True)
-class Alarm:
+class Alarm(Struct, frozen=True):
     """A condition's memory: `first_wall` and `last_wall` (Unix seconds) are when it was raised and
     when it held last, `count` how often it came since then. `held_at` is monotonic: when it held
     last; `until` too: to when it is on the shelf. `holds` is False in the off-delay as well."""

@@ -1,7 +1,8 @@
 """How each fact turns the picture of the world into the next one."""
 
-from dataclasses import replace
 from typing import assert_never
+
+from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm, acknowledge, ripen, shelve, unshelve

@@ -1,11 +1,11 @@
 """What an operator may ask of a robot, and the life of each wish, from the key to its one end."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from enum import Enum
 from itertools import pairwise
 
-from msgspec import Struct
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 INT32_MAX = 2**31 - 1
 
@@ -53,8 +53,7 @@ class ResumeRobot(Struct, frozen=True, tag=True):
 Command = PlaceOrder | PlaceOrderWithCargo | CancelOrder | ClearOrders | PauseRobot | ResumeRobot
 
 
-@dataclass(frozen=True, slots=True)
-class Wish:
+class Wish(Struct, frozen=True):
     """What an operator asks in one go: commands in sequence. `floors`: the floor of each vertex that
     was chosen by name, since the wire knows only ids, and floors may have the same ones."""
 
@@ -122,8 +121,7 @@ class Before(Struct, frozen=True):
     moving: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class CommandRecord:
+class CommandRecord(Struct, frozen=True):
     """One command from the key to its end. `issued_at` is monotonic, `wall` Unix seconds; `order_id`
     is the order in the robot's queue that a placed one was recognised as."""
 

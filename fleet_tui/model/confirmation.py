@@ -3,8 +3,9 @@
 An answer is only the robot's word; the queue and the pose have the last one.
 """
 
-from dataclasses import replace
 from typing import assert_never
+
+from msgspec.structs import replace
 
 from fleet_tui.model.commands import (
     Before,

@@ -1,8 +1,9 @@
 """The one picture of the world."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any
+
+from msgspec import Struct, field
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.commands import CommandRecord
@@ -11,8 +12,7 @@ from fleet_tui.model.link import LinkState
 from fleet_tui.model.robot import Reading, Robot
 
 
-@dataclass(frozen=True, slots=True)
-class Limits:
+class Limits(Struct, frozen=True):
     """When something needs a person, and when no longer: seconds and per cent.
 
     A battery alarm ends `battery_band` above its limit, any alarm when its condition has been away
@@ -32,8 +32,7 @@ class Limits:
     shelve_for: float = 1800.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Floor:
+class Floor(Struct, frozen=True, eq=False):
     """A floor of the config. `grid` is its configured map file; `tied` is False where that is a
     plain image which lies as map_metadata says; `problem` is why it can't be shown."""
 
@@ -44,8 +43,7 @@ class Floor:
     problem: str = ""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class FleetState:
+class FleetState(Struct, frozen=True, eq=False):
     """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick;
     `began` is since when each condition holds, alarm or not yet."""
 

@@ -2,7 +2,8 @@
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from fleet_tui.model.alarm import Condition, Key, Priority
 from fleet_tui.model.fleet import FleetState
@@ -14,8 +15,7 @@ FLOOD, FLOOD_SPAN = 5, 3.0
 """So many robots of a link to which the same happens within so many seconds are one alarm."""
 
 
-@dataclass(frozen=True, slots=True)
-class Flood:
+class Flood(Struct, frozen=True):
     """How the group of a kind is told: `text` follows the number of robots."""
 
     text: str

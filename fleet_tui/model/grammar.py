@@ -11,7 +11,8 @@ A robot is its name or its number, a place its label or its vertex id; `id=7` is
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from fleet_tui.errors import CommandError, did_you_mean
 from fleet_tui.model.commands import (
@@ -46,8 +47,7 @@ _TOKEN = re.compile(
 _NUMBER = re.compile(r"-?[0-9]{1,10}", re.ASCII)
 
 
-@dataclass(frozen=True, slots=True)
-class Token:
+class Token(Struct, frozen=True):
     """A word of a line, without its quotes, from `start` to `end`; `>` separates places."""
 
     text: str

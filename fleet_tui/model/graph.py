@@ -3,11 +3,10 @@
 import heapq
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from enum import Enum
 from functools import cached_property
 
-from msgspec import Struct
+from msgspec import Struct, field
 
 
 class Role(Enum):
@@ -35,8 +34,7 @@ class Edge(Struct, frozen=True, gc=False):
     end: int
 
 
-@dataclass(frozen=True)
-class RouteGraph:
+class RouteGraph(Struct, frozen=True, dict=True):
     """Vertices by id and the edges between them; edges go both ways unless `directed`."""
 
     vertices: Mapping[int, Vertex] = field(default_factory=dict)

@@ -1,7 +1,8 @@
 """The state of one bridge, as an operator needs to know it."""
 
-from dataclasses import dataclass
 from enum import Enum
+
+from msgspec import Struct
 
 
 class Phase(Enum):
@@ -24,8 +25,7 @@ OF_BAG = "rosbag://"
 """How the address begins of what is no bridge, but the file that a recording was made of."""
 
 
-@dataclass(frozen=True, slots=True)
-class LinkState:
+class LinkState(Struct, frozen=True):
     """A bridge: `since` is when the phase began, `next_try` when it is tried again, both
     monotonic seconds; `reason` says in plain words why there is no link; `commands_connected`: there is
     a connection for commands, tried or not; `fault_at` is when a bad frame came last."""

@@ -1,10 +1,9 @@
 """What speaks against a command."""
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 
-@dataclass(frozen=True, slots=True)
-class Problem:
+class Problem(Struct, frozen=True):
     """`check` is the name of what was looked at. `blocks`: an error, the command is never sent; else a
     warning, which a person may override."""
 
@@ -13,8 +12,7 @@ class Problem:
     blocks: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class Rights:
+class Rights(Struct, frozen=True):
     """What this console may do."""
 
     read_only: bool = False

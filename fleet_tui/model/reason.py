@@ -1,8 +1,9 @@
 """One reason why a robot stands still, and how far its evidence carries."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import IntEnum
+
+from msgspec import Struct
 
 from fleet_tui.model.commands import Command, CommandRecord
 from fleet_tui.model.fleet import FleetState
@@ -21,8 +22,7 @@ class Strength(IntEnum):
     POSSIBLE = 3
 
 
-@dataclass(frozen=True, slots=True)
-class Reason:
+class Reason(Struct, frozen=True):
     """`name` is what holds, `evidence` what shows it. Monotonic seconds, None where unknown: `since` it
     holds, `seen` when it was last reported. `keys` are the ids of the keys that help."""
 

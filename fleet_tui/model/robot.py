@@ -2,10 +2,10 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 from typing import Generic, TypeVar, assert_never
 
-from msgspec import Struct
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.bounds import LONGEST_NAME, brief
@@ -41,8 +41,7 @@ class StampClock(Struct, frozen=True):
     at: float
 
 
-@dataclass(frozen=True, eq=False)
-class Chart:
+class Chart(Struct, frozen=True, eq=False):
     """A floor as one robot knows it. The live `grid` is there only where it was subscribed."""
 
     frame: MapFrame | None = None
@@ -58,8 +57,7 @@ class Chart:
         return str(vertex) if known else None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Robot:
+class Robot(Struct, frozen=True, eq=False):
     """`number` counts from 1 in the order of the config; `heard` is the effective time of the
     last telemetry; `floor` is the one whose frame its pose names; `paused_at` is where it stood
     when it accepted our own pause; `standing` is the pose it has not left, and since when; `place`

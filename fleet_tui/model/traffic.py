@@ -1,8 +1,9 @@
 """The way a robot has to drive next, and who stands on it."""
 
 import math
-from dataclasses import dataclass
 from itertools import pairwise
+
+from msgspec import Struct
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
@@ -24,8 +25,7 @@ NEAR = 4.0
 Point = tuple[float, float]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class InTheWay:
+class InTheWay(Struct, frozen=True, eq=False):
     """A robot on another one's way, `ahead` metres before it, near `vertex` of that way."""
 
     robot: Robot

@@ -11,7 +11,7 @@ POSSIBLE: would explain it, and so would much else; and whatever a robot said th
 A robot that moves has no reason to stand. Where nothing weighs, the order that it should drive is named.
 """
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.reason import Reason, Rule, Strength

@@ -1,10 +1,10 @@
 """Moving about: which robot and floor are looked at, and what the panes ask for."""
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
 from textual import on
 
 from fleet_tui.keys import KEYS

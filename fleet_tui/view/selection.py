@@ -1,12 +1,12 @@
 """Which robot and which floor the operator looks at."""
 
-from dataclasses import dataclass, replace
+from msgspec import Struct
+from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
 
 
-@dataclass(frozen=True, slots=True)
-class Selection:
+class Selection(Struct, frozen=True):
     """`chosen` says that the operator chose the floor; until then it is the first robot's."""
 
     robot: str

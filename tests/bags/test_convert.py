@@ -3,7 +3,6 @@
 import math
 import shutil
 from collections.abc import Iterable
-from dataclasses import replace
 from functools import reduce
 from itertools import pairwise
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.bags.convert import Report, convert
 from fleet_tui.bags.opening import BagError

@@ -3,7 +3,6 @@
 import gzip
 import re
 from collections.abc import Iterable
-from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
@@ -23,8 +22,6 @@ def plain(value: Any) -> Any:
     """A value of which two are alike when all of it is alike: many have no `==` of their own."""
     if isinstance(value, OccupancyGrid):
         return (plain(value.frame), [(level.shape, level.tobytes()) for level in value.levels])
-    if is_dataclass(value):
-        return (type(value).__name__, [(one.name, plain(getattr(value, one.name))) for one in fields(value)])
     if isinstance(value, msgspec.Struct):
         return (type(value).__name__, [plain(getattr(value, name)) for name in value.__struct_fields__])
     if isinstance(value, dict):

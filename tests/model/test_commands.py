@@ -1,10 +1,9 @@
 """The life of a command: only along the table, one end, and the truth that telemetry tells of it."""
 
-from dataclasses import replace
-
 import pytest
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
+from msgspec.structs import replace
 
 from fleet_tui.model.commands import (
     NEXT,

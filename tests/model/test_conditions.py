@@ -1,8 +1,7 @@
 """What raises an alarm, what ends it, and what is one alarm only."""
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm, AlarmStage

@@ -1,11 +1,11 @@
 """Any sequence of facts: nothing raises, no robot is lost, no command ends twice."""
 
-from dataclasses import fields
 from itertools import pairwise
 from typing import get_args
 
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import fields
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import (

@@ -139,7 +139,7 @@ def longest(value: object) -> int:
             return max(map(longest, value.values()), default=0)
         case tuple() | list():
             return max(map(longest, value), default=0)
-    fields = getattr(value, "__dataclass_fields__", {})
+    fields = getattr(value, "__struct_fields__", ())
     return max((longest(getattr(value, name)) for name in fields), default=0)
 
 

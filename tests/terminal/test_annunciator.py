@@ -1,8 +1,7 @@
 """Which bytes call a person, and when."""
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 from textual.app import ComposeResult
 from textual.widgets import Static
 
