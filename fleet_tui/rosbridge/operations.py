@@ -8,10 +8,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import cbor2
 import msgspec
 
 from fleet_tui.errors import WireError
+from fleet_tui.model.cbor import read_cbor
 
 # A CBOR frame is decoded in C, but its tags call Python: cbor2 hands int8 arrays over as CBORTag(72).
 INT8_ARRAY = 72
@@ -89,8 +89,8 @@ def decode(payload: bytes) -> Operation | None:
 def decode_cbor(payload: bytes) -> Operation | None:
     """A binary frame as an operation, like `decode`. Only topics come as CBOR."""
     try:
-        frame = cbor2.loads(payload)
-    except (cbor2.CBORDecodeError, ValueError, RecursionError, OverflowError) as problem:
+        frame = read_cbor(payload)
+    except ValueError as problem:
         raise WireError(f"binary frame of {len(payload):,} bytes: {problem}") from None
     if not isinstance(frame, dict) or not isinstance(frame.get("topic"), str):
         raise WireError(f"binary frame of {len(payload):,} bytes is no publish operation")

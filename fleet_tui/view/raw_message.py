@@ -10,6 +10,7 @@ import cbor2
 import msgspec
 
 from fleet_tui.model.bounds import brief
+from fleet_tui.model.cbor import read_cbor
 from fleet_tui.model.counters import Raw, TopicCounter
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Row, Table
@@ -65,8 +66,8 @@ def _published(raw: Raw) -> Any:
     if not raw.is_whole:
         return _NOTHING
     try:
-        value = cbor2.loads(raw.payload) if raw.is_binary else msgspec.json.decode(raw.payload)
-    except (ValueError, RecursionError, OverflowError, cbor2.CBORDecodeError):
+        value = read_cbor(raw.payload) if raw.is_binary else msgspec.json.decode(raw.payload)
+    except (ValueError, RecursionError, OverflowError):
         return _NOTHING
     return value["msg"] if isinstance(value, dict) and "msg" in value else value
 

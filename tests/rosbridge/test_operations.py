@@ -135,6 +135,14 @@ HOSTILE = [
 ]
 
 
+def of_itself(depth: int) -> bytes:
+    """A list of ten lists that are one and the same, and so on: short, and endless to who goes through it."""
+    lists, inner = b"\xd8\x1c\x8a", b"\xd8\x1c\x81\x01"
+    for level in range(depth, 0, -1):
+        inner = lists + inner + (b"\xd8\x1d" + cbor2.dumps(level)) * 9
+    return inner
+
+
 @pytest.mark.parametrize(
     "payload",
     [
@@ -144,6 +152,7 @@ HOSTILE = [
         b"\x9b" + b"\xff" * 8,  # a list of 2**64 - 1 things
         b"\x5b\x7f" + b"\xff" * 7,  # a string of 2**63 bytes
         b"\xa1\x81\x01\x02",  # a list as a key
+        b"\xa3\x62op\x67publish\x65topic\x62/a\x63msg\xa1" + of_itself(4) + b"\x01",
         cbor2.dumps([1, 2]),
         cbor2.dumps({"op": "publish", "msg": 1}),
         cbor2.dumps({"op": "publish", "topic": 7, "msg": 1}),

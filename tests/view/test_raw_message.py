@@ -72,7 +72,8 @@ def test_of_a_message_that_was_not_kept_whole_the_head_is_shown() -> None:
 
 
 @pytest.mark.parametrize(
-    "payload", [b"{", b"", b"\xff\xfe", b"[" * 100_000, b'{"a":' * 5000 + b"1" + b"}" * 5000]
+    "payload",
+    [b"{", b"", b"\xff\xfe", b"[" * 100_000, b'{"a":' * 5000 + b"1" + b"}" * 5000, cbor2.dumps(10**5000)],
 )
 @pytest.mark.parametrize("is_binary", [False, True])
 def test_what_nobody_can_read_is_shown_as_it_is(payload: bytes, is_binary: bool) -> None:
