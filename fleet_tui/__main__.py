@@ -1,7 +1,9 @@
 """`python -m fleet_tui` and the `fleet-tui` command: every end of the command line has its exit code."""
 
+import codecs
 import errno
 import gc
+import io
 import os
 import signal
 import sys
@@ -10,6 +12,7 @@ from typing import IO, TYPE_CHECKING, Any, NoReturn
 
 from fleet_tui.errors import ConfigError, FleetError
 from fleet_tui.terminal.ending import PATIENCE, end_within
+from fleet_tui.view.signs import stand_in
 from fleet_tui.view.text import visible
 
 if TYPE_CHECKING:
@@ -78,6 +81,13 @@ def _nothing(mode: str) -> IO[Any]:
     return os.fdopen(os.open(os.devnull, os.O_RDWR), mode)
 
 
+def _never_fail_to_encode() -> None:
+    """A locale of Latin-1 has no sign of ours, and not every letter of a site's names."""
+    codecs.register_error("stand_in", stand_in)
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="stand_in")
+
+
 def _words(problem: Exception, log: "Path | None") -> str:
     if isinstance(problem, OSError) and problem.errno in FULL and problem.filename is None:
         return f"the output can't be written: {problem.strerror}"
@@ -121,6 +131,7 @@ def main() -> None:
     code: object = 1
     try:
         _open_closed_streams()
+        _never_fail_to_encode()
         _run()
         code = 0
     except SystemExit as end:

@@ -5,28 +5,7 @@ The names and words of robots are left as they are: they are the site's own.
 
 from textual.drivers.linux_driver import LinuxDriver
 
-_SIGNS = {
-    "●▪•·": "*",
-    "○": "o",
-    "■": "#",
-    "▸▶→": ">",
-    "◂◀←": "<",
-    "▲▴↑": "^",
-    "△▽◇": "~",
-    "▼▾↓": "v",
-    "✗╳": "x",
-    "✓◆": "+",
-    "━": "=",
-    "─▔▁▂▄▀": "-",
-    "│┃▊▎▏▕▌▐": "|",
-    "╭╮╰╯┌┐└┘├┤┬┴┼╶╴": "+",
-    "…°": ".",
-    "‖": "=",
-    "⌂": "H",
-    "↕": "I",
-    "≈": "~",
-}
-PLAIN = str.maketrans({sign: plain for signs, plain in _SIGNS.items() for sign in signs})
+from fleet_tui.view.signs import PLAIN
 
 
 class PlainDriver(LinuxDriver):

@@ -72,6 +72,16 @@ async def test_one_line_fits_a_status_bar(server: RosbridgeServer, tmp_path: Pat
     assert len(line) < 80 and "no link" in line
 
 
+async def test_a_locale_without_the_signs_gets_others(
+    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PYTHONIOENCODING", "latin-1")
+    config_file(tmp_path, server.url, 1)
+    done = await run(tmp_path, "status")
+    assert (done.code, done.err) == (0, "")
+    assert "* 1 robot_0" in done.out and "all well" in done.out
+
+
 async def test_watch_says_what_changes_as_json_lines(server: RosbridgeServer, tmp_path: Path) -> None:
     config_file(tmp_path, server.url, 1)
     process = await asyncio.create_subprocess_exec(

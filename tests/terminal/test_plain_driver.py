@@ -3,7 +3,7 @@
 import sys
 from pathlib import Path
 
-from fleet_tui.terminal.plain_driver import PLAIN
+from fleet_tui.view.signs import PLAIN
 from fleet_tui.view.text import cell_width
 from tests.bench.in_pty import Terminal
 

@@ -1,0 +1,32 @@
+"""What the program itself draws with, as the nearest ASCII sign, for what shows or encodes no other."""
+
+_SIGNS = {
+    "●▪•·": "*",
+    "○": "o",
+    "■": "#",
+    "▸▶→": ">",
+    "◂◀←": "<",
+    "▲▴↑": "^",
+    "△▽◇": "~",
+    "▼▾↓": "v",
+    "✗╳": "x",
+    "✓◆": "+",
+    "━": "=",
+    "─▔▁▂▄▀": "-",
+    "│┃▊▎▏▕▌▐": "|",
+    "╭╮╰╯┌┐└┘├┤┬┴┼╶╴": "+",
+    "…°": ".",
+    "‖": "=",
+    "⌂": "H",
+    "↕": "I",
+    "≈": "~",
+}
+PLAIN = str.maketrans({sign: plain for signs, plain in _SIGNS.items() for sign in signs})
+
+
+def stand_in(problem: UnicodeError) -> tuple[str, int]:
+    """What is written instead of signs that an encoding lacks: a handler of errors for `codecs`."""
+    if not isinstance(problem, UnicodeEncodeError):
+        raise problem
+    missing = problem.object[problem.start : problem.end]
+    return missing.translate(PLAIN).encode("ascii", "replace").decode(), problem.end
