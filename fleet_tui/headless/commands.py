@@ -35,6 +35,8 @@ def status(
 ) -> None:
     """The fleet as a table or JSON, without a screen. Exit code 0: all well, 1: something needs attention,
     3: no link."""
+    if as_json and oneline:
+        raise click.UsageError("--json and --oneline: one of them")
     from fleet_tui.headless.status import status as run
     from fleet_tui.log_file import log_to_file
 

@@ -107,7 +107,8 @@ def attention(state: FleetState) -> list[str]:
             if robot.heard is None
             else f"{robot.name}: never came: {', '.join(absent)}"
         )
-    return lines
+    # An alarm may have said it already.
+    return list(dict.fromkeys(lines))
 
 
 def report(state: FleetState) -> Values:

@@ -60,15 +60,21 @@ def verdict(state: FleetState) -> int:
     return ATTENTION if attention(state) else FINE
 
 
-def _watch(store: WaitingStore, as_json: bool, say: Say) -> None:
-    """Say what changes, until interrupted."""
-    before = report(store.state)
+def _watch(store: WaitingStore, state: FleetState, as_json: bool, oneline: bool, say: Say) -> None:
+    """Say what changes after a state that was said, until interrupted."""
+    before, said = report(state), one_line(state)
     while True:
         time.sleep(WATCH_EVERY)
-        after = report(store.state)
+        state = store.state
+        if oneline:
+            if (line := one_line(state)) != said:
+                say(line)
+            said = line
+            continue
+        after = report(state)
         changed = changes(before, after)
         if changed:
-            say(json.dumps(changed) if as_json else table(store.state) + "\n")
+            say(json.dumps(changed) if as_json else table(state) + "\n")
             before = after
 
 
@@ -85,5 +91,5 @@ def status(config: Config, timeout: float, as_json: bool, oneline: bool, watch: 
         else:
             say(json.dumps(report(state)) if as_json else table(state))
         if watch:
-            _watch(store, as_json, say)
+            _watch(store, state, as_json, oneline, say)
         return verdict(state)

@@ -12,7 +12,7 @@ import pytest
 
 from fleet_tui.headless.report import changes
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.running import config_file, run
+from tests.headless.running import config_file, run, started
 
 
 async def test_all_well_is_0_and_the_whole_fleet(server: RosbridgeServer, tmp_path: Path) -> None:
@@ -70,6 +70,34 @@ async def test_one_line_fits_a_status_bar(server: RosbridgeServer, tmp_path: Pat
     config_file(tmp_path, "ws://127.0.0.1:9/" + "x" * 200)
     (line,) = (await run(tmp_path, "status", "--oneline", "--timeout", "0.3")).out.splitlines()
     assert len(line) < 80 and "no link" in line
+
+
+async def test_a_robot_that_was_never_seen_is_named_once(server: RosbridgeServer, tmp_path: Path) -> None:
+    server.world.robots["robot_1"].silence = float("inf")
+    config_file(tmp_path, server.url, 2)
+    done = await run(tmp_path, "status", "--timeout", "6")
+    assert done.code == 1
+    assert [line for line in done.out.splitlines() if line[0] == "!"] == ["! robot_1: never seen"]
+
+
+async def test_one_line_is_watched_as_one_line(server: RosbridgeServer, tmp_path: Path) -> None:
+    config_file(tmp_path, server.url, 1)
+    process = await started(tmp_path, "status", "--watch", "--oneline")
+    assert process.stdout is not None
+    async with asyncio.timeout(30):
+        assert await process.stdout.readline() == b"1/1 online\n"
+        server.world.robots["robot_0"].battery = 5.0
+        assert b"! robot_0: battery" in await process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        rest, _ = await process.communicate()
+    assert process.returncode == 130
+    assert all(b"/1 online" in line for line in rest.splitlines())
+
+
+async def test_json_is_no_one_line(tmp_path: Path) -> None:
+    config_file(tmp_path, "ws://127.0.0.1:9")
+    done = await run(tmp_path, "status", "--json", "--oneline")
+    assert (done.code, done.out) == (2, "") and "one of them" in done.err
 
 
 async def test_a_locale_without_the_signs_gets_others(
