@@ -76,6 +76,8 @@ class Pages:
     def table(self, page: Page, budget: Budget) -> Table:
         """The rows of a page."""
         state, links, wanted = self._state(), self.links(), self.wanted.get(page, "")
+        # In a recording it may be earlier now: what was frozen has not come yet.
+        self._frozen = {one: at for one, at in self._frozen.items() if at <= state.now}
         match page:
             case Page.LINK:
                 return link_table(links, state.now)

@@ -44,7 +44,9 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
     note += f", with {visible(wanted)}" if wanted else ""
     title = ("Diagnostics of the robots", Ink.TITLE), (note, Ink.DIM), *down(links)
     empty = (
-        "no such part" if wanted else "nothing has come on /diagnostics since this screen was first opened"
+        "no such part"
+        if wanted
+        else "nothing came on /diagnostics, which is heard only while this screen is open"
     )
     return Table(title, rows, empty)
 

@@ -68,5 +68,7 @@ def robot_log_table(
     note += f", with {visible(wanted)}" if wanted else ""
     note += f", last {ago(lines[-1].at, state.now)}" if lines else ""
     title = ("Log of the robots", Ink.TITLE), (note, Ink.DIM), *down(links)
-    empty = "no such line" if lines else "nothing has come on /rosout since this screen was first opened"
+    empty = (
+        "no such line" if lines else "nothing came on /rosout, which is heard only while this screen is open"
+    )
     return Table(title, rows, empty)

@@ -45,3 +45,13 @@ async def test_what_was_played_since_the_last_jump_is_counted(drive: Path) -> No
         await it.shows('"x": 25')
         await it.press("1")
         await it.shows("1.0 /s, ")
+
+
+async def test_what_was_frozen_before_a_jump_back_is_not_shown_as_if_it_had_come(drive: Path) -> None:
+    async with replayed(drive, "+35s") as it:
+        await it.press("d", "3", "space")
+        await it.shows("frozen 0 s ago")
+        await it.press("escape", "<", "d")
+        await it.shows(at(25))
+        await it.shows('"x": 25')
+        assert "frozen" not in it.text

@@ -199,7 +199,7 @@ def test_level_and_text_filter_the_log(least: Severity, wanted: str, count: int)
 
 def test_an_empty_log_says_why_it_is_empty() -> None:
     state, links = seen(counter())
-    assert "nothing has come on /rosout" in robot_log_table((), links, state, str, Severity.INFO, "").empty
+    assert "nothing came on /rosout" in robot_log_table((), links, state, str, Severity.INFO, "").empty
 
 
 def test_health_by_name_with_values_where_a_row_is_opened() -> None:
