@@ -67,7 +67,8 @@ def _run_command() -> None:
     except click.exceptions.Abort:
         _end(130)
     except click.ClickException as problem:
-        _end(2, f"fleet-tui: {problem.format_message()}", "fleet-tui --help lists what there is.")
+        words = f"fleet-tui: {problem.format_message()}".splitlines()
+        _end(2, *words, "fleet-tui --help lists what there is.")
 
 
 def _open_closed_streams() -> None:
