@@ -63,4 +63,5 @@ def _inside(at: float, text: str, recording: Recording) -> float:
     if begin.at - 1.0 <= at <= end.at + 1.0:
         return max(begin.at, min(at, end.at))
     first, last = (f"{datetime.fromtimestamp(wall):%Y-%m-%d %H:%M:%S}" for wall in (begin.wall, end.wall))
-    raise FleetError(f"{text} is not in the recording: it goes from {first} to {last}")
+    why = f" ({recording.note})" if recording.note else ""
+    raise FleetError(f"{text} is not in the recording: it goes from {first} to {last}{why}")

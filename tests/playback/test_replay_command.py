@@ -54,6 +54,9 @@ def test_a_time_that_is_not_in_it(tmp_path: Path) -> None:
     path = str(shift(tmp_path / "night.jsonl.gz").path)
     assert "is no time: write 12:04:31" in refused(tmp_path, path, "--at", "noon")
     assert "is not in the recording: it goes from" in refused(tmp_path, path, "--at", "+2h")
+    half = Path(path).read_bytes()[:-1]
+    Path(path).write_bytes(half)
+    assert "(night.jsonl.gz: it ends in the middle" in refused(tmp_path, path, "--at", "+2h")
     done = run("replay", path, "--speed", "1000", cwd=tmp_path)
     assert done.returncode == 2 and "0.25<=x<=64" in done.stderr
 
