@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from fleet_tui.screens.why import Why
 
 
-class CommandActions(OrderActions, inherit_bindings=False):
+class CommandActions(OrderActions):
     """What can be asked of robots from here."""
 
     tell: Callable[[Event], None]

@@ -5,10 +5,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from textual.screen import Screen
-
 from fleet_tui.model.commands import Command, Wish
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.screens.part import Part
 from fleet_tui.store import Store
 from fleet_tui.view.text import visible
 
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
     from fleet_tui.screens.confirm import Confirm
 
 
-class Dispatch(Screen[None], inherit_bindings=False):
+class Dispatch(Part):
     """What destroys asks once; a pause never asks."""
 
     store: Store

@@ -5,8 +5,9 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from textual.screen import Screen
 from textual.worker import get_current_worker
+
+from fleet_tui.screens.part import Part
 
 LOG = logging.getLogger(__name__)
 
@@ -14,7 +15,7 @@ Pack = Callable[[str, Callable[[], bool]], Path]
 """From a screenshot (SVG) to the archive; ends early once it is told so. Raises OSError."""
 
 
-class IncidentActions(Screen[None], inherit_bindings=False):
+class IncidentActions(Part):
     """`pack` is None where there is nothing to pack."""
 
     pack: Pack | None = None

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 from textual import on
+from textual.screen import Screen
 
 from fleet_tui.keys import KEYS
 from fleet_tui.screens.alarm_actions import AlarmActions
@@ -28,7 +29,9 @@ if TYPE_CHECKING:
 NOT_WISHED = {"palette", "back", "next_pane", "previous_pane"}
 
 
-class Navigation(PlaybackActions, AlarmActions, AuditActions, DiagnosticsActions, IncidentActions):
+class Navigation(
+    PlaybackActions, AlarmActions, AuditActions, DiagnosticsActions, IncidentActions, Screen[None]
+):
     """The selection, by key, by mouse and by name."""
 
     map: "MapView"

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from fleet_tui.screens.order_form import OrderForm
 
 
-class OrderActions(Dispatch, inherit_bindings=False):
+class OrderActions(Dispatch):
     """From a key or a row to a wish."""
 
     selection: Selection

@@ -4,8 +4,6 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from textual import on
-
 from fleet_tui.errors import FleetError
 from fleet_tui.model.commands import Wish
 from fleet_tui.model.fleet import FleetState
@@ -113,9 +111,8 @@ class PlaybackActions(RecordingActions, AuditActions, Dispatch):
             return Typed(problem=visible(str(problem)))
         return Typed([(f"Go to {text}", lambda: player.seek(at))])
 
-    @on(TimePicked)
-    def time_picked(self, event: TimePicked) -> None:
-        """A time that was clicked."""
+    def on_time_picked(self, event: TimePicked) -> None:
+        """Go to a time that was clicked."""
         if self.player is not None:
             from fleet_tui.view.time_line import time_at
 

@@ -5,9 +5,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from textual.screen import Screen
-
 from fleet_tui.errors import FleetError
+from fleet_tui.screens.part import Part
 
 if TYPE_CHECKING:
     from fleet_tui.journal.recordings import Recordings
@@ -15,7 +14,7 @@ if TYPE_CHECKING:
 LOG = logging.getLogger(__name__)
 
 
-class RecordingActions(Screen[None], inherit_bindings=False):
+class RecordingActions(Part):
     """`recordings` is None where there is nothing to record."""
 
     recordings: "Recordings | None" = None
