@@ -13,7 +13,7 @@ from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, load, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.options import NearestGroup, common, merged, screen
+from fleet_tui.options import FileName, NearestGroup, common, merged, screen
 from fleet_tui.view.text import visible
 
 
@@ -59,7 +59,7 @@ def commands(
 
 
 @commands.command()
-@click.argument("file", required=False)
+@click.argument("file", type=FileName(), required=False)
 @common
 @merged
 def check(config_file: str | None, debug: bool, file: str | None) -> None:

@@ -23,9 +23,21 @@ class NearestGroup(click.Group):
         return super().resolve_command(ctx, args)
 
 
+class FileName(click.Path):
+    """A name of a file, which is there."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read what was typed: what an unset variable of the shell leaves would mean this folder."""
+        if value == "":
+            self.fail("an empty name is no file; is a variable of the shell not set?", param, ctx)
+        return super().convert(value, param, ctx)
+
+
 def common(command: F) -> F:
     """`--config` and `--debug` work before and after a command's name."""
-    command = click.option("--config", "config_file", metavar="FILE", help="Use this configuration.")(command)
+    command = click.option(
+        "--config", "config_file", type=FileName(), metavar="FILE", help="Use this configuration."
+    )(command)
     return click.option("--debug", is_flag=True, help="Show tracebacks, log everything.")(command)
 
 

@@ -10,7 +10,7 @@ import click
 from fleet_tui.config.load import find, load
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
-from fleet_tui.options import common, merged, screen
+from fleet_tui.options import FileName, common, merged, screen
 from fleet_tui.view.text import visible
 
 PATIENCE = 0.5
@@ -23,7 +23,7 @@ def replayed() -> None:
 
 
 @replayed.command()
-@click.argument("file")
+@click.argument("file", type=FileName())
 @click.option(
     "--speed",
     type=click.FloatRange(0.25, 64),

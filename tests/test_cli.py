@@ -107,6 +107,14 @@ def test_usage_errors_end_with_2_and_a_remedy(tmp_path: Path, args: tuple[str, .
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize(
+    "args", [["record"], ["replay"], ["run"], ["check"], ["--config"], ["status", "--config"]]
+)
+def test_what_an_unset_variable_leaves_is_no_file(tmp_path: Path, args: list[str]) -> None:
+    done = run(*args, "", cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "") and "an empty name is no file" in done.stderr
+
+
 def test_the_help_of_the_simulator_lists_every_fault(tmp_path: Path) -> None:
     text = run("sim", "--help", cwd=tmp_path).stdout
     assert all(f"  {name:<10}{what}" in text for name, (what, _) in FAULTS.items())

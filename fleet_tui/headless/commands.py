@@ -10,7 +10,7 @@ from fleet_tui.config.load import find, load
 from fleet_tui.headless.config_commands import config
 from fleet_tui.headless.duration import Duration
 from fleet_tui.headless.order_commands import orders
-from fleet_tui.options import common, merged, timeout
+from fleet_tui.options import FileName, common, merged, timeout
 from fleet_tui.view.text import visible
 
 
@@ -75,7 +75,7 @@ def doctor(config_file: str | None, debug: bool, as_json: bool, bundle: bool, ti
 
 
 @headless.command()
-@click.argument("file", type=click.Path(path_type=Path))
+@click.argument("file", type=FileName(path_type=Path))
 @click.option("--for", "seconds", type=Duration(), default="366d", help="End after 45s, 30m, 8h, ...")
 @click.option("--rotate-mb", type=click.FloatRange(1), help="A new file after so many MB.")
 @click.option("--rotate-every", type=Duration(), help="A new file after 30m, 1h, ...")

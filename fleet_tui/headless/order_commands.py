@@ -9,7 +9,7 @@ import click
 
 from fleet_tui.config.load import find, load
 from fleet_tui.config.schema import Config
-from fleet_tui.options import common, merged
+from fleet_tui.options import FileName, common, merged
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -134,7 +134,7 @@ def resume(robot: str | None, every: bool, **options: Any) -> None:
 
 
 @orders.command()
-@click.argument("file")
+@click.argument("file", type=FileName(allow_dash=True))
 @click.option("--dry-run", is_flag=True, help="Say what would be sent, and send nothing.")
 @click.option("--keep-going", is_flag=True, help="Go on after a command that failed.")
 @_asked
