@@ -2,7 +2,7 @@
 
 import signal
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 
 import click
 
@@ -28,7 +28,18 @@ LABELS_WITHIN = 1.0
 
 LOOK = "fleet-tui status and fleet-tui audit show what became of it"
 
+ENDING = (signal.SIGTERM, signal.SIGHUP)
+"""`timeout` and services end a command so; a terminal that has gone does."""
+
 Say = Callable[..., None]
+
+
+class _Ended(KeyboardInterrupt):
+    """Somebody else ended it: it goes like Ctrl-C, but for the exit code."""
+
+
+def _end(number: int, _frame: object) -> None:
+    raise _Ended(number)
 
 
 def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> How:
@@ -55,8 +66,12 @@ def robots_of(config: Config, word: str) -> list[str]:
 
 @contextmanager
 def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
-    """A link to send on, with the audit log kept; Ctrl-C says what is not known."""
+    """A link to send on, with the audit log kept; whoever ends it learns what is not known."""
     given = None
+    # Under nohup it goes on when its terminal goes.
+    numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
+    for number in numbers:
+        signal.signal(number, _end)
     with ExitStack() as opened:  # and closed after the last words: that takes its time
         try:
             link, store = opened.enter_context(session(config))
@@ -67,12 +82,16 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
                 finally:
                     for note in audit.notes:
                         say(note, err=True)
-        except KeyboardInterrupt:
-            signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second one would only spoil what is said now
-            if given and given.under_way:
-                _say_what_is_open(given, say)
-            else:
-                say("interrupted: nothing more was sent", err=True)
+        except KeyboardInterrupt as end:
+            for number in (signal.SIGINT, *numbers):
+                signal.signal(number, signal.SIG_IGN)  # a second one would only spoil what is said now
+            with suppress(OSError):  # there may be nobody any more
+                if given and given.under_way:
+                    _say_what_is_open(given, say)
+                else:
+                    say("interrupted: nothing more was sent", err=True)
+            if isinstance(end, _Ended):
+                raise SystemExit(128 + end.args[0]) from None
             raise
 
 

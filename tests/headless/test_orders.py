@@ -226,13 +226,18 @@ async def test_time_that_is_up_leaves_the_outcome_unknown(server: RosbridgeServe
     assert done.code == 1 and "outcome unknown (it was sent; nothing more came within 2 s" in done.err
 
 
-async def test_ctrl_c_says_what_is_not_known(server: RosbridgeServer, folder: Path) -> None:
+@pytest.mark.parametrize(
+    ("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)]
+)
+async def test_ended_from_outside_it_says_what_is_not_known(
+    server: RosbridgeServer, folder: Path, number: signal.Signals, code: int
+) -> None:
     called = carried_out(server, "/robot_0/Application_layout/Execute_order")
     process = await started(folder, *ORDER)
     await asyncio.wait_for(called.wait(), 10)
-    process.send_signal(signal.SIGINT)
+    process.send_signal(number)
     _, err = await asyncio.wait_for(process.communicate(), 10)
-    assert process.returncode == 130
+    assert process.returncode == code
     assert (
         b"outcome unknown" in err and b"may still be carried out; fleet-tui status and fleet-tui audit" in err
     )
