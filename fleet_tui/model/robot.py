@@ -150,7 +150,8 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     clock, true_at = robot.clock, event.at
     if event.stamp is not None:
         clock = _set_clock(clock, event.at, event.stamp)
-        true_at = event.stamp + clock.offset
+        # Of a stamp beyond all measure the sum is rounded by minutes: nothing was true after it came.
+        true_at = min(event.at, event.stamp + clock.offset)
     pose, frame_id = Reading(event.pose, true_at), brief(event.frame_id.lstrip("/"), LONGEST_NAME)
     standing = robot.standing
     if standing is None or frame_id != robot.frame_id or is_apart(standing.value, event.pose):

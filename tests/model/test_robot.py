@@ -83,6 +83,14 @@ def test_no_pose_is_ever_from_the_future(steps: list[tuple[float, float]]) -> No
         assert (robot(state).heard or 0.0) <= at + 1e-6
 
 
+def test_a_stamp_beyond_all_measure_makes_nothing_new() -> None:
+    """So large a sum is right to the nearest quarter of an hour."""
+    for at in range(int(T0), int(T0) + 2000, 100):
+        state = told(fleet(), pose(float(at), stamp=2.0**63))
+        assert age_of_pose(state, float(at)) >= 0.0
+        assert (robot(state).heard or 0.0) <= at
+
+
 def test_without_a_stamp_arrival_counts() -> None:
     state = told(fleet(), pose(T0 + 1.0), battery(T0 + 4.0))
     assert age_of_pose(state, T0 + 4.0) == 3.0
