@@ -11,6 +11,9 @@ from fleet_tui.model.events import Event
 # (robot, floor, message still encoded, monotonic seconds of arrival) -> the fact; raises WireError.
 Translate = Callable[[str, str, object, float], Event]
 
+LONGEST_JUDGED = 100_000
+"""Characters of an answer in which words of refusal are looked for: in 8 MB it would take seconds."""
+
 
 @dataclass(frozen=True, slots=True)
 class TopicKind:
@@ -60,5 +63,5 @@ def judge(values: object, result: bool, refusals: Sequence[re.Pattern[str]]) -> 
     if not isinstance(success, bool) and not ("success" not in fields and isinstance(words, str)):
         return Stage.UNKNOWN, f"an answer that says nothing: {brief(_said(values))}"
     text = words if isinstance(words, str) else ""
-    refused = success is False or any(pattern.search(text) for pattern in refusals)
+    refused = success is False or any(pattern.search(text, 0, LONGEST_JUDGED) for pattern in refusals)
     return (Stage.REFUSED if refused else Stage.ACCEPTED), brief(text)

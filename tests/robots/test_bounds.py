@@ -175,6 +175,12 @@ def test_what_is_kept_of_an_answer_is_short(values: object, result: bool) -> Non
     assert len(words) < 2 * bounds.LONGEST_WORDS
 
 
+def test_an_answer_as_long_as_it_may_be_is_judged_soon() -> None:
+    began = time.process_time()
+    stage, _ = SPOKEN.outcome({"success": True, "status": "no " * (operations.LARGEST_ANSWER // 3)}, True)
+    assert stage is Stage.ACCEPTED and time.process_time() - began < SOON
+
+
 def test_an_answer_nested_too_deep_is_none() -> None:
     nested: list[Any] = []
     for _ in range(100_000):
