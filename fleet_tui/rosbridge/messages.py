@@ -11,7 +11,7 @@ import cbor2
 import msgspec
 
 from fleet_tui.errors import WireError
-from fleet_tui.rosbridge.operations import INT8_ARRAY
+from fleet_tui.model.cbor import INT8_ARRAY
 
 LARGEST = 8 * 2**20
 """Bytes of a message that is no map, as JSON."""

@@ -13,9 +13,6 @@ import msgspec
 from fleet_tui.errors import WireError
 from fleet_tui.model.cbor import read_cbor
 
-# A CBOR frame is decoded in C, but its tags call Python: cbor2 hands int8 arrays over as CBORTag(72).
-INT8_ARRAY = 72
-
 
 class Publish(msgspec.Struct, frozen=True):
     """A message of a topic. `msg` is still encoded: JSON, or what CBOR decoded to."""
@@ -40,7 +37,7 @@ class Status(msgspec.Struct, frozen=True):
 
 
 LARGEST_ANSWER = 8 * 2**20
-"""Bytes of the values of an answer; larger ones are not read."""
+"""Bytes of the values of an answer, or of what a bridge says; larger ones are not read."""
 
 Operation = Publish | ServiceResponse | Status
 
@@ -79,7 +76,7 @@ def decode(payload: bytes) -> Operation | None:
             case "service_response":
                 return ServiceResponse(frame.id or "", _values(frame.values), frame.result)
             case "status":
-                text = msgspec.json.decode(frame.msg)
+                text = _values(frame.msg)
                 return Status(frame.level, text if isinstance(text, str) else str(text))
     except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as problem:
         raise WireError(f"frame of {len(payload):,} bytes: {problem}") from None

@@ -4,6 +4,7 @@ import json
 import time
 from typing import Any
 
+import cbor2
 import msgspec
 import pytest
 
@@ -195,6 +196,29 @@ def test_an_answer_beyond_the_bound_is_not_read() -> None:
     assert isinstance(answer, operations.ServiceResponse)
     stage, words = SPOKEN.outcome(answer.values, True)
     assert stage is Stage.UNKNOWN and "8,388,617 bytes, which are not read" in words
+
+
+def test_what_a_bridge_says_beyond_the_bound_is_not_read() -> None:
+    began = time.process_time()
+    said = operations.decode(b'{"op":"status","level":"error","msg":[%s1]}' % (b"{}," * 6_000_000))
+    assert said == operations.Status("error", "18,000,003 bytes, which are not read")
+    assert time.process_time() - began < SOON
+
+
+HEAD = b"\xa3\x62op\x67publish\x65topic\x62/a\x63msg"
+LONG = b"\x5a" + (2**21).to_bytes(4, "big") + bytes(2**21)
+
+
+def test_a_large_binary_message_holds_the_cells_of_a_map_and_little_else() -> None:
+    read = operations.decode_cbor(HEAD + b"\xa2\x61x\x5a\0\0\0\1Z\x64data\xd8\x48" + LONG)
+    assert isinstance(read, operations.Publish)
+    assert read.msg == {"x": b"Z", "data": cbor2.CBORTag(72, bytes(2**21))}
+    began = time.process_time()
+    lists = b"\x9a" + (2**21).to_bytes(4, "big") + b"\x80" * 2**21
+    for hostile in (lists, b"\x82" + lists + LONG, b"\x82\x78\x05" + LONG[:5] + lists):
+        with pytest.raises(WireError, match=r"^binary frame of "):
+            operations.decode_cbor(HEAD + hostile)
+    assert time.process_time() - began < SOON
 
 
 def test_a_map_may_be_larger_than_other_messages() -> None:
