@@ -10,7 +10,6 @@ from fleet_tui.config.profile import FLOOR_TOPICS, SERVICES, TOPICS
 from fleet_tui.link.subscriptions import plain_type
 
 QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]
-LIVE = [key for key in TOPICS if key not in FLOOR_TOPICS and key != "paused"]
 PAUSED = "{robot}/paused"
 # Types whose one field is read alike.
 ALIKE = {"std_msgs/Float32": ("std_msgs/Float64",)}

@@ -141,6 +141,8 @@ def _take(recording: Recording, place: Place, line: bytes) -> bool:
     moment = _reach(recording, line)
     record = decode(line)
     match record:
+        case Header():
+            _follow(recording, place.path, record)
         case Keyframe():
             recording.keyframes.append(moment)
             recording.places.append(place)
@@ -149,6 +151,15 @@ def _take(recording: Recording, place: Place, line: bytes) -> bool:
         case Lost() if len(recording.lost) < MOST_MARKS:
             recording.lost.append(record)
     return isinstance(record, Keyframe)
+
+
+def _follow(recording: Recording, path: Path, header: Header) -> None:
+    """The first parts may have made room for others; one from between them has been lost."""
+    gone = header.part - recording.part - 1
+    if header.recording == recording.header.recording and recording.part >= 0 and gone > 0:
+        parts = "part is" if gone == 1 else "parts are"
+        recording.notes.append(f"{path.name}: {gone} {parts} missing before it")
+    recording.part = header.part
 
 
 def _reach(recording: Recording, line: bytes) -> Moment:

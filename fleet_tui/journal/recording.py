@@ -50,12 +50,14 @@ class Place(Struct, frozen=True):
 @dataclass
 class Recording:
     """When it begins and ends, what is marked in it (alarms, commands) and lost, and at which moments
-    it has a keyframe. `notes` say what of it can't be read."""
+    it has a keyframe. `part` is the number of the part that was looked through last; `notes` say what of
+    it can't be read."""
 
     path: Path
     header: Header
     end: Moment = Moment(-math.inf, 0.0)  # noqa: RUF009  # a frozen value
     parts: list[Path] = field(default_factory=list)
+    part: int = -1
     keyframes: list[Moment] = field(default_factory=list)
     places: list[Place] = field(default_factory=list)
     marks: list[Mark] = field(default_factory=list)

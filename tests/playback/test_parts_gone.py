@@ -48,6 +48,22 @@ def test_a_part_that_goes_while_the_recording_is_opened(
     assert f"{parts[gone].name}: no such file" in recording.note
 
 
+@pytest.mark.parametrize(
+    ("gone", "note"),
+    [
+        ([0, 1], ""),
+        ([3], ""),
+        ([1], "night.0002.jsonl.gz: 1 part is missing before it"),
+        ([1, 2], "night.0003.jsonl.gz: 2 parts are missing before it"),
+    ],
+)
+def test_a_part_that_is_missing_between_others_is_said(parts: list[Path], gone: list[int], note: str) -> None:
+    for n in gone:
+        parts[n].unlink()
+    left = next(part for n, part in enumerate(parts) if n not in gone)
+    assert indexing.open_recording(left).note == note
+
+
 def test_a_file_that_becomes_a_recording_while_it_is_opened(
     parts: list[Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
