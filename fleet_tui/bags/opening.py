@@ -105,10 +105,8 @@ def _of_folder(path: Path) -> list[Path]:
         if not stored:
             raise BagError(f"{path}: is no bag: there is no metadata.yaml in it, no .bag, .db3 or .mcap")
         names = ", ".join(file.name for file in stored[:3])
-        raise BagError(
-            f"{path}: there is no metadata.yaml in it: give one of its files ({names}),"
-            " or mend it with `ros2 bag reindex`"
-        )
+        mend = "" if stored[0].suffix == ".bag" else ", or mend it with `ros2 bag reindex`"
+        raise BagError(f"{path}: there is no metadata.yaml in it: give one of its files ({names}){mend}")
     if metadata.stat().st_size > LARGEST_METADATA:
         raise BagError(f"{metadata}: is larger than {LARGEST_METADATA:,} bytes: it is none")
     return [file for file in inside if not file.is_dir()]

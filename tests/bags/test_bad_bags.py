@@ -86,6 +86,13 @@ def test_what_is_no_bag_is_named_with_the_remedy(files: Path, name: str, words: 
     assert not Path("ran").exists() and not (files / "ran").exists()
 
 
+def test_a_folder_of_ros_1_bags_has_no_metadata_to_mend(tmp_path: Path) -> None:
+    (tmp_path / "bags").mkdir()
+    written(tmp_path / "bags", "ros1", [])
+    said = said_of(tmp_path / "bags", tmp_path)
+    assert said == "BAG: there is no metadata.yaml in it: give one of its files (night.bag)"
+
+
 def test_a_bag_without_messages_is_empty(tmp_path: Path) -> None:
     assert "it is empty: there is no topic in it" in said_of(written(tmp_path, "ros1", []), tmp_path)
     assert "it is empty: there is no topic in it" in said_of(written(tmp_path, "mcap", []), tmp_path)
