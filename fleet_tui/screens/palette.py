@@ -43,7 +43,10 @@ class Palette(Overlay):
     def show(self, line: str = "") -> None:
         """Open with everything there is, or with a line that is begun."""
         self._fill(line)
-        self.open(self.query_one(Field))
+        field = self.query_one(Field)
+        # What is typed next goes on with the line.
+        field.select_on_focus = not line
+        self.open(field)
 
     def _fill(self, line: str) -> None:
         """Put a line into the field, and list what it can mean."""

@@ -104,6 +104,10 @@ class PlaybackActions(RecordingActions, AuditActions, Dispatch):
         text = line.strip().removeprefix("@").strip()
         if self.player is None or not (line.startswith("@") or text.startswith("+") or ":" in text):
             return None
+        if not text:
+            from fleet_tui.playback.times import FORMS
+
+            return Typed(problem=f"go to a time: {FORMS}")
         player = self.player
         try:
             at = player.time_of(text)

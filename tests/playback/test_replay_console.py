@@ -190,6 +190,15 @@ async def test_what_is_said_at_a_command_is_seen(night: Path) -> None:
         await it.hides("not sent: this is a recording")
 
 
+async def test_before_a_time_is_typed_it_is_said_how_to(tmp_path: Path) -> None:
+    async with replayed(shift(tmp_path / "night.jsonl.gz").path) as it:
+        await it.press("@")
+        await it.shows("go to a time: 12:04:31")
+        assert "is no time" not in it.text
+        await it.press(*"noon")
+        await it.shows("'noon' is no time")
+
+
 async def test_without_a_recording_its_keys_mean_nothing(server: RosbridgeServer) -> None:
     async with console(config_of(server.url)) as it:
         await it.press("space", ".", "@", "end")
