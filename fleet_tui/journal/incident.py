@@ -55,7 +55,7 @@ class Incident:
 
     def __init__(self) -> None:
         self._parts: dict[str, bytes] = {}
-        self._recordings: dict[str, list[Path]] = {}
+        self._recordings: dict[str, tuple[list[Path], int]] = {}
         self._about: list[tuple[str, str]] = []
 
     def add(self, name: str, about: str, made: Callable[[], bytes]) -> None:
@@ -70,9 +70,13 @@ class Incident:
         """Add a recording made of these files, the oldest first: together they are one, too."""
         about = f"the last minutes that a console saw: fleet-tui replay {name}"
         if files:
-            self._recordings[name] = files
+            # Of the last one only what it is now: it goes on, and is whole at this moment alone.
+            size = 0
             with suppress(FileNotFoundError):
-                about += f" (up to {time.strftime('%F %T', time.localtime(files[-1].stat().st_mtime))})"
+                last = files[-1].stat()
+                size = last.st_size
+                about += f" (up to {time.strftime('%F %T', time.localtime(last.st_mtime))})"
+            self._recordings[name] = files, size
         else:
             about = (
                 "missing: the last minutes (no console keeps any; fleet-tui record FILE records from now on)"
@@ -96,9 +100,9 @@ class Incident:
             with os.fdopen(fd, "wb") as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
                 for name, content in {"README.txt": text.encode(), **self._parts}.items():
                     archive.writestr(zipfile.ZipInfo(name, made), content, zipfile.ZIP_DEFLATED)
-                for name, files in self._recordings.items():
+                for name, (files, size) in self._recordings.items():
                     with archive.open(zipfile.ZipInfo(name, made), "w") as recording:
-                        _join(files, recording)
+                        _join(files, size, recording)
             path.touch(mode=0o600, exist_ok=False)  # the name is ours from now on
             Path(part).replace(path)
         finally:
@@ -106,11 +110,14 @@ class Incident:
         return path
 
 
-def _join(files: list[Path], into: IO[bytes]) -> None:
+def _join(files: list[Path], last_size: int, into: IO[bytes]) -> None:
     for path in files:
         # The oldest may have made room meanwhile.
         with suppress(FileNotFoundError), path.open("rb") as file:
-            shutil.copyfileobj(file, into)
+            if path == files[-1]:
+                into.write(file.read(last_size))
+            else:
+                shutil.copyfileobj(file, into)
 
 
 def pack(config: Config, folder: Path, shot: str, recent: list[Path], is_over: Callable[[], bool]) -> Path:

@@ -20,6 +20,7 @@ class PartFile:
         self.path = path
         self.size = 0
         self._packer = zlib.compressobj(LEVEL, wbits=31)
+        self._is_flushed = True
         try:
             self.write(head)
             self.flush()
@@ -30,16 +31,20 @@ class PartFile:
 
     def write(self, lines: bytes) -> None:
         """Take lines; they are on the disk after the next flush."""
+        self._is_flushed = False
         self._put(self._packer.compress(lines))
 
     def flush(self) -> None:
         """Everything so far can be read after this."""
-        self._put(self._packer.flush(zlib.Z_SYNC_FLUSH))
+        if not self._is_flushed:
+            self._put(self._packer.flush(zlib.Z_SYNC_FLUSH))
+            self._is_flushed = True
 
     def begin_member(self) -> None:
         """Who reads may begin here."""
         self._put(self._packer.flush())
         self._packer = zlib.compressobj(LEVEL, wbits=31)
+        self._is_flushed = True
 
     def is_there(self) -> bool:
         """Whether the file still has its name: else nobody would ever see what is written."""

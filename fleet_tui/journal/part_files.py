@@ -85,13 +85,13 @@ class PartFiles:
         """Take lines, which are on the disk after the next flush."""
         return self._do(lambda file: file.write(lines))
 
-    def flush(self) -> bool:
-        """Have everything on the disk."""
+    def flush(self, whole: bool = False) -> bool:
+        """Have everything on the disk; `whole`: as a file that has its end, until the next write."""
 
         def flush(file: PartFile) -> None:
             if not file.is_there():
                 raise OSError(None, "the file has been taken away")
-            file.flush()
+            file.begin_member() if whole else file.flush()
 
         return self._do(flush)
 

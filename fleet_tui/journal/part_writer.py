@@ -103,10 +103,10 @@ class PartWriter:
             self._tell_lost(at)
             self._write_lines()
 
-    def flush(self) -> None:
-        """What was taken so far can be read after this, if the disk takes it."""
+    def flush(self, whole: bool = False) -> None:
+        """What was taken so far can be read after this, if the disk takes it; `whole`: to its very end."""
         self._write_lines()
-        if self._keeps(not self.files.is_open or self.files.flush()):
+        if self._keeps(not self.files.is_open or self.files.flush(whole)):
             self._unsure = 0
         self.wants_keyframe = self.files.needs_turn(self._at)
 

@@ -120,14 +120,15 @@ class Recorder:
         self._take(0, self._writer.keyframe, at, self._store.state)
 
     def flush(self, within: float = LAST_WORDS) -> bool:
-        """Have everything up to now in the files, if the disk takes it. Whether that was in time."""
+        """Have everything up to now in the files, which are whole until the next write, if the disk takes
+        it. Whether that was in time."""
         done = threading.Event()
         self._queue.append((0, self._flush, done))
         self._wake.set()
         return done.wait(within)
 
     def _flush(self, done: threading.Event) -> None:
-        self._writer.flush()
+        self._writer.flush(whole=True)
         done.set()
 
     def close(self) -> None:

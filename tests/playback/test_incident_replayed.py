@@ -4,6 +4,7 @@ import zipfile
 from pathlib import Path
 
 from fleet_tui.config.load import read
+from fleet_tui.journal.indexing import open_recording
 from tests.faults.in_terminal import exists, in_terminal
 
 
@@ -30,6 +31,7 @@ def test_what_one_console_packs_another_replays(tmp_path: Path) -> None:
     assert '"what":"pause"' in (elsewhere / "audit.jsonl").read_text()
     config, problems = read(elsewhere / "config.toml")
     assert [robot.name for robot in config.robots] == ["robot_0", "robot_1"] and not problems
+    assert open_recording(elsewhere / "recording.jsonl.gz").note == ""
     with in_terminal(elsewhere, "replay", str(elsewhere / "recording.jsonl.gz")) as replay:
         replay.shows("REPLAY")
         replay.press("\x1b[F")
