@@ -6,11 +6,8 @@ hour, never notices a frozen server, can't read binary frames and complains on s
 
 import asyncio
 import logging
-import platform
 import random
-import secrets
 import ssl
-import time
 from typing import Any, cast
 
 import roslibpy
@@ -20,13 +17,12 @@ from roslibpy.comm.comm_asyncio import (
     _get_shared_manager,
 )
 
-from fleet_tui.config.access import secret
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import FleetError, LinkError
+from fleet_tui.link.credentials import Credentials
 from fleet_tui.link.listener import Listener
 from fleet_tui.link.reasons import ended, failed_handshake, refusal
 from fleet_tui.link.tls import tls_context
-from fleet_tui.rosbridge import operations
 
 LOG = logging.getLogger(__name__)
 
@@ -88,8 +84,8 @@ class _Protocol(AsyncioRosBridgeProtocol):  # type: ignore[misc]  # roslibpy has
         if not self._head:
             super().onMessageEnd()
             return
-        size = self.message_data_total_length
-        self.factory.listener.on_too_large(self._head, self.message_is_binary, size)
+        head, size = self.factory.credentials.hidden(self._head), self.message_data_total_length
+        self.factory.listener.on_too_large(head, self.message_is_binary, size)
 
     def _max_message_size_exceeded(self, msg_size: int, max_msg_size: int, reason: str) -> None:
         # A compressed message can't be passed over: from the next connection on there are none.
@@ -98,7 +94,7 @@ class _Protocol(AsyncioRosBridgeProtocol):  # type: ignore[misc]  # roslibpy has
 
     def onMessage(self, payload: bytes, isBinary: bool) -> None:  # noqa: N802, N803  # autobahn's names
         try:
-            self.factory.listener.on_frame(payload, isBinary)
+            self.factory.listener.on_frame(self.factory.credentials.hidden(payload), isBinary)
         except Exception:
             LOG.exception("frame of %d bytes", len(payload))
 
@@ -108,7 +104,9 @@ class _Protocol(AsyncioRosBridgeProtocol):  # type: ignore[misc]  # roslibpy has
 
     def onClose(self, wasClean: bool, code: int, reason: str | None) -> None:  # noqa: N802, N803  # autobahn's names
         if self.factory is not None:
-            self.factory.reason = self.factory.why_closed(code, reason or "", self.lost_by)
+            said = (reason or "").encode(errors="replace")
+            reason = self.factory.credentials.hidden(said).decode(errors="replace")
+            self.factory.reason = self.factory.why_closed(code, reason, self.lost_by)
         super().onClose(wasClean, code, reason)
 
 
@@ -120,7 +118,7 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
     def __init__(self, bridge: Link, listener: Listener) -> None:
         super().__init__(bridge.url)
         self._bridge = bridge
-        self._rosauth = ""
+        self.credentials = Credentials(bridge)
         self.listener = listener
         self.limit = int(bridge.max_message_mb * 1e6)
         self.reason = ""
@@ -149,9 +147,8 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
         super().ready(proto)
         self._reconnect_delay = delay
         self._opened_at = self.manager.loop.time()
-        if self._rosauth:
-            rand, now = secrets.token_hex(16), int(time.time())
-            proto.sendMessage(operations.auth(self._rosauth, platform.node(), self.host, rand, now))
+        if first := self.credentials.frame(self.host):
+            proto.sendMessage(first)
         self.listener.on_open()
 
     def connection_lost(self, proto: _Protocol) -> None:
@@ -195,9 +192,8 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
 
     async def _be_let_in(self) -> ssl.SSLContext | None:
         """Read secrets and certificates anew: they may have been renewed."""
-        authorization = secret(self._bridge, "authorization")
-        self.headers = {"Authorization": authorization} if authorization else {}
-        self._rosauth = secret(self._bridge, "rosauth")
+        self.credentials.read()
+        self.headers = self.credentials.headers
         return await asyncio.to_thread(tls_context, self._bridge) if self._bridge.is_secure else None
 
     def _schedule_reconnect(self) -> None:

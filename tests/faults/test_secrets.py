@@ -196,6 +196,37 @@ async def test_a_wrong_rosauth_secret_is_named(monkeypatch: pytest.MonkeyPatch) 
             await store.until(lost("does it want rosauth (rosauth_file)?"))
 
 
+async def _says_back(connection: ServerConnection) -> None:
+    status = {"op": "status", "level": "error", "msg": f"not you: {WORD}"}
+    await connection.send(json.dumps(status))
+    await connection.close(1008, f"not you: {WORD}")
+
+
+async def test_what_a_server_says_back_is_hidden(tmp_path: Path) -> None:
+    async with guarded(_says_back, WORD) as url:
+        config = f'[rosbridge]\nurl = "{url}"\nauthorization_file = "word"\n'
+        (tmp_path / "config.toml").write_text(config + '[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n')
+        kept(tmp_path / "word", WORD)
+
+        def looked_at() -> bytes:
+            arguments = ("--debug", "--config", str(tmp_path / "config.toml"))
+            with in_terminal(tmp_path, *arguments) as running:
+                running.shows("bad data")
+                running.press("q")
+                running.ends()
+                return running.sent
+
+        assert b"s3same" not in await asyncio.to_thread(looked_at)
+    written = [path for path in (tmp_path / "state").rglob("*") if path.is_file()]
+    contents = {
+        path.suffix: b"".join(_unpacked(path)) if path.suffix == ".gz" else path.read_bytes()
+        for path in written
+    }
+    assert not [suffix for suffix, content in contents.items() if b"s3same" in content]
+    repeated = {suffix for suffix, content in contents.items() if b"not you: ******" in content}
+    assert repeated == {".log", ".jsonl", ".gz"}
+
+
 @pytest.mark.parametrize("mode", [0o600, 0o644])
 async def test_no_output_holds_a_secret(tmp_path: Path, mode: int) -> None:
     """The real console and the command line, at their most talkative, with a server that repeats it."""
