@@ -58,9 +58,10 @@ class _Private(logging.handlers.RotatingFileHandler):
     """A rotating log that only its owner reads."""
 
     def _open(self):  # type: ignore[no-untyped-def]  # the base's own type is not public
-        stream = super()._open()
-        Path(self.baseFilename).chmod(0o600)
-        return stream
+        path = Path(self.baseFilename)
+        path.touch(0o600)  # at no moment one that others read
+        path.chmod(0o600)
+        return super()._open()
 
 
 class _Waiting(logging.handlers.QueueHandler):

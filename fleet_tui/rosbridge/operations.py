@@ -36,7 +36,7 @@ class Status(msgspec.Struct, frozen=True):
     text: str
 
 
-LARGEST_ANSWER = 8 * 2**20
+LARGEST_ANSWER = 4 * 2**20
 """Bytes of the values of an answer, or of what a bridge says; larger ones are not read."""
 
 Operation = Publish | ServiceResponse | Status

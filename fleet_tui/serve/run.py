@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import os
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from importlib import resources
@@ -116,7 +117,9 @@ async def _listen(runner: web.AppRunner, host: str, port: int) -> None:
     try:
         await web.TCPSite(runner, host, port).start()
     except OSError as problem:
-        why = problem.strerror or problem
+        # asyncio's own words have the address once more; a name that is none has an errno below 0.
+        number = problem.errno or 0
+        why = os.strerror(number) if number > 0 else problem.strerror or problem
         raise FleetError(f"can't serve on {host} port {port}: {why}; --port 0 takes a free one") from None
 
 

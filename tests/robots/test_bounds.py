@@ -195,7 +195,7 @@ def test_an_answer_beyond_the_bound_is_not_read() -> None:
     answer = operations.decode(json.dumps(frame).encode())
     assert isinstance(answer, operations.ServiceResponse)
     stage, words = SPOKEN.outcome(answer.values, True)
-    assert stage is Stage.UNKNOWN and "8,388,617 bytes, which are not read" in words
+    assert stage is Stage.UNKNOWN and "4,194,313 bytes, which are not read" in words
 
 
 def test_what_a_bridge_says_beyond_the_bound_is_not_read() -> None:
