@@ -59,9 +59,11 @@ class _Private(logging.handlers.RotatingFileHandler):
 
     def _open(self):  # type: ignore[no-untyped-def]  # the base's own type is not public
         path = Path(self.baseFilename)
-        path.touch(0o600)  # at no moment one that others read
+        if not path.exists():
+            path.touch(0o600)  # at no moment one that others read
+        stream = super()._open()
         path.chmod(0o600)
-        return super()._open()
+        return stream
 
 
 class _Waiting(logging.handlers.QueueHandler):
