@@ -106,7 +106,8 @@ class MainScreen(Navigation):
         self.queue.show(queue_table(state, self.selection.robot, self._all_orders, self.queue.room))
         self.show_status(state)
         self.message.show(message_line(state, self.said, self._said_at, self.message.size.width))
-        self.hints.show(*hints(self.keys, "anywhere" if self.in_overlay else self._focused_pane()))
+        pane = "anywhere" if self.in_overlay else self._focused_pane()
+        self.hints.show(*hints(self.keys, pane, can_command=not self.read_only))
         self.announce(state)
         if self.simple is not None:
             self.simple.show()

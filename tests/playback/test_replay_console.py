@@ -131,7 +131,8 @@ async def test_nothing_can_be_sent_or_acknowledged(night: Path, monkeypatch: pyt
 
 async def test_help_and_hints_begin_with_the_recording(night: Path) -> None:
     async with replayed(night) as it:
-        assert "play/stop" in it.text.splitlines()[-1]
+        footer = it.text.splitlines()[-1]
+        assert "play/stop" in footer and " order " not in footer and " pause " not in footer
         await it.press("?")
         await it.shows("The recording")
         assert it.text.index("The recording") < it.text.index("Play or stop")

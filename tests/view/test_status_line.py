@@ -121,3 +121,12 @@ def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
     chosen, _ = keymap({"help_anywhere": "f2"})
     left, right = hints(chosen, "anywhere")
     assert text_of(left) == " f2 help  f12 pause all " and right == []
+
+
+@pytest.mark.parametrize("pane", ["map", "table", "recording", "anywhere"])
+def test_a_console_that_can_not_command_offers_no_commands(pane: str) -> None:
+    chosen, _ = keymap({})
+    may = "".join(text_of(part) for part in hints(chosen, pane))
+    may_not = "".join(text_of(part) for part in hints(chosen, pane, can_command=False))
+    assert " pause all " in may and " help " in may_not
+    assert not any(f" {word} " in may_not for word in ("order", "cancel", "clear", "pause", "resume"))
