@@ -11,9 +11,7 @@ from textual.widget import Widget
 
 from fleet_tui.terminal.row_strip import RowStrip
 from fleet_tui.view.roles import Ink
-
-Run = tuple[str, int]
-"""Text and the ink (an `Ink` or its number) that all of it has."""
+from fleet_tui.view.table import Run, width_of
 
 
 class InkView(Widget):
@@ -52,8 +50,9 @@ class InkView(Widget):
             self._strips[y] = self._strip(y)
 
     def _strip(self, y: int) -> Strip:
-        styles = self._styles
-        return RowStrip([Segment(text, styles[ink]) for text, ink in self._rows[y]])
+        styles, row = self._styles, self._rows[y]
+        # Measured here: Rich would keep each of these texts, which are new every second.
+        return RowStrip([Segment(text, styles[ink]) for text, ink in row], width_of(row))
 
     def render_line(self, y: int) -> Strip:
         """One row, whole."""
