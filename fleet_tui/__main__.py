@@ -92,7 +92,8 @@ def _never_fail_to_encode() -> None:
 def _words(problem: Exception, log: "Path | None") -> str:
     if isinstance(problem, OSError) and problem.errno in FULL and problem.filename is None:
         return f"the output can't be written: {problem.strerror}"
-    return f"internal error: {problem} (details in {log}, or with --debug)"
+    where = "with --debug" if log is None else f"in {log}, or with --debug"
+    return f"internal error: {problem} (details {where})"
 
 
 def _run() -> None:

@@ -17,7 +17,7 @@ from fleet_tui.screens.main import MainScreen
 from fleet_tui.store import Store
 from fleet_tui.terminal.annunciator import Annunciator
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
-from fleet_tui.terminal.paint_first import PaintFirst
+from fleet_tui.terminal.steady_app import SteadyApp
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.drawing import Drawing
 from fleet_tui.widgets.bindings import bindings, textual_keymap
@@ -33,7 +33,7 @@ def clock(wall: float) -> str:
         return "no time"
 
 
-class FleetApp(PaintFirst, inherit_bindings=False):
+class FleetApp(SteadyApp, inherit_bindings=False):
     """The console. Its door is opened last: importing a link takes longer than painting."""
 
     TITLE = "fleet-tui"
@@ -79,7 +79,8 @@ class FleetApp(PaintFirst, inherit_bindings=False):
             leave_on_signals(self.exit, self._restore)
         await self.stand()
         self.budget.every = 1 / self._config.ui.ticks_per_second
-        self.set_interval(self.budget.every, partial(self.budget.ticks.timed, self.main.tick))
+        tick = partial(self.budget.ticks.timed, self.main.tick)
+        self.set_interval(self.budget.every, partial(self.steadily, tick))
         self.call_after_refresh(self._connect)
 
     async def furnish(self) -> None:
@@ -114,6 +115,10 @@ class FleetApp(PaintFirst, inherit_bindings=False):
         """Tell the store something that happened here."""
         if self._door is not None:
             self._door.tell(event)
+
+    def note(self, text: str) -> None:
+        """Tell the operator, with the next tick."""
+        self.main.note(text)
 
     def _show_map(self, robot: str, floor: str) -> bool:
         """Ask for a live map; False while there is nobody to ask."""

@@ -164,8 +164,8 @@ def _ready(
 
 def _to_the_end(app: FleetApp) -> None:
     app.run()
-    if app.return_code:
-        raise FleetError("the console ended with an error: the log file says more")
+    if app.failure is not None:
+        raise RuntimeError(app.failure) from app.failure
 
 
 def _run(app: FleetApp, config: Config, demo: bool) -> None:

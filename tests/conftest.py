@@ -1,13 +1,14 @@
 """Fixtures that several rooms share."""
 
 import signal
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Iterator
 
 import pytest
 from hypothesis import settings
 
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
+from fleet_tui.terminal import steady_app
 
 # In the background of a shell SIGINT is ignored; programs that a test interrupts would inherit that.
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -24,3 +25,13 @@ async def server() -> AsyncIterator[RosbridgeServer]:
     await running.start()
     yield running
     await running.stop()
+
+
+@pytest.fixture(autouse=True)
+def no_own_faults(request: pytest.FixtureRequest, caplog: pytest.LogCaptureFixture) -> Iterator[None]:
+    """What the console survives of its own faults would go unseen here."""
+    yield
+    if request.node.get_closest_marker("own_faults") is None:
+        records = caplog.get_records("call")
+        faults = [record for record in records if record.name == steady_app.__name__]
+        assert not faults, [record.exc_text or record.getMessage() for record in faults]

@@ -9,6 +9,7 @@ from fleet_tui.model.commands import Command, Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.part import Part
 from fleet_tui.store import Store
+from fleet_tui.view.command_line import newest
 from fleet_tui.view.text import visible
 
 if TYPE_CHECKING:
@@ -28,6 +29,7 @@ class Dispatch(Part):
     def __init__(self) -> None:
         super().__init__()
         self._given: dict[tuple[Command, ...], float] = {}
+        self.said, self._said_at = "", 0.0
 
     @property
     def state(self) -> FleetState:
@@ -85,4 +87,13 @@ class Dispatch(Part):
 
     def say(self, text: str) -> None:
         """Tell the operator why nothing happened."""
+        self.note(text)
+        self.tick()
+
+    def note(self, text: str) -> None:
+        """Tell it with the next tick."""
+        self.said, self._said_at = text, newest(self.state)
+
+    def tick(self) -> None:
+        """Show the newest state."""
         raise NotImplementedError

@@ -12,7 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.screens.navigation import Navigation
 from fleet_tui.store import Store
-from fleet_tui.view.command_line import message_line, newest
+from fleet_tui.view.command_line import message_line
 from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.hints import hints
@@ -57,7 +57,6 @@ class MainScreen(Navigation):
         self.open_journal: Callable[[], None] = lambda: None
         self._show_map, self.keys, self.clock = show_map, keys, clock
         self._all_orders = False
-        self.said, self._said_at = "", 0.0
         self.terminal = ""
         self.filled: Callable[[], None] = lambda: None
         self._mapped: tuple[str, str] | None = None
@@ -130,11 +129,6 @@ class MainScreen(Navigation):
         wanted = (owner.name, "" if has_file else self.selection.floor) if owner else None
         if wanted is not None and wanted != self._mapped and self._show_map(*wanted):
             self._mapped = wanted
-
-    def say(self, text: str) -> None:
-        """Tell the operator why nothing happened."""
-        self.said, self._said_at = text, newest(self.state)
-        self.tick()
 
     def action_all_orders(self) -> None:
         """The selected robot's orders, or all robots'."""

@@ -41,10 +41,6 @@ class Navigation(
     palette: "Palette"
     themes: Mapping[str, Callable[[], None]]
 
-    def tick(self) -> None:
-        """Show the newest state."""
-        raise NotImplementedError
-
     def select(self, robot: str) -> None:
         """Select a robot; the fleet's cursor is on the selected one."""
         self.selection, self.fleet.cursor = self.selection.on_robot(robot), robot

@@ -38,7 +38,6 @@ class PlaybackActions(RecordingActions, AuditActions, Dispatch):
     selection: Selection
     clock: Callable[[float], str]
     status: LineView
-    said: str
     furnished: bool
     _jumps = 0
 

@@ -74,6 +74,17 @@ class LeanApp(App[None]):
     _retrying = False
     _patience = RETRY
 
+    failure: Exception | None = None
+    """What ended it, if that was an error."""
+
+    def _handle_exception(self, error: Exception) -> None:
+        self.failure = self.failure or error
+        super()._handle_exception(error)
+
+    def _fatal_error(self) -> None:
+        """Leave. Textual would paint a traceback with the values of all variables, secrets among them."""
+        self._close_messages_no_wait()
+
     def _display(self, screen: Screen[object], renderable: RenderableType | None) -> None:
         update = renderable if isinstance(renderable, _compositor.CompositorUpdate) else None
         shows = self._running and not self._closed and not self._batch_count

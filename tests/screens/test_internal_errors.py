@@ -1,0 +1,66 @@
+"""A fault of the console's own: it is said and logged, and the console goes on."""
+
+import logging
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from fleet_tui.screens import main
+from fleet_tui.screens.main import MainScreen
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.view.fleet_rows import fleet_table
+from tests.console_pilot import console
+from tests.watched import config_of
+
+SAID = "internal error: broken here (details in the log file)"
+
+
+def broken(times: int, real: Callable[..., Any]) -> Callable[..., Any]:
+    """A function that fails so many times at first."""
+    left = [None] * times
+
+    def function(*args: Any) -> Any:
+        if left:
+            left.pop()
+            raise RuntimeError("broken here")
+        return real(*args)
+
+    return function
+
+
+def logged(caplog: pytest.LogCaptureFixture) -> list[str]:
+    """What the console says of its own faults."""
+    return [
+        f"{record.getMessage()}: {record.exc_info[1]}"
+        for record in caplog.records
+        if record.levelno >= logging.ERROR and record.exc_info
+    ]
+
+
+@pytest.mark.own_faults
+async def test_a_key_that_fails_costs_nothing_else(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(MainScreen, "action_all_orders", broken(1, MainScreen.action_all_orders))
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("*")
+        await it.shows(SAID)
+        assert logged(caplog) == ["action all_orders: broken here"]
+        await it.press("*")
+        await it.shows("Queue all robots")
+        await it.press("p")
+        await it.shows("paused")
+
+
+@pytest.mark.own_faults
+async def test_ticks_that_fail_are_tried_again(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        monkeypatch.setattr(main, "fleet_table", broken(3, fleet_table))
+        await it.until(lambda _state: len(logged(caplog)) == 3)
+        await it.shows(SAID)
+        assert logged(caplog) == ["tick: broken here"] * 3
+        await it.press("]")
+        await it.shows("Queue robot_1", "queue")
