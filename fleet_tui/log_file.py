@@ -6,6 +6,7 @@ import logging.handlers
 import os
 import queue
 from collections import deque
+from contextlib import suppress
 from copy import copy
 from pathlib import Path
 from typing import Any
@@ -64,6 +65,16 @@ class _Private(logging.handlers.RotatingFileHandler):
         stream = super()._open()
         path.chmod(0o600)
         return stream
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Write it to the file that has the name now: somebody may have cleared the folder."""
+        path = Path(self.baseFilename)
+        with suppress(OSError):  # else this line is lost, and the next finds its way
+            if self.stream is not None and not path.exists():
+                self.stream.close()
+                self.stream = None
+                path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+        super().emit(record)
 
 
 class _Waiting(logging.handlers.QueueHandler):

@@ -1,4 +1,4 @@
-"""The log on a disk that hangs."""
+"""The log on a disk that hangs, and where its folder goes away."""
 
 import os
 import subprocess
@@ -55,3 +55,26 @@ def test_what_can_not_wait_is_counted_and_nothing_is_said_on_the_screen(tmp_path
         waited = [f"n{n}" for n in range(11)]
         assert [line.rpartition(" ")[2] for line in lines if " x: " in line] == [*waited, "last"]
         assert "4 messages before this one are lost: the disk did not answer" in lines[-2]
+
+
+CLEARED = """
+import logging, shutil, sys, time
+from fleet_tui.log_file import log_to_file
+
+path, log = log_to_file(False), logging.getLogger("x")
+log.warning("before")
+while not (path.exists() and "before" in path.read_text()):
+    time.sleep(0.01)
+shutil.rmtree(path.parent)
+log.warning("after")
+"""
+
+
+def test_the_log_goes_on_where_its_folder_was_removed(tmp_path: Path) -> None:
+    env = {**os.environ, "XDG_STATE_HOME": str(tmp_path)}
+    done = subprocess.run(
+        [sys.executable, "-c", CLEARED], env=env, capture_output=True, timeout=20, check=False
+    )
+    log = tmp_path / "fleet-tui" / "fleet-tui.log"
+    assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
+    assert log.read_text().endswith("WARNING x: after\n") and log.stat().st_mode & 0o777 == 0o600
