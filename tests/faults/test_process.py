@@ -228,36 +228,3 @@ def test_a_name_that_is_looked_up_for_ever(tmp_path: Path, key: str) -> None:
         took = running.ends()
         assert running.is_restored() and took < SOON
     report("DNS hangs", "30 s for each look-up", "no answer from that address", noticed, took)
-
-
-BREAKS = """
-import os
-import fleet_tui.view.fleet_rows as rows
-real = rows.fleet_table
-
-def fleet_table(*args):
-    if os.path.exists(os.environ["BREAKS"]):
-        raise RuntimeError("broken \\x1b]52;c;QQ==\\x07 here")
-    return real(*args)
-
-rows.fleet_table = fleet_table
-"""
-
-
-def test_the_console_itself_is_broken(tmp_path: Path) -> None:
-    """What it shows would soon be old: it ends, and its traceback is where nobody's screen is torn by it."""
-    (tmp_path / "sitecustomize.py").write_text(BREAKS)
-    breaks, log = tmp_path / "breaks", tmp_path / "state" / "fleet-tui" / "fleet-tui.log"
-    with in_terminal(tmp_path, "demo", PYTHONPATH=str(tmp_path), BREAKS=str(breaks)) as running:
-        pause(running)
-        simulator = running.children()
-        breaks.touch()
-        took = running.ends()
-        assert running.child.returncode == 1 and took < SOON
-        running.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
-        after = running.sent.rpartition(b"\x1b[?1049l")[2].decode()
-        words = "fleet-tui: internal error: broken ␛]52;c;QQ==␇ here"
-        assert f"{words} (details in {log}, or with --debug)\r\n" in after
-        lines = log.read_text()
-        assert "Traceback" in lines and "in fleet_table" in lines and "\x1b" not in lines
-    report("its own fault", "each picture fails, for a second", f"the shell, `{words[:26]} ...`", took, None)

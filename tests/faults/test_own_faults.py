@@ -1,0 +1,48 @@
+"""The console's own faults: what they cost, and a search for some."""
+
+from pathlib import Path
+
+from tests.faults.in_terminal import exists, in_terminal
+from tests.faults.monkey import DEMO, play
+from tests.faults.report import report
+
+BREAKS = """
+import os
+import fleet_tui.view.fleet_rows as rows
+real = rows.fleet_table
+
+def fleet_table(*args):
+    if os.path.exists(os.environ["BREAKS"]):
+        raise RuntimeError("broken \\x1b]52;c;QQ==\\x07 here")
+    return real(*args)
+
+rows.fleet_table = fleet_table
+"""
+
+
+def test_the_console_itself_is_broken(tmp_path: Path) -> None:
+    """What it shows would soon be old: it ends, and its traceback is where nobody's screen is torn by it."""
+    (tmp_path / "sitecustomize.py").write_text(BREAKS)
+    breaks, log = tmp_path / "breaks", tmp_path / "state" / "fleet-tui" / "fleet-tui.log"
+    with in_terminal(tmp_path, "demo", PYTHONPATH=str(tmp_path), BREAKS=str(breaks)) as running:
+        running.shows("robot_1")
+        simulator = running.children()
+        breaks.touch()
+        took = running.ends()
+        assert running.child.returncode == 1 and took < 4.0
+        running.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+        after = running.sent.rpartition(b"\x1b[?1049l")[2].decode()
+        words = "fleet-tui: internal error: broken ␛]52;c;QQ==␇ here"
+        assert f"{words} (details in {log}, or with --debug)\r\n" in after
+        lines = log.read_text()
+        assert "Traceback" in lines and "in fleet_table" in lines and "\x1b" not in lines
+    report("its own fault", "each picture fails, for a second", f"the shell, `{words[:26]} ...`", took, None)
+
+
+def test_keys_at_random(tmp_path: Path) -> None:
+    """A short form of `python -m tests.faults.monkey`."""
+    with in_terminal(tmp_path, *DEMO) as running:
+        running.shows("robot_5")
+        moves = play(running, 8.0, 0)
+    assert moves > 50
+    report("keys at random", "keys, mouse, pastes, sizes; robots with faults", "works on", None, None)
