@@ -111,6 +111,15 @@ def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
     return replace(state, robots=robots)
 
 
+def _shared(state: FleetState, event: events.GraphReceived) -> events.GraphReceived:
+    """With the graph that another robot has, if it is the same: one serves all, and what is made of it."""
+    for robot in state.robots.values():
+        chart = robot.charts.get(event.floor)
+        if chart is not None and chart.graph == event.graph:
+            return replace(event, graph=chart.graph)
+    return event
+
+
 def _apply_to_robot(
     state: FleetState, event: events.Telemetry | events.ChartReceived | events.MessageRejected
 ) -> FleetState:
@@ -120,7 +129,9 @@ def _apply_to_robot(
     match event:
         case events.MessageRejected():
             return _with_robot(state, with_fault(robot, event.text))
-        case events.FrameReceived() | events.GraphReceived() | events.LabelsReceived():
+        case events.GraphReceived():
+            return _with_robot(state, take_chart(robot, _shared(state, event)))
+        case events.FrameReceived() | events.LabelsReceived():
             return _with_robot(state, take_chart(robot, event))
         case events.GridReceived():
             state = _forget_grids(state, event)

@@ -8,6 +8,7 @@ from fleet_tui.model.apply import COMMANDS_KEPT
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from tests.fleets import (
@@ -223,3 +224,17 @@ def test_a_command_under_way_is_kept_until_its_end_has_come() -> None:
 )
 def test_ages_in_words(seconds: float, text: str) -> None:
     assert age(seconds) == text
+
+
+def test_robots_that_know_the_same_graph_share_one() -> None:
+    def routes(x: float) -> RouteGraph:
+        return RouteGraph({1: Vertex(1, x, 0.0), 2: Vertex(2, 4.0, 0.0)}, (Edge(7, 1, 2),))
+
+    told_again = events.GraphReceived(R0, F0, routes(2.0))
+    state = told(fleet(3), *(events.GraphReceived(f"robot_{n}", F0, routes(float(n // 2))) for n in range(3)))
+    first, second, other = (robot.charts[F0].graph for robot in state.robots.values())
+    assert first is second and first == routes(0.0)
+    assert other is not first and other == routes(1.0)
+    changed = told(state, told_again)
+    assert changed.robots[R0].charts[F0].graph == routes(2.0)
+    assert changed.robots["robot_1"].charts[F0].graph is second
