@@ -5,7 +5,7 @@ from collections.abc import Callable
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Row, Run, Table, column
+from fleet_tui.view.table import LateRows, Row, Run, Table, column
 from fleet_tui.view.text import fit, visible
 
 _SIGNS = {
@@ -60,7 +60,8 @@ def alarm_table(state: FleetState, clock: Callable[[float], str]) -> Table:
     needs somebody again. `clock` writes Unix seconds as a local time."""
     alarms = sorted(state.alarms, key=_place)
     sources = column((alarm.condition.source for alarm in alarms), 7, 14)
-    rows = tuple(_row(state, alarm, sources, clock) for alarm in alarms)
+    keys = [alarm.key for alarm in alarms]
+    rows = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock))
     title: list[Run] = [("Alarms", Ink.TITLE)]
     if state.unacknowledged:
         title.append((f" {state.unacknowledged} new", Ink.ALARM))

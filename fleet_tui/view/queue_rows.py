@@ -10,7 +10,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.view.command_line import stage_text
 from fleet_tui.view.fleet_rows import mission
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Button, Row, Run, Table, column, cut, width_of
+from fleet_tui.view.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 from fleet_tui.view.text import cell_width, fit, visible
 
 CANCEL, CLEAR = "[Cancel]", "[Clear all]"
@@ -101,7 +101,7 @@ def _rows(
     under_way: list[CommandRecord],
     width: int,
     all_robots: bool,
-) -> list[Row]:
+) -> LateRows:
     leaving = _leaving(state, under_way)
     columns = (
         column((entry[0].name for entry in entries), 6, 12) if all_robots else 0,
@@ -109,10 +109,13 @@ def _rows(
         column((str(entry[2].id) for entry in entries), 1, 11),
         column((mission(entry[0], entry[2]) for entry in entries), 10, 40),
     )
-    stages = (
-        leaving.get((one.name, order.id)) or leaving.get((one.name, 0), "") for one, _, order in entries
-    )
-    return [_row(entry, columns, width, stage) for entry, stage in zip(entries, stages, strict=True)]
+
+    def row(place: int) -> Row:
+        robot, _, order = entries[place]
+        stage = leaving.get((robot.name, order.id)) or leaving.get((robot.name, 0), "")
+        return _row(entries[place], columns, width, stage)
+
+    return LateRows([(robot.name, order.id, position) for robot, position, order in entries], row)
 
 
 def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) -> Table:
@@ -128,4 +131,4 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
         title = [*cut(title, max(0, start - 1)), (" " + CLEAR, Ink.KEY)] if start > width_of(title) else title
         buttons = (Button(start, start + len(CLEAR), "clear"),) if title[-1][0].endswith(CLEAR) else ()
     empty = "no orders: o places one" if robot.queue is not None else "the queue has not been heard yet"
-    return Table(tuple(title), tuple(rows), "no orders" if all_robots else empty, buttons)
+    return Table(tuple(title), rows, "no orders" if all_robots else empty, buttons)

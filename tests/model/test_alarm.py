@@ -54,6 +54,13 @@ def test_over_but_unseen_it_stays_in_other_words() -> None:
     assert acknowledge((over,), *KEY) == ()
 
 
+def test_where_nothing_changes_they_are_the_same_object() -> None:
+    over = ripen(ripen((), [condition()], 1.0, 1.0), [], 2.0, 2.0)
+    assert ripen(over, [], 3.0, 3.0) is over
+    assert ripen(over, [condition(kind="battery")], 3.0, 3.0)[:-1] == over
+    assert ripen((), [], 3.0, 3.0) == ()
+
+
 def test_seen_while_it_holds_it_goes_with_its_condition() -> None:
     seen = acknowledge(ripen((), [condition()], 1.0, 1.0), *KEY)
     assert one(seen).stage is AlarmStage.ACKNOWLEDGED

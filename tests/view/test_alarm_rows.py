@@ -21,7 +21,7 @@ def low(at: float = T0, percent: float = 15.0) -> FleetState:
 
 def test_all_clear() -> None:
     table = alarm_table(fleet(), clock)
-    assert (table.rows, table.empty, text_of(table.title)) == ((), "all clear", "Alarms")
+    assert (len(table.rows), table.empty, text_of(table.title)) == (0, "all clear", "Alarms")
 
 
 def test_a_new_alarm_says_who_what_and_since_when() -> None:
