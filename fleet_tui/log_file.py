@@ -9,7 +9,7 @@ from collections import deque
 from contextlib import suppress
 from copy import copy
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import platformdirs
 
@@ -55,6 +55,14 @@ class Tail(logging.Handler):
 TAIL = Tail()
 
 
+def _is_named(stream: IO[str], path: Path) -> bool:
+    """Whether the file that is written to is the one of this name."""
+    try:
+        return os.path.samestat(os.fstat(stream.fileno()), path.stat())
+    except FileNotFoundError:
+        return False
+
+
 class _Private(logging.handlers.RotatingFileHandler):
     """A rotating log that only its owner reads."""
 
@@ -67,10 +75,11 @@ class _Private(logging.handlers.RotatingFileHandler):
         return stream
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Write it to the file that has the name now: somebody may have cleared the folder."""
+        """Write it to the file that has the name now: somebody may have cleared the folder, or another
+        console begun a new file."""
         path = Path(self.baseFilename)
         with suppress(OSError):  # else this line is lost, and the next finds its way
-            if self.stream is not None and not path.exists():
+            if self.stream is not None and not _is_named(self.stream, path):
                 self.stream.close()
                 self.stream = None
                 path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)

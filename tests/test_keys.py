@@ -88,6 +88,7 @@ def test_ctrl_c_commands_nothing() -> None:
 def test_what_works_while_typing_types_nothing() -> None:
     assert {key.id: key.keys for key in KEYS if key.pane == "anywhere"} == {
         "help_anywhere": ("f1",),
+        "repaint": ("ctrl+l",),
         "pause_all_anywhere": ("f12",),
     }
 

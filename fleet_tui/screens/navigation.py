@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from fleet_tui.screens.typed import Entry
     from fleet_tui.widgets.map_view import MapView
 
-NOT_WISHED = {"palette", "back", "next_pane", "previous_pane"}
+NOT_WISHED = {"palette", "back", "next_pane", "previous_pane", "help_anywhere", "pause_all_anywhere"}
 
 
 class Navigation(
@@ -108,7 +108,7 @@ class Navigation(
     def wishes(self) -> "Iterator[Entry]":
         """Everything the palette offers."""
         for key in KEYS:
-            if key.pane in self.panes and key.id not in NOT_WISHED:
+            if key.pane in (*self.panes, "anywhere") and key.id not in NOT_WISHED:
                 yield key.text, partial(self.call_later, self.run_action, key.action)
         for name in self.state.robots:
             yield f"Go to robot {name}", partial(self.find_robot, name)

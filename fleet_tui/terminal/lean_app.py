@@ -21,6 +21,7 @@ from textual.drivers._writer_thread import WriterThread
 from textual.geometry import Offset
 from textual.screen import Screen
 from textual.strip import Strip
+from textual.worker import WorkerFailed
 
 if TYPE_CHECKING:
     from fleet_tui.terminal.budget import Budget
@@ -78,8 +79,15 @@ class LeanApp(App[None]):
     """What ended it, if that was an error."""
 
     def _handle_exception(self, error: Exception) -> None:
-        self.failure = self.failure or error
-        super()._handle_exception(error)
+        if isinstance(error, WorkerFailed):
+            self.worker_failed(error.error)
+        else:
+            self.failure = self.failure or error
+            super()._handle_exception(error)
+
+    def worker_failed(self, error: BaseException) -> None:
+        """A worker ended with an error."""
+        raise NotImplementedError
 
     def _fatal_error(self) -> None:
         """Leave. Textual would paint a traceback with the values of all variables, secrets among them."""

@@ -4,7 +4,9 @@ import logging
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from fleet_tui.model.bounds import brief
 from fleet_tui.terminal.paint_first import PaintFirst
+from fleet_tui.view.text import visible
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -53,5 +55,12 @@ class SteadyApp(PaintFirst):
             self._note_fault(problem)
             return True
 
-    def _note_fault(self, problem: Exception) -> None:
-        self.note(f"internal error: {problem} (details in the log file)")
+    def worker_failed(self, error: BaseException) -> None:
+        """What was done beside the screen did not succeed; the screen still does."""
+        LOG.error("worker", exc_info=error)
+        self._note_fault(error)
+
+    def _note_fault(self, problem: BaseException) -> None:
+        # The words of an exception may come from anywhere, and some have none.
+        words = visible(brief(str(problem))) or type(problem).__name__
+        self.note(f"internal error: {words} (details in the log file)")

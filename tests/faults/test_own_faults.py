@@ -46,3 +46,16 @@ def test_keys_at_random(tmp_path: Path) -> None:
         moves = play(running, 8.0, 0)
     assert moves > 50
     report("keys at random", "keys, mouse, pastes, sizes; robots with faults", "works on", None, None)
+
+
+def test_what_others_wrote_over_an_open_dialog_is_painted_over(tmp_path: Path) -> None:
+    with in_terminal(tmp_path, "demo") as running:
+        running.shows("robot_1")
+        running.press("?")
+        running.shows("type to search")
+        running.sent = b""
+        running.press("\x0c")
+        running.until(
+            lambda: "alarms" in running.text().splitlines()[0], 5.0, "the line that is always in view"
+        )
+        running.shows("type to search")

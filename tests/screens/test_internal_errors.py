@@ -2,10 +2,13 @@
 
 import logging
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from fleet_tui.journal import reader
+from fleet_tui.journal.audit import auditing
 from fleet_tui.screens import main
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.simulator.server import RosbridgeServer
@@ -64,3 +67,48 @@ async def test_ticks_that_fail_are_tried_again(
         assert logged(caplog) == ["tick: broken here"] * 3
         await it.press("]")
         await it.shows("Queue robot_1", "queue")
+
+
+class WordlessError(Exception):
+    """An error without words."""
+
+
+@pytest.mark.own_faults
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        (RuntimeError("a\x1b]52;c;QQ==\x07\nb\u202e"), "internal error: a␛]52;c;QQ==␇␊b\ufffd (details"),
+        (WordlessError(), "internal error: WordlessError (details"),
+        (RuntimeError("x" * 5_000_000), "… (5,000,000 characters) (details in the log file)"),
+    ],
+)
+async def test_the_words_of_a_fault_are_shown_as_text(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, error: Exception, said: str
+) -> None:
+    def fails(_self: MainScreen) -> None:
+        raise error
+
+    monkeypatch.setattr(MainScreen, "action_all_orders", fails)
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("*")
+        await it.until(lambda _state: said in it.app.main.said)
+        await it.shows("internal error: ", "message")
+        assert it.pane("message").isprintable()
+
+
+@pytest.mark.own_faults
+async def test_what_is_read_beside_the_screen_may_fail(
+    tmp_path: Path,
+    server: RosbridgeServer,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    monkeypatch.setattr(reader.Reading, "newest_first", broken(1, reader.Reading.newest_first))
+    config = config_of(server.url, 2, 2)
+    async with console(config) as it:
+        with auditing(tmp_path, config, it.store) as it.app.main.audit:
+            await it.press("L")
+            await it.shows(SAID)
+            assert logged(caplog) == ["worker: broken here"]
+            await it.press("escape", "p")
+            await it.shows("paused")
