@@ -11,6 +11,7 @@ import traceback
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 
 from fleet_tui.errors import ConfigError, FleetError
+from fleet_tui.model.bounds import brief
 from fleet_tui.terminal.ending import PATIENCE, end_within
 from fleet_tui.view.signs import stand_in
 from fleet_tui.view.text import visible
@@ -93,7 +94,8 @@ def _words(problem: Exception, log: "Path | None") -> str:
     if isinstance(problem, OSError) and problem.errno in FULL and problem.filename is None:
         return f"the output can't be written: {problem.strerror}"
     where = "with --debug" if log is None else f"in {log}, or with --debug"
-    return f"internal error: {problem} (details {where})"
+    words = brief(str(problem)) or type(problem.__cause__ or problem).__name__
+    return f"internal error: {words} (details {where})"
 
 
 def _run() -> None:

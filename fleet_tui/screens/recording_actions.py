@@ -31,7 +31,7 @@ class RecordingActions(Part):
             self.say("nothing to record here: this is no live console")
         elif not self._switching:
             self._switching = True
-            self.run_worker(self._switch, thread=True, exit_on_error=False)
+            self.run_worker(self._switch, thread=True)
 
     def _switch(self) -> None:
         """In a thread."""

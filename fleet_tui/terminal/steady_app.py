@@ -24,6 +24,7 @@ class SteadyApp(PaintFirst):
     """Actions and ticks that fail are logged, said, and end nothing else."""
 
     _failed_ticks = 0
+    _logged = ""
 
     def note(self, text: str) -> None:
         """Say something soon."""
@@ -38,7 +39,9 @@ class SteadyApp(PaintFirst):
             self._failed_ticks += 1
             if self._failed_ticks == MOST_FAILED_TICKS:
                 raise
-            LOG.exception("tick")
+            if repr(problem) != self._logged:  # once: ten times a second it would be all that the log holds
+                self._logged = repr(problem)
+                LOG.exception("tick")
             self._note_fault(problem)
 
     async def run_action(
