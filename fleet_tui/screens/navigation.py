@@ -83,8 +83,9 @@ class Navigation(
 
         panes = self.query_one("#panes")
         if self.simple is None:
-            self.simple = Simple(lambda: self.state, lambda: self.selection.robot, self.select, self.give)
-            await panes.mount(self.simple, before=self.map)
+            simple = Simple(lambda: self.state, lambda: self.selection.robot, self.select, self.give)
+            await panes.mount(simple, before=self.map)
+            self.simple = simple  # not before: ticks that come meanwhile would look for what it is made of
         if panes.toggle_class("-simple").has_class("-simple"):
             self.simple.start()
         else:

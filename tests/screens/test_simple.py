@@ -1,8 +1,10 @@
 """The simple interface: an order with arrows and Enter alone, or with the mouse alone."""
 
 import pytest
+from textual.app import ComposeResult
 
 from fleet_tui.model.events import LabelsReceived
+from fleet_tui.screens.simple import Simple
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.text import visible
 from tests.console_pilot import Console, console
@@ -122,3 +124,18 @@ async def test_a_label_that_looks_like_markup_is_text(server: RosbridgeServer) -
         await it.shows("[bold]Base[/]  (floor_0)")
         await it.press("enter")
         await it.shows("From: [bold]Base[/]")
+
+
+async def test_a_tick_while_it_is_being_made(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = Simple.compose
+    async with console(config_of(server.url, 2), (120, 40)) as it:
+
+        def compose(simple: Simple) -> ComposeResult:
+            it.app.main.tick()
+            yield from made(simple)
+
+        monkeypatch.setattr(Simple, "compose", compose)
+        await it.press("s")
+        await it.shows("Robot: robot_0")
