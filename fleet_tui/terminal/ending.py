@@ -1,6 +1,7 @@
 """The end, whatever hangs: a terminal that nobody reads, a name's look-up that takes half a minute."""
 
 import os
+import select
 import signal
 import sys
 import termios
@@ -11,6 +12,9 @@ from contextlib import suppress
 
 PATIENCE = 1.0
 """Seconds for an orderly end. After a signal the process is gone within 2."""
+
+LOOK_EVERY = 0.5
+"""Seconds between two looks whether there still is a terminal."""
 
 # Out of Textual's screen: no mouse, no focus events, no bracketed paste, first screen, plain, cursor.
 _LEAVE = b"\x1b[?1000l\x1b[?1003l\x1b[?1006l\x1b[?1004l\x1b[?2004l\x1b[<u\x1b[?1049l\x1b[m\x1b[?25h"
@@ -62,15 +66,32 @@ def _leave(descriptor: int) -> None:
             break
 
 
+def _is_hung_up(descriptor: int) -> bool:
+    look = select.poll()
+    look.register(descriptor, 0)
+    return any(event & select.POLLHUP for _, event in look.poll(0))
+
+
 def leave_on_signals(leave: Callable[[], object], restore: Callable[[], None]) -> None:
-    """On SIGTERM, SIGHUP and SIGINT call `leave` on the running loop; if that hangs, `restore` and end."""
+    """On SIGTERM, SIGHUP and SIGINT call `leave` on the running loop; if that hangs, `restore` and end.
+
+    The same where the terminal goes and no SIGHUP comes: only its own session is told.
+    """
     import asyncio  # takes 40 ms, and most commands do without
 
     loop = asyncio.get_running_loop()
+    terminal = sys.__stdout__  # the other one is Textual's by now
 
     def told(number: int, _frame: object) -> None:
         end_within(PATIENCE, 128 + number, restore)
         loop.call_soon_threadsafe(leave)
 
+    def look() -> None:
+        if terminal is not None and _is_hung_up(terminal.fileno()):
+            told(signal.SIGHUP, None)
+        else:
+            loop.call_later(LOOK_EVERY, look)
+
     for name in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
         signal.signal(name, told)
+    look()

@@ -1,5 +1,6 @@
 """The process and its terminal: whatever ends it, it ends soon and leaves nothing behind."""
 
+import os
 import re
 import shutil
 import signal
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.faults import in_terminal as in_terminal_module
 from tests.faults.in_terminal import InTerminal, exists, in_terminal
 from tests.faults.report import report
 
@@ -53,6 +55,19 @@ def test_ssh_gone(demo: InTerminal) -> None:
     demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
     assert took < SOON
     report("SSH gone", "the terminal's other end closes", "-", took, None)
+
+
+def test_a_terminal_of_another_session_goes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As under setsid: the kernel tells nobody, and reads find the end of the input, again and again."""
+    monkeypatch.setattr(in_terminal_module, "_take_over", lambda *_: os.setsid())
+    with in_terminal(tmp_path, "demo", "--robots", "2") as running:
+        running.shows("robot_1")
+        simulator = running.children()
+        running.hang_up()
+        took = running.ends()
+        running.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+        assert simulator and took < SOON
+    report("terminal gone, no SIGHUP", "of another session; its other end closes", "-", took, None)
 
 
 def test_killed(demo: InTerminal) -> None:
