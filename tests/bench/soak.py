@@ -17,6 +17,7 @@ from tests.bench.in_pty import Terminal, console, simulator
 
 ROBOTS = 100
 BETWEEN = 0.1
+"""Seconds from one robot to the next, at first."""
 SETTLES, WARM = 5.0, 120.0
 """Seconds until caches are full: of a short run a third and at least the first, of a long one the second."""
 JUDGED, MOST = 10.0, 0.1

@@ -94,8 +94,7 @@ def play(running: InTerminal, seconds: float, seed: int) -> int:
         assert running.child.poll() is None, f"ended after {done} moves: {move!r}\n{running.text()}"
     running.resize(120, 40)
     running.sent = b""
-    # Paints all anew, over whatever is open. Twice: after an Esc a moment ago the first is Alt-Ctrl-L.
-    running.press("\x0c\x0c")
+    running.press("\x0c")  # paints all anew, over whatever is open
     running.until(lambda: "alarms" in running.text().splitlines()[0], what="the line that is always in view")
     assert "Traceback" not in log.read_text(), log.read_text()
     return done
