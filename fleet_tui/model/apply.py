@@ -13,7 +13,8 @@ from fleet_tui.model.confirmation import before, confirm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.floods import without_floods
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.model.robot import Robot, hear, take_chart, with_fault
+from fleet_tui.model.reports import apply_chart, apply_report
+from fleet_tui.model.robot import Robot, with_fault
 
 COMMANDS_KEPT = 200
 LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
@@ -130,17 +131,17 @@ def _apply_to_robot(
         case events.MessageRejected():
             return _with_robot(state, with_fault(robot, event.text))
         case events.GraphReceived():
-            return _with_robot(state, take_chart(robot, _shared(state, event)))
+            return _with_robot(state, apply_chart(robot, _shared(state, event)))
         case events.FrameReceived() | events.LabelsReceived():
-            return _with_robot(state, take_chart(robot, event))
+            return _with_robot(state, apply_chart(robot, event))
         case events.GridReceived():
             state = _forget_grids(state, event)
-            return _with_robot(state, take_chart(state.robots[event.robot], event))
+            return _with_robot(state, apply_chart(state.robots[event.robot], event))
         case events.PoseReported():
-            robot = hear(robot, event)
+            robot = apply_report(robot, event)
             return _with_robot(state, replace(robot, floor=_floor_with(state, robot.frame_id)))
         case _:
-            return _with_robot(state, hear(robot, event))
+            return _with_robot(state, apply_report(robot, event))
 
 
 def _floor_with(state: FleetState, frame_id: str) -> str | None:
