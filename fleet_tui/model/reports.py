@@ -1,6 +1,7 @@
 """Reports of robots: how each one changes what is known of its robot."""
 
 import math
+from functools import partial
 from typing import assert_never
 
 from msgspec.structs import replace
@@ -9,7 +10,8 @@ from fleet_tui.model import events
 from fleet_tui.model.bounds import LONGEST_NAME, brief
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.movement import gets_on, is_apart, leap
-from fleet_tui.model.order import OrderQueue
+from fleet_tui.model.order import Order, OrderQueue
+from fleet_tui.model.order_life import trace_movement, trace_queue
 from fleet_tui.model.robot import Chart, Reading, Robot, StampClock, with_fault
 
 # A robot whose clock runs slower than ours by this share must not age into "offline" over days.
@@ -19,6 +21,8 @@ CLOCK_STEP = 0.5
 # A robot brakes after it accepted a pause; further than this, it drives.
 BRAKING_DISTANCE = 0.5
 JUMPS_KEPT, JUMPS_WITHIN = 100, 10.0
+# Ended orders are kept for the commands that placed them, which are looked at ten times a second.
+GONE_FOR = 60.0
 
 
 def _set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
@@ -62,7 +66,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
     )
     stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
-    return replace(
+    robot = replace(
         robot,
         pose=pose,
         standing=standing,
@@ -74,6 +78,8 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         paused_by_us=robot.paused_by_us and not driving,
         paused_at=None if driving else stood_at,
     )
+    traces = trace_movement(robot.traces, robot.orders.current_order_id, partial(_metres_to_end, robot))
+    return robot if traces is robot.traces else replace(robot, traces=traces)
 
 
 def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
@@ -88,13 +94,31 @@ def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
     ]
 
 
-def _take_queue(robot: Robot, queue: OrderQueue, at: float) -> Robot:
+def _metres_to_end(robot: Robot, order: Order) -> float | None:
+    chart = robot.charts.get(robot.floor or "")
+    if robot.pose is None or chart is None or chart.graph is None:
+        return None
+    vertex = chart.graph.vertices.get(order.end)
+    if vertex is None:
+        return math.inf
+    return math.dist((robot.pose.value.x, robot.pose.value.y), (vertex.x, vertex.y))
+
+
+def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
     """An order to nowhere is counted once, when it first shows."""
+    queue, at = event.queue, event.at
     before = set(lost_vertices(robot, robot.orders))
     for line in lost_vertices(robot, queue):
         if line not in before:
             robot = with_fault(robot, line)
-    return replace(robot, queue=Reading(queue, at))
+    heard = robot.queue.at if robot.queue else None
+    traces, gone = trace_queue(robot.traces, queue, at, heard, partial(_metres_to_end, robot))
+    robot = replace(robot, queue=Reading(queue, at))
+    if event.fault:
+        # Orders were left out of it: whether the others are gone is unknown.
+        return with_fault(replace(robot, traces={**robot.traces, **traces}), event.fault)
+    recent = (one for one in robot.gone if at - one.at < GONE_FOR) if gone else robot.gone
+    return replace(robot, traces=traces, gone=(*recent, *gone))
 
 
 def apply_report(robot: Robot, event: events.Telemetry) -> Robot:
@@ -109,8 +133,7 @@ def apply_report(robot: Robot, event: events.Telemetry) -> Robot:
         case events.ObstacleReported():
             robot = replace(robot, obstacle=Reading(event.seconds, event.at))
         case events.QueueReported():
-            robot = _take_queue(robot, event.queue, event.at)
-            robot = with_fault(robot, event.fault) if event.fault else robot
+            robot = _apply_queue(robot, event)
         case events.PausedReported():
             robot = replace(robot, paused=Reading(event.paused, event.at))
         case _:

@@ -11,6 +11,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.order import OrderQueue
+from fleet_tui.model.order_life import GoneOrder, OrderTrace
 
 T = TypeVar("T")
 
@@ -52,7 +53,8 @@ class Robot(Struct, frozen=True, eq=False):
     when it accepted our own pause; `standing` is the pose it has not left, and since when; `place`
     is coarser: where it got to, and since when it gets no further; `jumps` are the metres of its
     pose's last leaps that no robot drives, each with its time; `fault_at` is when bad data came last;
-    `says_paused`: it has a topic for that, heard or not."""
+    `says_paused`: it has a topic for that, heard or not; `traces` are the orders in its queue by id,
+    `gone` those that left it, the newest last."""
 
     name: str
     number: int
@@ -68,6 +70,8 @@ class Robot(Struct, frozen=True, eq=False):
     cargo: Reading[bool] | None = None
     obstacle: Reading[float] | None = None
     queue: Reading[OrderQueue] | None = None
+    traces: Mapping[int, OrderTrace] = field(default_factory=dict)
+    gone: tuple[GoneOrder, ...] = ()
     says_paused: bool = False
     paused: Reading[bool] | None = None
     paused_by_us: bool = False

@@ -39,7 +39,7 @@ async def test_an_order_is_done_when_it_is_in_the_queue(server: RosbridgeServer,
     said = "robot_0 order Base -> Consumidores: confirmed (seen in the queue as order 1)\n"
     assert done == Ended(0, said, "")
     assert asked(server) == ["robot_0 Execute_order"]
-    assert audited(folder) == [f"robot_0 order {word}" for word in STAGES]
+    assert audited(folder) == [f"robot_0 order {word}" for word in (*STAGES, "console closed")]
 
 
 async def test_a_b_c_is_two_orders_one_after_the_other(server: RosbridgeServer, folder: Path) -> None:
