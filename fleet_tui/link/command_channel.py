@@ -14,7 +14,7 @@ from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandPathChanged
 from fleet_tui.model.link import CommandPath
-from fleet_tui.robots.interface import Interface
+from fleet_tui.robots.interface import Interface, said
 from fleet_tui.rosbridge import operations
 
 LOG = logging.getLogger(__name__)
@@ -111,8 +111,7 @@ class CommandChannel:
             LOG.warning("%s", problem)
             return
         if isinstance(operation, operations.ServiceResponse) and not self._calls.on_response(operation):
-            _, words = self._interface.outcome(operation.values, operation.result)
-            LOG.warning("a late answer to %s: %s", brief(operation.id), words)
+            LOG.warning("a late answer to %s: %s", brief(operation.id), brief(said(operation.values)))
 
     def on_sent(self, payload: bytes) -> None:
         """A call left."""
@@ -133,7 +132,7 @@ class CommandChannel:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
             return
         self._advance(command_id, Stage.SENT, at=at)
-        task = asyncio.ensure_future(self._wait(command_id, call))
+        task = asyncio.ensure_future(self._wait(command_id, command, call))
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
 
@@ -151,10 +150,10 @@ class CommandChannel:
         call = self._interface.call(command, command_id)
         return self._calls.start(call.service, call.args)
 
-    async def _wait(self, command_id: int, call: Call) -> None:
+    async def _wait(self, command_id: int, command: Command, call: Call) -> None:
         try:
             response = await self._answer(command_id, call)
-            stage, words = self._interface.outcome(response.values, response.result)
+            stage, words = self._interface.outcome(command, response.values, response.result)
         except NoAnswerError:
             return
         except LinkLostError as problem:

@@ -240,5 +240,5 @@ def interface(profile: Profile) -> Interface:
             TopicKind("map", _translate_map(profile), per_floor=True, heavy=True),
         ),
         call=partial(_call, profile),
-        outcome=lambda values, result: judge(values, result, refusals),
+        outcome=lambda command, values, result: judge(command, values, result, refusals),
     )
