@@ -46,7 +46,7 @@ def unreported(robot: Robot) -> list[str]:
 def reaches(state: FleetState, robot: Robot) -> bool:
     """Whether commands to a robot are known to get through."""
     link = state.links[robot.link]
-    return link.phase is Phase.UP and link.command_path is CommandPath.ALIVE
+    return link.phase is Phase.UP and link.command_path in (CommandPath.ALIVE, CommandPath.UNREGISTERED)
 
 
 class Sending:
