@@ -79,9 +79,14 @@ def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
 
 
+def is_news(state: FleetState, fault_at: float | None) -> bool:
+    """Tell whether bad data came a short while ago; `fault_at` is when it came last."""
+    return fault_at is not None and state.now - fault_at < BAD_FOR
+
+
 def bad_data(state: FleetState, source: Robot | LinkState, _held: Held) -> Condition | None:
     """Something came from a robot or over a link that can't be read, a short while ago."""
-    if source.fault_at is None or state.now - source.fault_at >= BAD_FOR:
+    if not is_news(state, source.fault_at):
         return None
     text = f"bad data x{source.faults}: {source.last_fault}"
     kind = "data" if isinstance(source, Robot) else "frames"
