@@ -335,7 +335,7 @@ def test_a_pause_from_here_that_may_hold_it_is_named_with_the_key(stages: list[S
 
 def test_a_pause_that_was_obeyed_late_is_named() -> None:
     facts = commanded(1, PauseRobot(R0), Stage.SENT, Stage.NO_ANSWER)
-    state = told(fleet(), link_up(T0 - 9), pose(T0), *facts, pose(T0 + 6), tick(T0 + 6))
+    state = told(fleet(), link_up(T0 - 9), pose(T0 - 9), *facts, pose(T0 + 6), tick(T0 + 6))
     assert state.commands[0].stage is Stage.NOT_CONFIRMED
     assert "pause from here: not confirmed" in [one.name for one in reasons(state, state.robots[R0])]
     state = told(state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, "paused"), pose(T0 + 12), tick(T0 + 12))
