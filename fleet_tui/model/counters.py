@@ -175,6 +175,8 @@ class LinkCounter:
         self.lost_why = ""
         self.dropped = 0
         """Frames that were passed over, being too large or too many."""
+        self.overtaken = 0
+        """Frames that were not decoded: a newer one of their topic had come while this console was behind."""
         self.unreadable = 0
         """Frames of which not even the topic could be read."""
         self.bad: BadMessage | None = None

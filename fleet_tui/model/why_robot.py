@@ -100,7 +100,7 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     if robot.pose is None:
         return Reason("no pose", "no pose has come, though other reports do: nobody knows where it is")
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
-    if clock is not None and state.now - clock.at <= state.limits.offline_after:
+    if clock is not None and state.now - clock.at <= state.patience:
         return Reason(name, "poses come, but late: its stamps lag behind", seen=robot.pose.at)
     return Reason(name, "other reports come: it may have moved since", since=robot.pose.at)
 

@@ -91,10 +91,8 @@ def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots:
         runs.append((f" +{placed} not seen here yet", Ink.WARN))
     if not all_robots and robot.has_cargo:
         runs.append((" cargo on board", Ink.CARGO))
-    if not all_robots and robot.queue is not None:
-        behind = state.now - robot.queue.at
-        if behind > state.limits.offline_after:
-            runs.append((f" {age(behind)} old", Ink.WARN))
+    if not all_robots and robot.queue is not None and state.is_old(robot.queue):
+        runs.append((f" {age(state.now - robot.queue.at)} old", Ink.WARN))
     return runs
 
 
