@@ -47,9 +47,7 @@ class Telemetry:
         self._writer = writer
         self._logged: set[str] = set()
         self._waiting = 0
-        self._heard = 0.0
-        self._told_heard = 0.0
-        self._spoke = 0.0
+        self._heard = self._told_heard = self._spoke = 0.0
         self._robots_spoke: dict[str, float] = {}
         self._next_look = 0.0
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
@@ -65,12 +63,7 @@ class Telemetry:
         self.show_map = self._subscriber.show_map
         self.overhear = self._subscriber.overhearing.listen
         self.counter = self._reading.counter
-        self._backlog = Backlog(
-            self.connection.progress,
-            lambda: self.connection.factory.fed_at,
-            lambda: self._reading.counter,
-            self._read_frame,
-        )
+        self._backlog = Backlog(self.connection, self._reading, self._read_frame)
         writer.before_tick.append(self._look)
         writer.backlogs.append(self._backlog.age)
 
