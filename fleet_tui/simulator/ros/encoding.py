@@ -31,6 +31,8 @@ class _Encoder:
     def message(self, fields: Fields, msg: Message) -> None:
         for name, field in fields.items():
             self._field(field, msg[name])
+        if not fields and self._aligned:
+            self._pack("B", 0)  # no structure of CDR is empty
 
     def _field(self, field: RosField, value: Any) -> None:
         if field.length is None:
