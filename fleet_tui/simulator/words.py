@@ -17,7 +17,7 @@ Message = dict[str, Any]
 ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
 DEBUG, INFO, WARN, ERROR = 1, 2, 4, 8  # rosgraph_msgs/Log
 HEALTHY, DOUBTFUL, BROKEN = 0, 1, 2  # diagnostic_msgs/DiagnosticStatus
-KEPT = 100  # lines of the log
+KEPT = 1000  # lines of the log for late subscribers
 
 Line = tuple[int, str, str]
 """Level, node and words."""

@@ -23,8 +23,8 @@ class Dialect(Protocol):
     """Whether a binary frame from a client is read as text."""
     never_cbor: Collection[str]
     """Types that never come as CBOR, in the short spelling."""
-    logs_complaints: bool
-    """Whether operations without effect are lines of /rosout."""
+    logs_operations: bool
+    """Whether subscriptions, and operations without effect, are lines of /rosout."""
     discovers: bool
     """Publishers are discovered bit by bit, and quality of service is fixed at the first subscription."""
 

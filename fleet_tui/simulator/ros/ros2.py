@@ -54,7 +54,7 @@ class Ros2:
     max_message_size: int | None = 10_000_000
     reads_binary = True
     never_cbor: Collection[str] = ("diagnostic_msgs/DiagnosticArray",)
-    logs_complaints = True
+    logs_operations = True
     discovers = True
     defaults: Mapping[tuple[str, str], float] = MappingProxyType({("geometry_msgs/Quaternion", "w"): 1.0})
     log_levels: Mapping[int, int] = MappingProxyType({1: 10, 2: 20, 4: 30, 8: 40, 16: 50})
