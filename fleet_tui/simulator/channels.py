@@ -50,6 +50,7 @@ class Channels:
     def __init__(self, dialect: Dialect, topics: Mapping[str, Topic], unsourced: set[str]) -> None:
         self._dialect, self._topics, self._unsourced = dialect, topics, unsourced
         self._channels: dict[str, Channel] = {}
+        self._released: dict[str, tuple[Channel, float]] = {}
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._channels)
@@ -74,15 +75,22 @@ class Channels:
         type_ = self._type(name, wanted, topic)
         channel = self._channels.get(name)
         if channel is None:
-            channel = self._channels[name] = self._open(type_, topic, operation.get("qos"))
+            released, at = self._released.pop(name, (None, age))
+            if released is not None and age - at < self._dialect.lingers:
+                channel = released
+            else:
+                channel = self._open(type_, topic, operation.get("qos"))
+            self._channels[name] = channel
         channel.sessions.add(session)
 
-    def leave(self, session: "Session", name: str) -> bool:
+    def leave(self, session: "Session", name: str, age: float) -> bool:
         """Unsubscribe a client, and say whether it was the last."""
         channel = self._channels[name]
         channel.sessions.discard(session)
         if not channel.sessions:
             del self._channels[name]
+            if self._dialect.lingers:
+                self._released[name] = channel, age
         return not channel.sessions
 
     def delay(self, topic: Topic) -> float:

@@ -91,7 +91,7 @@ class TopicDesk(ServiceDesk):
 
     def leave(self, session: Session, topic: str) -> None:
         """Forget a subscriber."""
-        if self.channels.leave(session, topic):
+        if self.channels.leave(session, topic, self._age):
             self.orphaned.discard(topic)
         if self.dialect.logs_operations:
             self._log(session, INFO, f"Unsubscribed from {topic}")

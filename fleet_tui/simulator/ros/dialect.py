@@ -23,6 +23,8 @@ class Dialect(Protocol):
     """Whether a binary frame from a client is read as text."""
     never_cbor: Collection[str]
     """Types that never come as CBOR, in the short spelling."""
+    lingers: float
+    """Seconds for which the bridge keeps a subscription as it is after the last client has let go."""
     logs_operations: bool
     """Whether subscriptions, and operations without effect, are lines of /rosout."""
     discovers: bool

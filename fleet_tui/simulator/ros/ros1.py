@@ -26,6 +26,7 @@ class Ros1:
     max_message_size: int | None = None
     reads_binary = False
     never_cbor: Collection[str] = ()
+    lingers = 0.0
     logs_operations = False
     discovers = False
     defaults: Mapping[tuple[str, str], float] = MappingProxyType({})

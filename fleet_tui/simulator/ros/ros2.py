@@ -54,6 +54,7 @@ class Ros2:
     max_message_size: int | None = 10_000_000
     reads_binary = True
     never_cbor: Collection[str] = ("diagnostic_msgs/DiagnosticArray",)
+    lingers = 0.4
     logs_operations = True
     discovers = True
     defaults: Mapping[tuple[str, str], float] = MappingProxyType({("geometry_msgs/Quaternion", "w"): 1.0})
