@@ -2,7 +2,8 @@
 
 import asyncio
 import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import Any
 
 from fleet_tui.simulator.channels import Channels, resolve
@@ -59,9 +60,7 @@ class TopicDesk(ServiceDesk):
         for asked in _spellings(name):
             if self.channels.sessions(asked) and self._flows(asked, topic):
                 payload = payload or topic.payload(time.time())
-                publication = Publication(asked, payload)
-                for session in self._recipients(asked, topic):
-                    session.offer(asked, publication)
+                self.in_turn(partial(self._send, asked, topic, Publication(asked, payload)))
 
     def complain(self, session: Session, operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""
@@ -103,11 +102,11 @@ class TopicDesk(ServiceDesk):
     def _asked(self) -> Mapping[str, str]:
         return self.channels.types()
 
-    def _recipients(self, asked: str, topic: Topic) -> Iterator[Session]:
+    def _send(self, asked: str, topic: Topic, publication: Publication) -> None:
         never = self.dialect.short(topic.type) in self.dialect.never_cbor
         for session in self.channels.sessions(asked):
             if not (never and session.subscriptions[asked].compression == "cbor"):
-                yield session
+                session.offer(asked, publication)
 
     def _flows(self, asked: str, topic: Topic) -> bool:
         if topic.name in self.muted or topic.name in self.orphaned:
