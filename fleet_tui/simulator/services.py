@@ -108,7 +108,9 @@ class ServiceDesk:
         package = type_.name.partition("/")[0]
         if package in self.unsourced:
             raise ServiceError(self.dialect.unknown_package(package, "srv"))
-        request = fill(self.dialect, self.dialect.request(type_.name), type_.fields, args, time.time())
+        request = fill(
+            self.dialect, self.dialect.part(type_.name, "Request"), type_.fields, args, time.time()
+        )
         return self.world.answer(service, request)
 
     def _reply(self, call: Call, service: str) -> None:

@@ -79,9 +79,9 @@ class Talk:
         return line
 
     def latched(self) -> Iterator[Payload]:
-        """The lines for a new subscriber: the last of each node, on ROS 2 all that are kept."""
+        """The lines for a new subscriber: the last of each node, or all that are kept."""
         newest = {line["name"]: line for line in self._kept}.values()
-        yield from map(Payload, self._kept if self._dialect.version == 2 else newest)
+        yield from map(Payload, self._kept if self._dialect.keeps_log else newest)
 
     def _log(self, robot: Robot, line: Line, now: float) -> Message:
         level, node, words = line
