@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
@@ -11,12 +12,11 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 from fleet_tui.errors import ConfigError
-from fleet_tui.simulator import wire_faults
-from fleet_tui.simulator.faults import FAULTS, parse_faults, play
+from fleet_tui.simulator.faults import FAULTS, parse_faults, play, wire
+from fleet_tui.simulator.faults.world import FLAT, FOREIGN, FOREIGN_PAUSE, JUMP
 from fleet_tui.simulator.messages import topics_of
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
-from fleet_tui.simulator.world_faults import FLAT, FOREIGN, FOREIGN_PAUSE, JUMP
 
 NAMES = ["robot_0", "robot_1"]
 ORDER = "/robot_0/Application_layout/Execute_order"
@@ -196,7 +196,7 @@ async def test_faults_of_the_answer(name: str, ids: list[str], carried_out: int)
 
 
 async def test_a_late_answer_comes_in_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire_faults, "LATE", 0.2)
+    monkeypatch.setattr(wire, "LATE", 0.2)
     async with served("late") as (_, client):
         assert await answers(client) == []
         async with asyncio.timeout(10):
@@ -204,7 +204,7 @@ async def test_a_late_answer_comes_in_the_end(monkeypatch: pytest.MonkeyPatch) -
 
 
 async def test_a_frozen_node_takes_the_order_when_it_wakes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire_faults, "LATE", 0.2)
+    monkeypatch.setattr(wire, "LATE", 0.2)
     async with served("late-call") as (server, client):
         assert await answers(client) == []
         assert server.world.robots["robot_0"].orders == []
@@ -214,7 +214,7 @@ async def test_a_frozen_node_takes_the_order_when_it_wakes(monkeypatch: pytest.M
 
 
 async def test_a_command_is_obeyed_long_after_its_answer(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire_faults, "OBEYS", 0.2)
+    monkeypatch.setattr(wire, "OBEYS", 0.2)
     async with served("obeys-late") as (server, client):
         robot = server.world.robots["robot_0"]
         (answer,) = await answers(client)
@@ -235,7 +235,7 @@ async def test_a_command_is_obeyed_long_after_its_answer(monkeypatch: pytest.Mon
 
 
 async def test_services_that_are_no_longer_registered(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire_faults, "GONE", 0.0)
+    monkeypatch.setattr(wire, "GONE", 0.0)
     async with served("unregistered") as (server, client):
         await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/pose"}))
         async with asyncio.timeout(10):
@@ -257,6 +257,13 @@ async def test_a_frozen_rosapi_leaves_the_bridge_alive() -> None:
     assert (came[1]["values"], came[1]["result"]) == (f"Service {heartbeat} does not exist", False)
 
 
+async def test_a_dead_rosapi_is_not_there() -> None:
+    async with served("dead-rosapi") as (_, client):
+        came = [json.loads(await client.recv()) for _ in range(2)]
+    assert [frame["result"] for frame in came] == [True, False]
+    assert came[1]["values"] == "Service /rosapi/get_time does not exist"
+
+
 async def test_messages_beyond_the_bridge_never_come_though_rosapi_names_them() -> None:
     async with served("unsourced") as (_, client):
         await answers(client)
@@ -270,6 +277,24 @@ async def test_messages_beyond_the_bridge_never_come_though_rosapi_names_them() 
         while (answer := json.loads(await client.recv())).get("id") != "t":
             pass
         assert answer["values"] == {"type": "OH_ressources/ActionQueue"}
+
+
+async def test_an_overloaded_bridge_falls_behind_with_everything(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(wire, "CARRIED", 5.0)
+    async with served("overloaded") as (_, client):
+        await answers(client)
+        await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/pose"}))
+        ages = []
+        for _ in range(6):
+            stamp = json.loads(await client.recv())["msg"]["header"]["stamp"]
+            ages.append(time.time() - stamp["secs"] - stamp["nsecs"] / 1e9)
+        assert ages == sorted(ages)
+        assert ages[-1] - ages[0] > 0.3
+        begun = time.monotonic()
+        await client.send(json.dumps({"op": "call_service", "id": "after", "service": "/rosapi/get_time"}))
+        while json.loads(await client.recv()).get("id") != "after":
+            pass
+        assert time.monotonic() - begun > 0.3
 
 
 async def test_a_dropped_connection_was_no_dropped_order() -> None:

@@ -1,0 +1,100 @@
+"""The differences between the bridges of ROS 1 and ROS 2, one protocol for both."""
+
+from collections.abc import Collection, Mapping
+from typing import Any, Protocol
+
+from fleet_tui.simulator.ros.definitions import Fields
+
+Message = dict[str, Any]
+
+
+class Dialect(Protocol):
+    """One generation of ROS. Types are asked for by their ROS 1 name, `package/Name`."""
+
+    version: int
+    distro: str
+    rosapi_verbs: Collection[str]
+    """The services of rosapi."""
+    call_timeout: float | None
+    """Seconds after which the bridge gives a call up where the call names no limit, None = never."""
+    max_message_size: int | None
+    """Bytes of a message to a client; text above it comes in fragments, binary never. None = any."""
+    reads_binary: bool
+    """Whether a binary frame from a client is read as text."""
+    never_cbor: Collection[str]
+    """Types that never come as CBOR, in the short spelling."""
+    lingers: float
+    """Seconds for which the bridge keeps a subscription as it is after the last client has let go."""
+    logs_operations: bool
+    """Whether subscriptions, and operations without effect, are lines of /rosout."""
+    fragment_id: int | str
+    """The id of a fragment whose message has none."""
+    aligned: bool
+    """Whether ROS's own encoding is CDR, in which values are aligned."""
+    keeps_log: bool
+    """Whether a late subscriber of /rosout is told more than each node's last line."""
+    joins_wrong_types: bool
+    """Whether a client who asks rightly is added to a subscription of a wrong type, to hang on it too."""
+    fragile: bool
+    """Whether rosapi ends with an exception in one of its handlers."""
+    params: Mapping[str, object]
+    """The parameters that rosapi knows from the start."""
+    discovers: bool
+    """Publishers are discovered bit by bit, and quality of service is fixed at the first subscription."""
+
+    defaults: Mapping[tuple[str, str], float]
+    """Type and field -> the value of a field that is left out, where it is not zero."""
+
+    def message_type(self, name: str) -> str:
+        """The message type as rosapi tells it."""
+
+    def service_type(self, name: str) -> str:
+        """The service type as rosapi tells it."""
+
+    def short(self, type_: str) -> str:
+        """The type as typedefs and error texts have it; both spellings are read."""
+
+    def part(self, type_: str, part: str) -> str:
+        """The name of a service's `Request` or `Response`."""
+
+    def rosapi_type(self, name: str) -> str:
+        """The ROS 1 name under which the definition of one of rosapi's services stands."""
+
+    def importable(self, type_: str) -> bool:
+        """Whether the bridge can load a message type; it has packages of which nothing is known here."""
+
+    def fixed(self, items: list[float]) -> object:
+        """An array of fixed length as the bridge holds it."""
+
+    def got_param(self, value: str | None, request: Message) -> Message:
+        """rosapi's answer to get_param; value is None where the parameter is unknown."""
+
+    def fields(self, type_: str) -> Fields | None:
+        """The fields of a message type in either spelling, None where the bridge doesn't know it."""
+
+    def primitive(self, rostype: str) -> str:
+        """A primitive type as typedefs name it."""
+
+    def time(self, seconds: float) -> Message:
+        """A time from seconds since 1970."""
+
+    def header(self, seq: int, seconds: float, frame_id: str) -> Message:
+        """A header; seq counts a topic's messages from 1."""
+
+    def integer(self, name: str, value: int, bits: int, signed: bool) -> int:
+        """An integer that was sent for a field, as the bridge passes it on. Raises ServiceError."""
+
+    def wrong(self, message: str, name: str, rostype: str, value: object) -> str:
+        """The text that refuses a value of another type."""
+
+    def unknown_package(self, package: str, kind: str) -> str:
+        """The text for a type of a package that the bridge doesn't have; kind is `msg` or `srv`."""
+
+    def thrown(self, service: str, error: str) -> str | None:
+        """The answer where a service's handler throws, None where there is none."""
+
+    def died(self) -> str | None:
+        """The answer where the node dies during the call, None where there is none."""
+
+    def log(self, seq: int, seconds: float, level: int, node: str, text: str) -> Message:
+        """A line of /rosout, its level as ROS 1 counts."""
