@@ -37,6 +37,20 @@ def renamed(server: RosbridgeServer, old: str, new: str) -> None:
     server.types[new] = server.types.pop(old)
 
 
+def only_listened_to(server: RosbridgeServer, *topics: str) -> None:
+    """As the master lists topics that an open console asks for and nobody publishes."""
+    for topic in topics:
+        server.types[topic] = next(
+            type_ for name, type_ in server.types.items() if name.endswith(topic.rpartition("/")[2])
+        )
+
+    def publishers(args: dict[str, Any]) -> dict[str, Any]:
+        there = args["topic"] in server.types and args["topic"] not in topics
+        return {"publishers": ["/fleet"] if there else []}
+
+    server.answers["/rosapi/publishers"] = publishers
+
+
 def retyped(server: RosbridgeServer, topic: str, type_: str) -> None:
     server.topics[topic] = replace(server.topics[topic], type=type_)
     server.types[topic] = type_
@@ -119,6 +133,17 @@ def _no_master(server: RosbridgeServer) -> None:
     server.master_alive = False
 
 
+def _renamed_and_listened_to(server: RosbridgeServer) -> None:
+    renamed(server, "/robot_0/queue", "/robot_0/action_queue")
+    only_listened_to(server, "/robot_0/queue")
+
+
+def _slip_and_listened_to(server: RosbridgeServer, config: Config) -> Config:
+    keys = ("pose", "queue", "battery", "floor_0/graph")
+    only_listened_to(server, *(f"/robot_00/{key}" for key in keys))
+    return msgspec.structs.replace(config, robots=ONE_ROBOT)
+
+
 AT = "/robot_0/floor_0/"
 ONE_ROBOT = [RobotEntry("robot_00"), RobotEntry("robot_1")]
 NO_FILE = [FloorEntry("floor_0", map="maps/ground.yaml"), FloorEntry("floor_1")]
@@ -132,6 +157,8 @@ PLANTS: dict[str, Plant] = {
     "a floor's name with a slip": in_the_config(floors=[FloorEntry("floor_00"), FloorEntry("floor_1")]),
     "a silent robot": on_the_server(_silent),
     "a renamed topic": on_the_server(partial(renamed, old="/robot_0/queue", new="/robot_0/action_queue")),
+    "a renamed topic, and a console that asks for the old name": on_the_server(_renamed_and_listened_to),
+    "a robot's name with a slip, and a console open with it": _slip_and_listened_to,
     "a missing topic": on_the_server(partial(_remove, "/robot_0/cargo")),
     "a wrong type": on_the_server(partial(retyped, topic="/robot_1/battery", type_="std_msgs/Float64")),
     "a topic that stays away": on_the_server(lambda server: server.muted.add("/robot_0/pose")),

@@ -9,14 +9,18 @@ from fleet_tui.model.events import Event
 
 @dataclass(frozen=True, slots=True)
 class Rosapi:
-    """What rosapi tells: types by topic, types by service ("" where it was not asked), nodes, and how
-    many publish a topic. `problem` is why it tells nothing."""
+    """The answers of rosapi: types by topic, types by service ("" where it was not asked), nodes, and by
+    topic the nodes that publish it. `problem` is why it tells nothing."""
 
     topics: Mapping[str, str] = field(default_factory=dict)
     services: Mapping[str, str] = field(default_factory=dict)
     nodes: tuple[str, ...] = ()
-    publishers: Mapping[str, int] = field(default_factory=dict)
+    publishers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     problem: str = ""
+
+    def has(self, topic: str) -> bool:
+        """Whether a topic is there to be heard: every open console keeps the names of its own listed."""
+        return topic in self.topics and self.publishers.get(topic) != ()
 
 
 @dataclass(frozen=True, slots=True)

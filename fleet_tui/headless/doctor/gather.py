@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections.abc import Awaitable, Callable, Iterable, Iterator, Mapping
+from collections.abc import Awaitable, Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import Any, TypeVar
 
@@ -36,8 +36,8 @@ class _Time(msgspec.Struct):
     time: Stamp
 
 
-async def ask_rosapi(wire: Wire, topics: Iterable[str], services: Iterable[str], until: float) -> Rosapi:
-    """What there is, and more about these topics and services; by the monotonic `until`."""
+async def ask_rosapi(wire: Wire, wanted: Sequence[Wanted], services: Iterable[str], until: float) -> Rosapi:
+    """List what there is, and ask more about these topics and services; by the monotonic `until`."""
     try:
         first, second, third = await asyncio.gather(
             *(wire.call(name, {}, ANSWER_WITHIN) for name in ("topics", "services", "nodes"))
@@ -49,17 +49,25 @@ async def ask_rosapi(wire: Wire, topics: Iterable[str], services: Iterable[str],
     types = dict(zip(_names(first, "topics"), _names(first, "types"), strict=False))
     there = dict.fromkeys(_names(second, "services"), "")
 
-    async def count(topic: str) -> int | None:
+    async def publishers_of(topic: str) -> tuple[str, ...] | None:
         answer = await wire.call("publishers", {"topic": topic}, ANSWER_WITHIN)
-        return len(_names(answer, "publishers")) if isinstance(answer, dict) else None
+        return tuple(_names(answer, "publishers")) if isinstance(answer, dict) else None
 
     async def type_of(service: str) -> str | None:
         answer = await wire.call("service_type", {"service": service}, ANSWER_WITHIN)
         return str(answer.get("type", "")) if isinstance(answer, dict) else None
 
-    publishers = await _each(count, [topic for topic in topics if topic in types], until)
+    publishers = await _each(publishers_of, _of_interest(types, wanted), until)
     there |= await _each(type_of, [service for service in services if service in there], until)
     return Rosapi(types, there, tuple(_names(third, "nodes")), publishers)
+
+
+def _of_interest(types: Mapping[str, str], wanted: Sequence[Wanted]) -> list[str]:
+    """The topics that are wanted, then those of the same types: one may be what was meant."""
+    expected = {plain_type(one.subscription.type) for one in wanted}
+    named = {one.subscription.topic: None for one in wanted}
+    others = [topic for topic, type_ in types.items() if plain_type(type_) in expected]
+    return [topic for topic in dict.fromkeys([*named, *others]) if topic in types]
 
 
 def _names(answer: object, key: str) -> list[str]:
@@ -182,7 +190,7 @@ async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeF
     ]
     trips, ahead = await measure_calls(wire)
     half = time.monotonic() + (until - time.monotonic()) / 3
-    rosapi = await ask_rosapi(wire, [one.subscription.topic for one in wanted], services, half)
+    rosapi = await ask_rosapi(wire, wanted, services, half)
     drawn = [floor.name for floor in config.floors if floor.map]
     topics = await listen(wire, wanted, rosapi.topics, until, drawn)
     return BridgeFacts(name, rosapi, tuple(topics), trips, ahead, wire.lost)

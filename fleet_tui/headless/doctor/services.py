@@ -4,7 +4,8 @@ from collections.abc import Iterator
 
 from fleet_tui.config.profile import SERVICES, Profile
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
-from fleet_tui.headless.doctor.finding import Finding, Verdict, nearest
+from fleet_tui.headless.doctor.finding import Finding, Verdict
+from fleet_tui.headless.doctor.names import near_service
 from fleet_tui.headless.doctor.topics import is_there
 from fleet_tui.link.subscriptions import plain_type
 
@@ -30,11 +31,8 @@ def _service(profile: Profile, key: str, robot: str, rosapi: Rosapi) -> Finding:
 
     if there is None:
         free = rosapi.services.keys() - {profile.service(other, robot) for other in SERVICES}
-        near = nearest(service, (name for name in free if name.startswith(f"/{robot}/")), 1)
-        remedy = "start the node that offers it, or correct [profile.services] " + key
-        if near:
-            template = near[0].replace(f"/{robot}/", "/{robot}/")
-            remedy = f'did you mean {near[0]}? Then [profile.services] {key} = "{template}"'
+        start = "start the node that offers it, or correct [profile.services] " + key
+        remedy = near_service(robot, key, service, free) or start
         return finding(Verdict.FAIL, f"{service} is not on the bridge", remedy)
     if there and plain_type(there).replace("/srv/", "/") != plain_type(expected).replace("/srv/", "/"):
         return finding(

@@ -1,12 +1,12 @@
 """What is said of each robot and its topics. Pure."""
 
-import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
-from fleet_tui.config.profile import FLOOR_TOPICS, Profile
+from fleet_tui.config.profile import FLOOR_TOPICS
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
+from fleet_tui.headless.doctor.names import near_topic, robots_on
 from fleet_tui.link.subscriptions import plain_type
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
@@ -44,14 +44,14 @@ def robot_findings(config: Config, robot: RobotEntry, facts: BridgeFacts) -> Ite
 
 def is_there(robot: str, facts: BridgeFacts) -> bool:
     """Whether the bridge knows anything of a robot; true where it can't be asked."""
-    topics = facts.rosapi.topics
-    return not topics or any(one.topic in topics for one in facts.of(robot))
+    rosapi = facts.rosapi
+    return bool(rosapi.problem) or any(one.count or rosapi.has(one.topic) for one in facts.of(robot))
 
 
 def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts) -> Finding:
     if not is_there(robot.name, facts):
         known = {other.name for other in config.robots}
-        others = nearest(robot.name, robots_on(config.profile, facts.rosapi.topics) - known)
+        others = nearest(robot.name, robots_on(config.profile, facts.rosapi) - known)
         remedy = f"did you mean {listed(others)}? Correct its name" if others else "correct its name"
         place = f"robots[{config.robots.index(robot)}].name"
         return Finding(
@@ -77,18 +77,6 @@ def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: B
     return Finding(robot.name, "robot", Verdict.OK if heard else Verdict.SKIPPED, measured)
 
 
-def robots_on(profile: Profile, topics: Iterable[str]) -> set[str]:
-    """The names that stand where a robot's name does in the topics of a bridge."""
-    found = set[str]()
-    for topic in topics:
-        for key in ("pose", "queue"):
-            before, mark, after = profile.topics.get(key, profile.topic(key, "{robot}")).partition("{robot}")
-            name = topic[len(before) : len(topic) - len(after)] if mark else ""
-            if name and topic == before + name + after and "/" not in name:
-                found.add(name)
-    return found
-
-
 def _finding(
     facts: TopicFacts, verdict: Verdict, measured: str, remedy: str = "", **values: object
 ) -> Finding:
@@ -99,7 +87,7 @@ def _finding(
 
 def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     rosapi = bridge.rosapi
-    if not rosapi.problem and facts.topic not in rosapi.topics:
+    if not rosapi.problem and not facts.count and not rosapi.has(facts.topic):
         return _missing(config, facts, bridge)
     there, expected = rosapi.topics.get(facts.topic, ""), facts.wanted.subscription.type
     if there and plain_type(there) != plain_type(expected):
@@ -111,42 +99,13 @@ def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     return _what_came(config, facts, rosapi)
 
 
-def _suggestion(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
-    """The free names there that it may have now, those of its type first, as the config would say it."""
-    wanted, types = facts.wanted, bridge.rosapi.topics
-    expected = plain_type(wanted.subscription.type)
-    free = types.keys() - {one.topic for one in bridge.topics}
-    fitting = [topic for topic in free if plain_type(types[topic]) == expected]
-    own = [topic for topic in fitting if topic.startswith(f"/{wanted.robot}/")]
-    near = nearest(facts.topic, own) or nearest(facts.topic, fitting) or nearest(facts.topic, free)
-    if not near:
-        return ""
-    meant = f"did you mean {listed(near)}?"
-    if near[0] not in own:
-        return meant
-    floor = _floor_in(config.profile, facts, near[0])
-    if floor:
-        return f"{meant} Then the floor's name is {floor}, not {wanted.floor}"
-    template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
-    return f'{meant} Then [profile.topics] {wanted.kind.key} = "{template}"'
-
-
-def _floor_in(profile: Profile, facts: TopicFacts, topic: str) -> str:
-    """The floor of which this would be the topic, "" if it is not named so."""
-    if not facts.wanted.floor:
-        return ""
-    before, _, after = profile.topic(facts.wanted.kind.key, facts.wanted.robot, "{floor}").partition(
-        "{floor}"
-    )
-    found = re.fullmatch(f"{re.escape(before)}([^/]+){re.escape(after)}", topic)
-    return found.group(1) if found else ""
-
-
 def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     wanted, key = facts.wanted, facts.wanted.kind.key
-    remedy = _suggestion(config, facts, bridge)
+    remedy = near_topic(config, facts, bridge)
     floor = next((floor for floor in config.floors if floor.name == wanted.floor), None)
     measured = f"{facts.topic} is not on the bridge"
+    if facts.topic in bridge.rosapi.topics:
+        measured = f"nobody publishes {facts.topic}, it is only listened to"
     if key == "map" and floor is not None and floor.map:
         return _finding(facts, Verdict.OK, f"{measured}, nor needed: {floor.name} has a map file")
     if key == "map":
@@ -162,7 +121,7 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
 
 def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFacts) -> Finding:
     key, expected = facts.wanted.kind.key, facts.wanted.subscription.type
-    other = _suggestion(config, facts, bridge)
+    other = near_topic(config, facts, bridge)
     same = f'if its fields are the same: [profile.types] {key} = "{there}"'
     return _finding(
         facts,
@@ -175,7 +134,8 @@ def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFac
 
 
 def _what_came(config: Config, facts: TopicFacts, rosapi: Rosapi) -> Finding:
-    publishers = rosapi.publishers.get(facts.topic)
+    nodes = rosapi.publishers.get(facts.topic)
+    publishers = None if nodes is None else len(nodes)
     values = {
         "type": rosapi.topics.get(facts.topic) or None,
         "expected_type": facts.wanted.subscription.type,
@@ -201,8 +161,6 @@ def _judged(config: Config, facts: TopicFacts, publishers: int | None) -> tuple[
     key, per_floor = facts.wanted.kind.key, facts.wanted.kind.per_floor
     fields = "correct [profile.fields], or the node that publishes it"
     if not facts.count:
-        if publishers == 0:
-            return Verdict.FAIL, f"nobody publishes {facts.topic}", "start the node that publishes it"
         if facts.waited < LONG_ENOUGH:
             return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
         nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
