@@ -144,6 +144,10 @@ def _slip_and_listened_to(server: RosbridgeServer, config: Config) -> Config:
     return msgspec.structs.replace(config, robots=ONE_ROBOT)
 
 
+def _unsourced(server: RosbridgeServer) -> None:
+    server.muted |= {name for name, type_ in server.types.items() if type_.startswith("OH_ressources/")}
+
+
 AT = "/robot_0/floor_0/"
 ONE_ROBOT = [RobotEntry("robot_00"), RobotEntry("robot_1")]
 NO_FILE = [FloorEntry("floor_0", map="maps/ground.yaml"), FloorEntry("floor_1")]
@@ -159,6 +163,7 @@ PLANTS: dict[str, Plant] = {
     "a renamed topic": on_the_server(partial(renamed, old="/robot_0/queue", new="/robot_0/action_queue")),
     "a renamed topic, and a console that asks for the old name": on_the_server(_renamed_and_listened_to),
     "a robot's name with a slip, and a console open with it": _slip_and_listened_to,
+    "messages the bridge was started without": on_the_server(_unsourced),
     "a missing topic": on_the_server(partial(_remove, "/robot_0/cargo")),
     "a wrong type": on_the_server(partial(retyped, topic="/robot_1/battery", type_="std_msgs/Float64")),
     "a topic that stays away": on_the_server(lambda server: server.muted.add("/robot_0/pose")),

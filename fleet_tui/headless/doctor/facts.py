@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.model.events import Event
 
+LONG_ENOUGH = 1.5  # seconds without a message that mean anything
+
 
 @dataclass(frozen=True, slots=True)
 class Rosapi:
@@ -47,6 +49,11 @@ class TopicFacts:
     def topic(self) -> str:
         """Its name on the wire."""
         return self.wanted.subscription.topic
+
+    @property
+    def is_silent(self) -> bool:
+        """Whether nothing came in a time that means anything."""
+        return not self.count and self.waited >= LONG_ENOUGH
 
 
 @dataclass(frozen=True, slots=True)

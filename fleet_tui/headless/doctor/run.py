@@ -12,6 +12,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from fleet_tui.config.access import unsafe_places
 from fleet_tui.config.schema import Config
 from fleet_tui.headless.doctor.approach import Approach
+from fleet_tui.headless.doctor.causes import causes_of
 from fleet_tui.headless.doctor.charts import Chart, charts_of
 from fleet_tui.headless.doctor.clocks import clock_findings, round_trip_finding
 from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
@@ -62,9 +63,11 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
     if facts.lost:
         remedy = "see the log of rosbridge: the rest was measured on what came before"
         yield Finding(facts.name, "link", Verdict.FAIL, f"it broke while measuring: {facts.lost}", remedy)
+    causes = causes_of(facts)
+    yield from (cause.finding for cause in causes)
     robots = [robot for robot in config.robots if robot.link == facts.name]
     for robot in robots:
-        yield from robot_findings(config, robot, facts)
+        yield from robot_findings(config, robot, facts, causes)
     for robot in robots:
         yield from service_findings(config.profile, robot.name, facts)
 

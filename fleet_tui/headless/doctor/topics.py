@@ -1,17 +1,17 @@
 """What is said of each robot and its topics. Pure."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fleet_tui.config.profile import FLOOR_TOPICS
 from fleet_tui.config.schema import Config, RobotEntry
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.headless.doctor.causes import Cause
+from fleet_tui.headless.doctor.facts import LONG_ENOUGH, BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.headless.doctor.names import near_topic, robots_on
 from fleet_tui.link.subscriptions import plain_type
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 UNSEEN = "without rosapi nobody can tell whether it is there"
-LONG_ENOUGH = 1.5  # seconds without a message that mean anything
 
 
 def rosapi_finding(facts: BridgeFacts) -> Finding:
@@ -30,13 +30,20 @@ def rosapi_finding(facts: BridgeFacts) -> Finding:
     return Finding(facts.name, "rosapi", Verdict.OK, measured, values=counts)
 
 
-def robot_findings(config: Config, robot: RobotEntry, facts: BridgeFacts) -> Iterator[Finding]:
-    """The robot itself, then each of its topics."""
+def robot_findings(
+    config: Config, robot: RobotEntry, facts: BridgeFacts, causes: Sequence[Cause]
+) -> Iterator[Finding]:
+    """The robot itself, then each of its topics. What has one of the `causes` is not told again."""
     topics = facts.of(robot.name)
     first = _robot(config, robot, topics, facts)
     yield first
     for one in topics:
-        if first.is_failure and (one.wanted.kind.key not in FLOOR_TOPICS or not is_there(robot.name, facts)):
+        cause = next((cause for cause in causes if one.topic in cause.topics), None)
+        if cause is not None:
+            yield _finding(one, Verdict.SKIPPED, f"{cause.short}: see above")
+        elif first.is_failure and (
+            one.wanted.kind.key not in FLOOR_TOPICS or not is_there(robot.name, facts)
+        ):
             yield _finding(one, Verdict.SKIPPED, f"{first.measured.partition(':')[0]}: see above")
         else:
             yield _topic(config, one, facts)
