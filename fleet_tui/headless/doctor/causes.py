@@ -10,7 +10,7 @@ from fleet_tui.model.sourcing import Listening, unsourced_package
 
 @dataclass(frozen=True, slots=True)
 class Cause:
-    """A finding that explains others. `topics` and `services` are what it silences, `short` names it there."""
+    """A finding that explains others: `topics` and `services` it silences, `short` names it there."""
 
     finding: Finding
     short: str
