@@ -12,7 +12,7 @@ from fleet_tui.simulator.faults import FAULTS, parse_faults
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-FAULT_LIST = "\b\nFaults:\n" + "\n".join(f"  {name:<10}{text}" for name, (text, _) in FAULTS.items())
+FAULT_LIST = "\b\nFaults:\n" + "\n".join(f"  {name:<15}{text}" for name, (text, _) in FAULTS.items())
 
 
 def _faults(command: F) -> F:

@@ -117,7 +117,7 @@ def test_what_an_unset_variable_leaves_is_no_file(tmp_path: Path, args: list[str
 
 def test_the_help_of_the_simulator_lists_every_fault(tmp_path: Path) -> None:
     text = run("sim", "--help", cwd=tmp_path).stdout
-    assert all(f"  {name:<10}{what}" in text for name, (what, _) in FAULTS.items())
+    assert all(f"  {name:<15}{what}" in text for name, (what, _) in FAULTS.items())
 
 
 def test_the_console_without_a_terminal_says_so(tmp_path: Path) -> None:

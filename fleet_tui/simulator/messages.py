@@ -107,7 +107,7 @@ def _queue(robot: Robot) -> Message:
         "current_order_id": robot.current_order_id,
         "orders": [
             {"id": order.id, "start": order.start, "end": order.end, "status": order.status}
-            for order in robot.orders
+            for order in (*robot.ended, *robot.orders)
         ],
     }
 

@@ -22,7 +22,7 @@ Work = Iterator[None]
 
 @dataclass
 class Order:
-    """A transport order; status is `Q` queued or `W` in process."""
+    """A transport order; status is `Q` queued, `W` in process or `C` cancelled."""
 
     id: int
     start: int
@@ -54,6 +54,8 @@ class Robot:
         self.stuck = False
         """Whether it stands still as long as it has an order in process."""
         self.orders: list[Order] = []
+        self.ended: list[Order] = []
+        """Orders that are over and still reported."""
         self.last_order_id = self.request_id = 0
         self._driving = False
         self._obstacle_in = rng.uniform(25.0, 90.0)

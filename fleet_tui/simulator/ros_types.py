@@ -35,6 +35,16 @@ class ServiceError(Exception):
     """A call that fails: its text is the answer's `values`, with `result` false."""
 
 
+class NodeDiedError(ServiceError):
+    """The node dies during the call."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "transport error completing service call: unable to receive data from sender,"
+            " check sender's logs for details"
+        )
+
+
 def fill(type_: ServiceType, args: object) -> dict[str, Any]:
     """A complete request from a call's `args`: an object, a list in the order of the fields, or anything
     else, which counts as nothing. What is missing becomes zero. Raises ServiceError."""

@@ -30,9 +30,10 @@ _LOG.addHandler(logging.NullHandler())
 
 
 class RosbridgeServer(ServiceDesk):
-    """A rosbridge server in front of `world`, which it steps `rate` times a second, in real time.
+    """A rosbridge server in front of `world`, which it steps `rate` times a second.
 
-    Port 0 takes a free one. `subscribe_delay`: seconds every subscribe takes (the real bridge needs 0.02).
+    `speed`: seconds of world time in a second; the rates on the wire stay as they are. Port 0 takes a free
+    one. `subscribe_delay`: seconds every subscribe takes (the real bridge needs 0.02).
     The attributes without an underscore are for tests: to read and to change.
     """
 
@@ -43,16 +44,16 @@ class RosbridgeServer(ServiceDesk):
         port: int = 0,
         rate: float = 10.0,
         subscribe_delay: float = 0.0,
+        speed: float = 1.0,
     ) -> None:
-        self.topics = {topic.name: topic for topic in topics_of(world, time.time())}
+        found = (*topics_of(world, time.time()), *word_topics(world.robots))
+        self.topics = {topic.name: topic for topic in found}
         """What is published, by name."""
-        self.topics |= {topic.name: topic for topic in word_topics(world.robots)}
-        self._talk = Talk()
         self.topics[COUNT] = Topic(COUNT, "std_msgs/Int32", self._client_count, latched=True)
         self.types = {topic.name: topic.type for topic in self.topics.values()}
         """What rosapi tells of the topics."""
         super().__init__(world, self.types, lambda topic: self.subscribers(topic) > 0)
-        self.subscribe_delay = subscribe_delay
+        self.subscribe_delay, self.speed = subscribe_delay, speed
         self.received: deque[Operation] = deque(maxlen=REMEMBERED)
         """Every operation that arrived; the newest last."""
         self.muted: set[str] = set()
@@ -62,10 +63,13 @@ class RosbridgeServer(ServiceDesk):
         self.orphaned: set[str] = set()
         """Topics that come no more, as after a restart of roscore, until nobody holds them."""
         self._host, self._port, self._rate = host, port, rate
+        self._slow_ticks = max(1, round(rate / SLOW_RATE))
+        self.report_period = self._slow_ticks / rate  # seconds between two reports of a queue
         self._subscribed: dict[str, set[Session]] = {}
         self._sessions: set[Session] = set()
         self._server: Server | None = None
         self._life: asyncio.Task[None] | None = None
+        self._talk = Talk()
 
     async def start(self) -> None:
         """Listen and let the world run. Raises FleetError where the port can't be had."""
@@ -120,9 +124,18 @@ class RosbridgeServer(ServiceDesk):
         for session in self._sessions:
             session.connection.transport.abort()
 
-    def deliver(self, session: Session, service: str, answer: Frame) -> None:
-        """Bring an answer to a client."""
-        self.deliveries.get(service, Session.reply)(session, answer)
+    def call(self, session: Session, operation: Operation) -> None:
+        """Answer a service call, once its node is awake."""
+        delay = self.frozen.get(operation["service"])
+        if delay is None:
+            self._answer(session, operation)
+        else:
+            asyncio.get_running_loop().call_later(delay, self._answer, session, operation)
+
+    def _answer(self, session: Session, operation: Operation) -> None:
+        answer = self.answer(operation)
+        if answer is not None:
+            self.deliveries.get(operation["service"], Session.reply)(session, answer)
 
     def publish_raw(self, topic: str, msg: dict[str, Any] | str | bytes) -> int:
         """Send a message, or as it is a text or binary frame, to the topic's subscribers, past throttle
@@ -140,6 +153,8 @@ class RosbridgeServer(ServiceDesk):
     def admit(self, topic: str, type_: str | None) -> bool:
         """Whether a topic may be subscribed to: with its type or none; one that is to come, with a type."""
         known = self.topics.get(topic)
+        if known is not None and known.type.partition("/")[0] in self.unsourced:
+            return False
         return type_ is not None if known is None else type_ in (None, known.type)
 
     def welcome(self, session: Session, topic: str) -> None:
@@ -176,7 +191,7 @@ class RosbridgeServer(ServiceDesk):
             due = max(due + period, clock() - MADE_UP)
             await asyncio.sleep(due - clock())
             tick += 1
-            self.world.step(period)
+            self.world.step(period * self.speed)
             self._publish_telemetry(tick)
 
     def _publish_telemetry(self, tick: int) -> None:
@@ -184,13 +199,12 @@ class RosbridgeServer(ServiceDesk):
             self._publish(ROSOUT, Payload(line))
         if tick % max(1, round(self._rate)) == 0:
             self._publish(DIAGNOSTICS)
-        every = max(1, round(self._rate / SLOW_RATE))
         for name in self._subscribed:
             topic = self.topics.get(name)
             if topic is None or topic.robot is None or topic.robot.silence > 0.0:
                 continue
             # Robots take turns, so that their slow topics do not all fall into one tick.
-            if topic.fast or (tick + topic.robot.index) % every == 0:
+            if topic.fast or (tick + topic.robot.index) % self._slow_ticks == 0:
                 self._publish(name)
 
     def _publish(self, name: str, payload: Payload | None = None) -> None:

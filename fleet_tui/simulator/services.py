@@ -24,12 +24,16 @@ class ServiceDesk:
         """Every call that arrived with its args, rosapi's left out; the newest last."""
         self.silent_services: set[str] = set()
         """Services that are never answered and do nothing."""
+        self.frozen: dict[str, float] = {}
+        """Services whose node wakes only so many seconds after a call."""
         self.answers: dict[str, Callable[[Values], Values]] = {}
         """Answers instead of the world's, made from the args; a ServiceError makes the call fail."""
         self.master_alive = True
         """False: every call fails while topics go on."""
         self.rosapi_alive = True
         """False: rosapi's services do not exist."""
+        self.unsourced: set[str] = set()
+        """Packages that the bridge doesn't have: it can handle none of their messages and services."""
         robots = [f"/{robot}/Application_layout/" for robot in world.robots]
         self.services = {robot + verb: type_ for robot in robots for verb, type_ in ROBOT_SERVICES.items()}
         self._rosapi = Rosapi(topics, self.services, subscribed, time.time)
@@ -57,13 +61,21 @@ class ServiceDesk:
             answer["id"] = operation["id"]
         return to_json(answer)
 
+    def carry_out(self, service: str, args: object) -> Values:
+        """Let a robot's service do what it is there for, and return its answer. Raises ServiceError."""
+        type_ = self.services[service]
+        package = type_.name.partition("/")[0]
+        if package in self.unsourced:
+            raise ServiceError(f"Unable to load the manifest for package {package}. Caused by: {package}")
+        return self.world.answer(service, fill(type_, args))
+
     def _values(self, service: str, args: object) -> Values:
         if not self.master_alive:
             raise ServiceError("Unable to communicate with master!")
         if service in self.answers:
             return self.answers[service](args if isinstance(args, dict) else {})
         if service in self.services:
-            return self.world.answer(service, fill(self.services[service], args))
+            return self.carry_out(service, args)
         if service in ROSAPI_SERVICES and self.rosapi_alive:
             return self._rosapi.answer(service, args)
         raise ServiceError(f"Service {service} does not exist")

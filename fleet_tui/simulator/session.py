@@ -41,11 +41,8 @@ class Bridge(Protocol):
     def note(self, operation: Operation) -> None:
         """Take note of an operation that arrived."""
 
-    def answer(self, operation: Operation) -> Frame | None:
-        """The answer to a service call, None for silence."""
-
-    def deliver(self, session: "Session", service: str, answer: Frame) -> None:
-        """Bring an answer to a client."""
+    def call(self, session: "Session", operation: Operation) -> None:
+        """Answer a service call, or not."""
 
     def admit(self, topic: str, type_: str | None) -> bool:
         """Whether the topic may be subscribed to with this type."""
@@ -113,9 +110,7 @@ class Session:
             case "unsubscribe":
                 self._unsubscribe(operation["topic"], operation.get("id"))
             case "call_service":
-                answer = self.bridge.answer(operation)
-                if answer is not None:
-                    self.bridge.deliver(self, operation["service"], answer)
+                self.bridge.call(self, operation)
 
     def _subscribe(self, operation: Operation) -> None:
         topic = operation["topic"]

@@ -11,10 +11,12 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 from fleet_tui.errors import ConfigError
-from fleet_tui.simulator import faults
-from fleet_tui.simulator.faults import FAULTS, FLAT, JUMP, parse_faults, play
+from fleet_tui.simulator import wire_faults
+from fleet_tui.simulator.faults import FAULTS, parse_faults, play
+from fleet_tui.simulator.messages import topics_of
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
+from fleet_tui.simulator.world_faults import FLAT, FOREIGN, FOREIGN_PAUSE, JUMP
 
 NAMES = ["robot_0", "robot_1"]
 ORDER = "/robot_0/Application_layout/Execute_order"
@@ -79,8 +81,50 @@ def test_the_other_faults_of_a_robot() -> None:
     world = planted("restart")
     world.step(1)
     assert world.robots["robot_0"].last_order_id == 1
+    world.robots["robot_0"].paused = True
     world.step(2)
-    assert (world.robots["robot_0"].orders, world.robots["robot_0"].last_order_id) == ([], 0)
+    robot = world.robots["robot_0"]
+    assert (robot.orders, robot.last_order_id, robot.paused) == ([], 0, False)
+
+
+def statuses(world: World) -> list[str]:
+    """The status of each order in the report of robot_0's queue."""
+    (queue,) = (topic for topic in topics_of(world, 0.0) if topic.name == "/robot_0/queue")
+    return [order["status"] for order in json.loads(queue.payload(0.0).json)["orders"]]
+
+
+def test_another_console_cancels_each_order() -> None:
+    world = planted("foreign-cancel")
+    world.step(FOREIGN - 0.2)
+    assert statuses(world) == ["W"]
+    world.step(0.3)
+    assert statuses(world) == ["C"]
+    world.robots["robot_0"].take(0, 19, request_id=2)
+    world.step(0.5)
+    assert statuses(world) == ["W"]  # of the second: the first was reported once as cancelled
+    assert world.robots["robot_0"].last_order_id == 2
+    world.step(FOREIGN)
+    assert statuses(world) == ["C"]
+
+
+def test_another_console_pauses_once_for_a_while() -> None:
+    world = planted("foreign-pause")
+    seen = []
+    for _ in range(15):
+        world.step(1.0)
+        seen.append(world.robots["robot_0"].paused)
+    assert seen.count(True) == round(FOREIGN_PAUSE)
+    assert seen.index(True) in (2, 3)
+
+
+def test_another_console_is_as_slow_in_a_fast_world() -> None:
+    server = RosbridgeServer(World(1, 1, seed=1, quiet=True), speed=10.0)
+    play(server, parse_faults("foreign-cancel", server.world.robots))
+    server.world.robots["robot_0"].take(19, 0, request_id=1)
+    server.world.step(10 * FOREIGN - 1.0)
+    assert statuses(server.world) == ["W"]
+    server.world.step(2.0)
+    assert statuses(server.world) == ["C"]
 
 
 def test_a_lost_robot_jumps_to_and_fro_and_gets_nowhere() -> None:
@@ -116,6 +160,14 @@ async def answers(client: ClientConnection) -> list[dict[str, Any]]:
     return found
 
 
+FAILURES = {
+    "dies": "transport error completing service call: unable to receive data from sender,"
+    " check sender's logs for details",
+    "throws": f"service [{ORDER}] responded with an error: b'error processing request: no route'",
+    "unsourced": "Unable to load the manifest for package OH_ressources. Caused by: OH_ressources",
+}
+
+
 @pytest.mark.parametrize(
     ("name", "ids", "carried_out"),
     [
@@ -124,6 +176,11 @@ async def answers(client: ClientConnection) -> list[dict[str, Any]]:
         ("twice", ["call:1", "call:1"], 1),
         ("never", [], 0),
         ("wrong-id", ["not-call:1"], 1),
+        ("late-call", [], 0),
+        ("obeys-late", ["call:1"], 0),
+        ("dies", ["call:1"], 1),
+        ("throws", ["call:1"], 0),
+        ("unsourced", ["call:1"], 0),
     ],
 )
 async def test_faults_of_the_answer(name: str, ids: list[str], carried_out: int) -> None:
@@ -131,16 +188,88 @@ async def test_faults_of_the_answer(name: str, ids: list[str], carried_out: int)
         came = await answers(client)
         assert [answer["id"] for answer in came] == ids
         assert len(server.world.robots["robot_0"].orders) == carried_out
+        if ids:
+            assert came[0]["result"] is (name not in FAILURES)
+            assert str(came[0]["values"]) == FAILURES.get(name, str(came[0]["values"]))
         if name == "refuse":
             assert came[0]["values"]["status"].startswith("REJECTED")
 
 
 async def test_a_late_answer_comes_in_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(faults, "LATE", 0.2)
+    monkeypatch.setattr(wire_faults, "LATE", 0.2)
     async with served("late") as (_, client):
         assert await answers(client) == []
         async with asyncio.timeout(10):
             assert json.loads(await client.recv())["id"] == "call:1"
+
+
+async def test_a_frozen_node_takes_the_order_when_it_wakes(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(wire_faults, "LATE", 0.2)
+    async with served("late-call") as (server, client):
+        assert await answers(client) == []
+        assert server.world.robots["robot_0"].orders == []
+        async with asyncio.timeout(10):
+            assert json.loads(await client.recv())["id"] == "call:1"
+        assert len(server.world.robots["robot_0"].orders) == 1
+
+
+async def test_a_command_is_obeyed_long_after_its_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(wire_faults, "OBEYS", 0.2)
+    async with served("obeys-late") as (server, client):
+        robot = server.world.robots["robot_0"]
+        (answer,) = await answers(client)
+        assert answer["values"] == {"request_id": 1, "status": "executed"}
+        async with asyncio.timeout(10):
+            await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/queue"}))
+            while not json.loads(await client.recv())["msg"]["orders"]:
+                pass
+        pause = {"op": "call_service", "id": "p", "service": "/robot_0/Application_layout/Pause"}
+        await client.send(json.dumps(pause))
+        while (answer := json.loads(await client.recv())).get("id") != "p":
+            pass
+        assert answer["values"] == {"success": True, "message": "executed"}
+        assert not robot.paused
+        async with asyncio.timeout(10):
+            while not robot.paused:
+                await client.recv()
+
+
+async def test_services_that_are_no_longer_registered(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(wire_faults, "GONE", 0.0)
+    async with served("unregistered") as (server, client):
+        await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/pose"}))
+        async with asyncio.timeout(10):
+            while server.services:
+                await client.recv()
+        await client.send(json.dumps({"op": "call_service", "id": "again", "service": ORDER}))
+        seen = [json.loads(await client.recv()) for _ in range(5)]
+        (answer,) = (frame for frame in seen if frame.get("id") == "again")
+        assert (answer["values"], answer["result"]) == (f"Service {ORDER} does not exist", False)
+        assert any(frame["op"] == "publish" for frame in seen)
+
+
+async def test_a_frozen_rosapi_leaves_the_bridge_alive() -> None:
+    heartbeat = "/rosapi/fleet_tui_heartbeat"
+    async with served("frozen-rosapi") as (_, client):
+        await client.send(json.dumps({"op": "call_service", "id": "h", "service": heartbeat}))
+        came = [json.loads(await client.recv()) for _ in range(2)]
+    assert [frame["id"] for frame in came] == ["call:1", "h"]  # and none for /rosapi/get_time
+    assert (came[1]["values"], came[1]["result"]) == (f"Service {heartbeat} does not exist", False)
+
+
+async def test_messages_beyond_the_bridge_never_come_though_rosapi_names_them() -> None:
+    async with served("unsourced") as (_, client):
+        await answers(client)
+        for topic in ("queue", "floor_0/graph", "floor_0/map_metadata", "battery"):
+            await client.send(json.dumps({"op": "subscribe", "topic": f"/robot_0/{topic}"}))
+        came = {json.loads(await client.recv())["topic"] for _ in range(4)}
+        assert came == {"/robot_0/floor_0/map_metadata", "/robot_0/battery"}
+        args = {"topic": "/robot_0/queue"}
+        call = {"op": "call_service", "id": "t", "service": "/rosapi/topic_type", "args": args}
+        await client.send(json.dumps(call))
+        while (answer := json.loads(await client.recv())).get("id") != "t":
+            pass
+        assert answer["values"] == {"type": "OH_ressources/ActionQueue"}
 
 
 async def test_a_dropped_connection_was_no_dropped_order() -> None:

@@ -1,0 +1,137 @@
+"""Faults of the wire: how services answer and topics come, while the robot itself does what it should."""
+
+import asyncio
+import json
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from fleet_tui.simulator.ros_types import NodeDiedError, ServiceError
+
+if TYPE_CHECKING:
+    # The command line lists the faults: it must not wait for the server to be imported.
+    from fleet_tui.simulator.frames import Frame
+    from fleet_tui.simulator.server import RosbridgeServer
+    from fleet_tui.simulator.session import Session
+
+Play = Callable[["RosbridgeServer", str], None]
+Values = dict[str, Any]
+
+ORDERS = "Execute_order"
+LATE = 8.0  # seconds after which `late` answers, and `late-call` begins
+OBEYS = 12.0  # seconds between the answer of `obeys-late` and the deed
+GONE = 5.0  # seconds after which `unregistered` has no services
+
+
+def _services(server: "RosbridgeServer", robot: str, verb: str = "") -> list[str]:
+    return [name for name in server.services if name.startswith(f"/{robot}/Application_layout/{verb}")]
+
+
+def _answered(answer: Callable[["RosbridgeServer", str, Values], Values], verb: str = "") -> Play:
+    """A fault of the services themselves, made by what they answer to their args."""
+
+    def play(server: "RosbridgeServer", robot: str) -> None:
+        for service in _services(server, robot, verb):
+            server.answers[service] = partial(answer, server, service)
+
+    return play
+
+
+def _refused(_server: "RosbridgeServer", _service: str, args: Values) -> Values:
+    return {
+        "request_id": args.get("request_id", 0),
+        "status": "REJECTED: the simulator was asked to refuse",
+    }
+
+
+def _obeyed_late(server: "RosbridgeServer", service: str, args: Values) -> Values:
+    asyncio.get_running_loop().call_later(OBEYS, server.carry_out, service, args)
+    verb = service.rpartition("/")[2]
+    if verb.startswith(ORDERS):
+        return {"request_id": args.get("request_id", 0), "status": "executed"}
+    return {"success": True, "message" if verb in ("Pause", "Resume") else "status": "executed"}
+
+
+def _died(server: "RosbridgeServer", service: str, args: Values) -> Values:
+    server.carry_out(service, args)
+    raise NodeDiedError
+
+
+def _thrown(_server: "RosbridgeServer", service: str, _args: Values) -> Values:
+    raise ServiceError(f"service [{service}] responded with an error: b'error processing request: no route'")
+
+
+refuse, dies, throws = (_answered(answer, ORDERS) for answer in (_refused, _died, _thrown))
+obeys_late = _answered(_obeyed_late)
+
+
+def never(server: "RosbridgeServer", robot: str) -> None:
+    """Neither answer nor carry out a command."""
+    server.silent_services.update(_services(server, robot))
+
+
+def late_call(server: "RosbridgeServer", robot: str) -> None:
+    """Begin an order only when the frozen node wakes."""
+    server.frozen.update(dict.fromkeys(_services(server, robot, ORDERS), LATE))
+
+
+def _delivered(deliver: Callable[["RosbridgeServer", "Session", "Frame"], None]) -> Play:
+    """A fault of the way on which answers are brought back; the service itself does what it should."""
+
+    def play(server: "RosbridgeServer", robot: str) -> None:
+        for service in _services(server, robot):
+            server.deliveries[service] = lambda session, frame: deliver(server, session, frame)
+
+    return play
+
+
+def _late(_server: "RosbridgeServer", session: "Session", frame: "Frame") -> None:
+    session.reply_in(LATE, frame)
+
+
+def _twice(_server: "RosbridgeServer", session: "Session", frame: "Frame") -> None:
+    session.reply(frame)
+    session.reply(frame)
+
+
+def _wrong_id(_server: "RosbridgeServer", session: "Session", frame: "Frame") -> None:
+    answer = json.loads(frame)
+    session.reply(json.dumps(answer | {"id": f"not-{answer.get('id')}"}))
+
+
+def _drop(server: "RosbridgeServer", _session: "Session", _frame: "Frame") -> None:
+    server.abort_clients()
+
+
+late, twice, wrong_id, drop = map(_delivered, (_late, _twice, _wrong_id, _drop))
+
+
+def stale(server: "RosbridgeServer", robot: str) -> None:
+    """Keep the pose back."""
+    server.muted.add(f"/{robot}/pose")
+
+
+def unregistered(server: "RosbridgeServer", robot: str) -> None:
+    """Lose the services, as after a restart of the ROS master; telemetry flows on."""
+    age = 0.0
+
+    def step(dt: float) -> None:
+        nonlocal age
+        age += dt / server.speed
+        if age > GONE:
+            for service in _services(server, robot):
+                del server.services[service]
+
+    server.world.troubles.append(step)
+
+
+def frozen_rosapi(server: "RosbridgeServer", _robot: str) -> None:
+    """Freeze rosapi's node."""
+    from fleet_tui.simulator.rosapi import SERVICES
+
+    server.silent_services.update(SERVICES)
+
+
+def unsourced(server: "RosbridgeServer", _robot: str) -> None:
+    """Let the bridge run without the package of the robots' messages."""
+    server.unsourced.add("OH_ressources")

@@ -1,0 +1,107 @@
+"""Faults of the world: mishaps of the robot itself, and other people's commands."""
+
+from typing import TYPE_CHECKING
+
+from msgspec import structs
+
+if TYPE_CHECKING:
+    # The command line lists the faults: it must not wait for the server to be imported.
+    from fleet_tui.simulator.server import RosbridgeServer
+
+LIVES = 2.0  # seconds after its first order at which `restart` starts anew
+FLAT = 8.0  # per cent above which `battery` never charges
+JUMP = 3.0  # metres by which `jumping` is beside itself every other second
+FOREIGN = 3.0  # seconds after an order at which another console interferes
+FOREIGN_PAUSE = 5.0  # seconds for which it pauses
+
+
+def restart(server: "RosbridgeServer", robot_name: str) -> None:
+    """Start the robot's node anew once it has had an order for a while."""
+    robot, age = server.world.robots[robot_name], 0.0
+
+    def step(dt: float) -> None:
+        nonlocal age
+        age = age + dt if robot.last_order_id else 0.0
+        if age > LIVES:
+            robot.drop({order.id for order in robot.orders})
+            robot.last_order_id = robot.request_id = 0
+            robot.paused = False
+
+    server.world.troubles.append(step)
+
+
+def foreign_cancel(server: "RosbridgeServer", robot_name: str) -> None:
+    """Cancel each order as another console would: one report shows it as cancelled, then it is gone."""
+    robot = server.world.robots[robot_name]
+    ages = dict[int, float]()
+
+    def step(dt: float) -> None:
+        nonlocal ages
+        told = [order for order in robot.ended if ages[order.id] < FOREIGN + server.report_period]
+        ages = {order.id: ages.get(order.id, 0.0) + dt / server.speed for order in (*told, *robot.orders)}
+        cancelled = [order for order in robot.orders if ages[order.id] >= FOREIGN]
+        robot.drop({order.id for order in cancelled})
+        for order in cancelled:
+            order.status = "C"
+        robot.ended = told + cancelled
+
+    server.world.troubles.append(step)
+
+
+def foreign_pause(server: "RosbridgeServer", robot_name: str) -> None:
+    """Pause and resume the robot once, as another console would."""
+    robot, age = server.world.robots[robot_name], 0.0
+
+    def step(dt: float) -> None:
+        nonlocal age
+        before, age = age, age + (dt / server.speed if robot.last_order_id else 0.0)
+        if before < FOREIGN <= age:
+            robot.paused = True
+        elif before < FOREIGN + FOREIGN_PAUSE <= age:
+            robot.paused = False
+
+    server.world.troubles.append(step)
+
+
+def obstacle(server: "RosbridgeServer", robot: str) -> None:
+    """Put an obstacle before it that stays."""
+    server.world.robots[robot].block()
+
+
+def stuck(server: "RosbridgeServer", robot: str) -> None:
+    """Keep it where it is while it has an order."""
+    server.world.robots[robot].stuck = True
+
+
+def silent(server: "RosbridgeServer", robot: str) -> None:
+    """Publish nothing of it."""
+    server.world.robots[robot].silence = float("inf")
+
+
+def paused(server: "RosbridgeServer", robot: str) -> None:
+    """Pause it from the start."""
+    server.world.robots[robot].paused = True
+
+
+def battery(server: "RosbridgeServer", robot_name: str) -> None:
+    """Give it a battery that holds little."""
+    robot = server.world.robots[robot_name]
+
+    def step(_dt: float) -> None:
+        robot.battery = min(robot.battery, FLAT)
+
+    server.world.troubles.append(step)
+
+
+def jumping(server: "RosbridgeServer", robot_name: str) -> None:
+    """Let its pose jump. A robot that does not know where it is does not drive."""
+    world, robot, beside = server.world, server.world.robots[robot_name], 0.0
+    robot.stuck = True
+
+    def step(_dt: float) -> None:
+        nonlocal beside
+        wanted = JUMP * (int(world.time) % 2)
+        robot.pose = structs.replace(robot.pose, x=robot.pose.x + wanted - beside)
+        beside = wanted
+
+    world.troubles.append(step)
