@@ -14,7 +14,8 @@ from websockets.asyncio.server import ServerConnection, serve
 
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.ros_types import ServiceType
+from fleet_tui.simulator.ros_types import ServiceError, ServiceType
+from fleet_tui.simulator.rosapi import SERVICES as ROSAPI
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.faults.certificates import sign
 
@@ -145,7 +146,37 @@ def _slip_and_listened_to(server: RosbridgeServer, config: Config) -> Config:
 
 
 def _unsourced(server: RosbridgeServer) -> None:
-    server.muted |= {name for name, type_ in server.types.items() if type_.startswith("OH_ressources/")}
+    server.unsourced.add("OH_ressources")
+
+
+def _unregistered(server: RosbridgeServer) -> None:
+    server.services.clear()
+
+
+def _frozen_rosapi(server: RosbridgeServer) -> None:
+    server.silent_services.update(ROSAPI)
+
+
+def _failing_rosapi(server: RosbridgeServer) -> None:
+    def fail(_args: Message) -> Message:
+        words = "service [/rosapi/topics] responded with an error: b'error processing request: boom'"
+        raise ServiceError(words)
+
+    server.answers["/rosapi/topics"] = fail
+
+
+def _dead_node(server: RosbridgeServer) -> None:
+    """One node of robot_0 publishes two topics and offers a service; it is killed, and stays registered."""
+    dead = {"/robot_0/battery", "/robot_0/cargo", "/robot_0/Application_layout/Pause"}
+    server.muted |= dead
+
+    def publishers(args: Message) -> Message:
+        return {"publishers": ["/robot_0/base" if args["topic"] in dead else "/fleet"]}
+
+    def owner(args: Message) -> Message:
+        return {"node": "/robot_0/base" if args["service"] in dead else "/fleet"}
+
+    server.answers |= {"/rosapi/publishers": publishers, "/rosapi/service_node": owner}
 
 
 AT = "/robot_0/floor_0/"
@@ -164,6 +195,13 @@ PLANTS: dict[str, Plant] = {
     "a renamed topic, and a console that asks for the old name": on_the_server(_renamed_and_listened_to),
     "a robot's name with a slip, and a console open with it": _slip_and_listened_to,
     "messages the bridge was started without": on_the_server(_unsourced),
+    "a frozen rosapi": on_the_server(_frozen_rosapi),
+    "a rosapi that fails inside": on_the_server(_failing_rosapi),
+    "nodes that the ROS master does not know": on_the_server(_unregistered),
+    "a dead node": on_the_server(_dead_node),
+    "a battery that is not a number": on_the_server(
+        partial(says, topic="/robot_1/battery", change=lambda _: {"data": None})
+    ),
     "a missing topic": on_the_server(partial(_remove, "/robot_0/cargo")),
     "a wrong type": on_the_server(partial(retyped, topic="/robot_1/battery", type_="std_msgs/Float64")),
     "a topic that stays away": on_the_server(lambda server: server.muted.add("/robot_0/pose")),

@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 from fleet_tui.config.load import read
 from fleet_tui.config.profile import SERVICES, TOPICS
-from fleet_tui.config.schema import Link
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.headless.config_init import render
 from fleet_tui.headless.site import site_of
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import renamed, retyped
+from tests.headless.plants import PLANTS, renamed, retyped
 from tests.headless.running import Ended, run
 
 
@@ -75,9 +75,18 @@ async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) ->
     assert dead.code == 3 and "nothing listens there" in dead.err
     wrong = await run(tmp_path, "config", "init", "--from-live", "http://x")
     assert wrong.code == 2 and "is no address" in wrong.err
+    PLANTS["a rosapi that fails inside"](server, Config())
+    failing = await run(tmp_path, "config", "init", "--from-live", server.url)
+    assert failing.code == 1 and "error processing request: boom" in failing.err
+    assert "start" not in failing.err.lower()
+    PLANTS["a frozen rosapi"](server, Config())
+    frozen = await run(tmp_path, "config", "init", "--from-live", server.url)
+    assert frozen.code == 1 and "restart rosapi (" in frozen.err
+    server.silent_services.clear()
+    server.answers.clear()
     server.rosapi_alive = False
     mute = await run(tmp_path, "config", "init", "--from-live", server.url)
-    assert mute.code == 1 and "it is rosapi that tells" in mute.err
+    assert mute.code == 1 and "it is rosapi that tells" in mute.err and "start rosapi" in mute.err
 
 
 def test_what_a_real_bridge_said() -> None:

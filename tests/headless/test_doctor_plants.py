@@ -21,7 +21,7 @@ from tests.watched import config_of
 TIMEOUT = 9.0
 OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
     "a web server instead": lambda folder: web_server(),
-    "a server that says nothing": lambda folder: mute_server(),
+    "a frozen bridge": lambda folder: mute_server(),
     "another WebSocket server": lambda folder: other_websocket(),
     "TLS where ws:// is configured": partial(tls_server, scheme="ws"),
     "a certificate nobody vouches for": partial(tls_server, scheme="wss"),

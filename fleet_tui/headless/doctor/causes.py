@@ -1,11 +1,16 @@
 """Causes that silence several topics at once: each is said first, what follows from it is folded. Pure."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
-from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
+from fleet_tui.config.profile import FLOOR_TOPICS, SERVICES
+from fleet_tui.config.schema import Config
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
+from fleet_tui.headless.doctor.tools import LOOK_FOR_NODE, START_ROSAPI, named
 from fleet_tui.model.sourcing import Listening, unsourced_package
+
+FEWEST_TOPICS = 2  # of a node that is called silent: one alone is told as a topic
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,9 +23,98 @@ class Cause:
     services: frozenset[str] = frozenset()
 
 
-def causes_of(facts: BridgeFacts) -> list[Cause]:
+def rosapi_finding(facts: BridgeFacts) -> Finding:
+    """Tell whether types, publishers and services can be looked up at all."""
+    rosapi = facts.rosapi
+    if not rosapi.problem:
+        counts = {"topics": len(rosapi.topics), "services": len(rosapi.services), "nodes": len(rosapi.nodes)}
+        measured = ", ".join(f"{count} {what}" for what, count in counts.items())
+        return Finding(facts.name, "rosapi", Verdict.OK, measured, values=counts)
+    remedy = rosapi_remedy(rosapi)
+    lost = f"{rosapi.problem}: names, types, publishers and services can't be looked up"
+    # Some sites run without it; one that is there and does not work is broken.
+    verdict = Verdict.WARN if rosapi.is_absent else Verdict.FAIL
+    return Finding(facts.name, "rosapi", verdict, lost, f"{remedy}; topics are listened to without it")
+
+
+def rosapi_remedy(rosapi: Rosapi) -> str:
+    """Say how to have a rosapi that answers."""
+    start = named(START_ROSAPI, rosapi.ros)
+    if rosapi.is_absent:
+        return f"start rosapi beside rosbridge ({start})"
+    if rosapi.is_silent:
+        return f"restart rosapi ({start}), not rosbridge: that answers, and carries commands"
+    return "those are rosapi's own words: see its log"
+
+
+def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
     """What is wrong with a bridge or a node rather than with one topic, in the order in which to mend it."""
-    return list(_unsourced(facts))
+    unsourced = list(_unsourced(facts))
+    explained = {topic for cause in unsourced for topic in cause.topics}
+    return [*unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
+
+
+def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
+    """After a restart of the ROS master topics go on between nodes that know each other already."""
+    heard = {one.wanted.robot for one in facts.topics if one.count}
+    there = {service.split("/")[1] for service in facts.rosapi.services if service.startswith("/")}
+    robots = [robot.name for robot in config.robots if robot.name in heard - there]
+    if facts.rosapi.problem or not robots:
+        return
+    services = [config.profile.service(key, robot) for robot in robots for key in SERVICES]
+    lost = [service for service in services if service not in facts.rosapi.services]
+    if lost != services:
+        return
+    yield Cause(
+        Finding(
+            facts.name,
+            "nodes",
+            Verdict.FAIL,
+            "the robots' nodes are not registered: restart them"
+            f" (topics of {listed(robots)} come, and none of their services exists)",
+            "a node that ran before the ROS master was restarted is not known to the new one",
+        ),
+        "the robots' nodes are not registered",
+        services=frozenset(services),
+    )
+
+
+def _silent_nodes(facts: BridgeFacts, explained: Collection[str]) -> Iterator[Cause]:
+    """A node that is registered, and of which nothing comes. A robot all of whose nodes are silent is told
+    as a robot."""
+    live = [one for one in facts.topics if one.wanted.kind.key not in FLOOR_TOPICS]
+    awake = {one.wanted.robot for one in live if one.count}
+    of_node: dict[str, list[TopicFacts]] = {}
+    for one in facts.topics:
+        if (one.count or one.is_silent) and one.topic not in explained:
+            for node in facts.rosapi.publishers.get(one.topic, ()):
+                of_node.setdefault(node, []).append(one)
+    for node, topics in of_node.items():
+        robots = list(dict.fromkeys(one.wanted.robot for one in topics))
+        if any(one.count for one in topics) or len(topics) < FEWEST_TOPICS:
+            continue
+        if len(robots) > 1 or robots[0] in awake:
+            yield _silent_node(facts, node, topics, robots)
+
+
+def _silent_node(facts: BridgeFacts, node: str, topics: list[TopicFacts], robots: list[str]) -> Cause:
+    names = [one.topic for one in topics]
+    waited = max(one.waited for one in topics)
+    look = named(LOOK_FOR_NODE, facts.rosapi.ros, node)
+    return Cause(
+        Finding(
+            robots[0] if len(robots) == 1 else facts.name,
+            "node",
+            Verdict.FAIL,
+            f"{node} is silent: nothing came in {waited:.1f} s on the {len(names)} topics that it publishes:"
+            f" {listed(names)}",
+            f"does it run ({look})? Restart it",
+            {"node": node, "topics": len(names)},
+        ),
+        f"its node {node} is silent",
+        frozenset(names),
+        frozenset(service for service, owner in facts.rosapi.owners.items() if owner == node),
+    )
 
 
 def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:

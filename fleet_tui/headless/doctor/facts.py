@@ -11,14 +11,28 @@ LONG_ENOUGH = 1.5  # seconds without a message that mean anything
 
 @dataclass(frozen=True, slots=True)
 class Rosapi:
-    """The answers of rosapi: types by topic, types by service ("" where it was not asked), nodes, and by
-    topic the nodes that publish it. `problem` is why it tells nothing."""
+    """The answers of rosapi: types by topic, types by service (None where it was not asked), nodes, by topic
+    the nodes that publish it, by service its node, and which ROS it is (0: not known). `problem` is why it
+    tells nothing."""
 
     topics: Mapping[str, str] = field(default_factory=dict)
-    services: Mapping[str, str] = field(default_factory=dict)
+    services: Mapping[str, str | None] = field(default_factory=dict)
     nodes: tuple[str, ...] = ()
     publishers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    owners: Mapping[str, str] = field(default_factory=dict)
+    ros: int = 0
     problem: str = ""
+
+    @property
+    def is_absent(self) -> bool:
+        """Whether there is none beside the bridge."""
+        return "does not exist" in self.problem
+
+    @property
+    def is_silent(self) -> bool:
+        """Whether its node is there and does not answer: we waited long enough, or the bridge did."""
+        words = ("does not answer", "Unable to communicate with service", "Timeout exceeded")
+        return any(word in self.problem for word in words)
 
     def has(self, topic: str) -> bool:
         """Whether a topic is there to be heard: every open console keeps the names of its own listed."""

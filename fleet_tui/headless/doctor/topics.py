@@ -5,29 +5,14 @@ from collections.abc import Iterator, Sequence
 from fleet_tui.config.profile import FLOOR_TOPICS
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.headless.doctor.causes import Cause
-from fleet_tui.headless.doctor.facts import LONG_ENOUGH, BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.headless.doctor.names import near_topic, robots_on
+from fleet_tui.headless.doctor.tools import LATCHED, LOOK_FOR_NODE, named
 from fleet_tui.link.subscriptions import plain_type
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 UNSEEN = "without rosapi nobody can tell whether it is there"
-
-
-def rosapi_finding(facts: BridgeFacts) -> Finding:
-    """Whether types, publishers and services can be looked up at all."""
-    rosapi = facts.rosapi
-    if rosapi.problem:
-        return Finding(
-            facts.name,
-            "rosapi",
-            Verdict.WARN,
-            f"{rosapi.problem}: names, types, publishers and services can't be looked up",
-            "start rosapi beside rosbridge (rosrun rosapi rosapi_node); topics are listened to without it",
-        )
-    counts = {"topics": len(rosapi.topics), "services": len(rosapi.services), "nodes": len(rosapi.nodes)}
-    measured = ", ".join(f"{count} {what}" for what, count in counts.items())
-    return Finding(facts.name, "rosapi", Verdict.OK, measured, values=counts)
 
 
 def robot_findings(
@@ -35,7 +20,7 @@ def robot_findings(
 ) -> Iterator[Finding]:
     """The robot itself, then each of its topics. What has one of the `causes` is not told again."""
     topics = facts.of(robot.name)
-    first = _robot(config, robot, topics, facts)
+    first = _robot(config, robot, topics, facts, causes)
     yield first
     for one in topics:
         cause = next((cause for cause in causes if one.topic in cause.topics), None)
@@ -55,7 +40,9 @@ def is_there(robot: str, facts: BridgeFacts) -> bool:
     return bool(rosapi.problem) or any(one.count or rosapi.has(one.topic) for one in facts.of(robot))
 
 
-def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts) -> Finding:
+def _robot(
+    config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts, causes: Sequence[Cause]
+) -> Finding:
     if not is_there(robot.name, facts):
         known = {other.name for other in config.robots}
         others = nearest(robot.name, robots_on(config.profile, facts.rosapi) - known)
@@ -70,18 +57,29 @@ def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: B
         )
     live = [one for one in topics if one.wanted.kind.key not in FLOOR_TOPICS]
     heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
-    waited = max((one.waited for one in asked), default=0.0)
-    if not heard and waited >= LONG_ENOUGH:
-        return Finding(
-            robot.name,
-            "robot",
-            Verdict.FAIL,
-            f"silent: nothing came on {listed([one.topic for one in asked])} in {waited:.1f} s",
-            "is it switched on and in the network? Do its nodes run (rosnode ping)?"
-            + f" ({UNSEEN}: is its name right?)" * bool(facts.rosapi.problem),
-        )
+    explained = [cause for one in asked for cause in causes if one.topic in cause.topics]
+    if not heard and explained and len(explained) >= len(asked):
+        return Finding(robot.name, "robot", Verdict.SKIPPED, f"{explained[0].short}: see above")
+    if not heard and any(one.is_silent for one in asked):
+        return _silent(robot, asked, facts)
     measured = f"heard on {len(heard)} of {len(live)} live topics"
     return Finding(robot.name, "robot", Verdict.OK if heard else Verdict.SKIPPED, measured)
+
+
+def _silent(robot: RobotEntry, asked: list[TopicFacts], facts: BridgeFacts) -> Finding:
+    nodes = sorted({node for one in asked for node in facts.rosapi.publishers.get(one.topic, ())})
+    by = f", published by {listed(nodes)}" if nodes else ""
+    waited = max(one.waited for one in asked)
+    look = named(LOOK_FOR_NODE, facts.rosapi.ros, nodes[0] if nodes else "")
+    return Finding(
+        robot.name,
+        "robot",
+        Verdict.FAIL,
+        f"silent: nothing came on {listed([one.topic for one in asked])} in {waited:.1f} s{by}",
+        f"is it switched on and in the network? Do its nodes run ({look})?"
+        + f" ({UNSEEN}: is its name right?)" * bool(facts.rosapi.problem),
+        {"nodes": nodes},
+    )
 
 
 def _finding(
@@ -89,7 +87,11 @@ def _finding(
 ) -> Finding:
     wanted = facts.wanted
     check = f"{wanted.kind.key} of {wanted.floor}" if wanted.floor else wanted.kind.key
-    return Finding(wanted.robot, check, verdict, measured, remedy, {"topic": facts.topic, **values})
+    # The only thing that is skipped with a remedy is what there was no time for.
+    out_of_time = verdict is Verdict.SKIPPED and bool(remedy)
+    return Finding(
+        wanted.robot, check, verdict, measured, remedy, {"topic": facts.topic, **values}, out_of_time
+    )
 
 
 def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
@@ -142,49 +144,53 @@ def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFac
 
 def _what_came(config: Config, facts: TopicFacts, rosapi: Rosapi) -> Finding:
     nodes = rosapi.publishers.get(facts.topic)
-    publishers = None if nodes is None else len(nodes)
     values = {
         "type": rosapi.topics.get(facts.topic) or None,
         "expected_type": facts.wanted.subscription.type,
-        "publishers": publishers,
+        "publishers": None if nodes is None else len(nodes),
+        "nodes": nodes,
         "messages": facts.count,
         "unreadable": facts.faults,
         "rate_hz": None if facts.rate is None else round(facts.rate, 2),
         "age_s": None if facts.age is None else round(facts.age, 2),
         "first_after_s": None if facts.first_after is None else round(facts.first_after, 3),
     }
-    verdict, measured, remedy = _judged(config, facts, publishers)
-    if rosapi.problem and not facts.count and verdict is not Verdict.SKIPPED:
+    verdict, measured, remedy = _judged(config, facts) if facts.count else _nothing_came(facts, rosapi)
+    if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
         remedy += f" ({UNSEEN}: are [profile.topics] {facts.wanted.kind.key} and its type right?)"
     if verdict is Verdict.OK:
-        owners = f", {publishers} publisher{'s' * (publishers != 1)}" if publishers is not None else ""
-        measured = f"{measured}, {facts.wanted.subscription.type}{owners}"
-        if publishers is not None and publishers > 1:
-            verdict, remedy = Verdict.WARN, "two nodes speak for one robot: stop one"
-    return _finding(facts, verdict, measured, remedy, **values)
+        measured = f"{measured}, {facts.wanted.subscription.type}"
+    by = f", by {listed(nodes)}" if nodes else ""
+    if verdict is Verdict.OK and nodes and len(nodes) > 1:
+        verdict, remedy = Verdict.WARN, f"{len(nodes)} nodes speak for one robot: stop all but one"
+    return _finding(facts, verdict, f"{measured}{by}", remedy, **values)
 
 
-def _judged(config: Config, facts: TopicFacts, publishers: int | None) -> tuple[Verdict, str, str]:
-    key, per_floor = facts.wanted.kind.key, facts.wanted.kind.per_floor
+def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
+    key = facts.wanted.kind.key
+    if not facts.is_silent:
+        return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
+    nodes = rosapi.publishers.get(facts.topic)
+    nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
+    if not facts.wanted.kind.per_floor:
+        look = named(LOOK_FOR_NODE, rosapi.ros, nodes[0] if nodes else "")
+        return Verdict.FAIL, nothing, f"does the node that publishes it run ({look})?"
+    optional = key in ("map", "map_metadata") and nodes is None
+    late = f"who subscribes late must get it: publish it {named(LATCHED, rosapi.ros)}"
+    return (Verdict.WARN if optional else Verdict.FAIL), nothing, late
+
+
+def _judged(config: Config, facts: TopicFacts) -> tuple[Verdict, str, str]:
     fields = "correct [profile.fields], or the node that publishes it"
-    if not facts.count:
-        if facts.waited < LONG_ENOUGH:
-            return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
-        nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
-        if not per_floor:
-            return Verdict.FAIL, nothing, "is the node that publishes it alive (rosnode ping)?"
-        optional = key in ("map", "map_metadata") and publishers is None
-        late = "who subscribes late must get it: publish it latched (ROS 2: transient local)"
-        return (Verdict.WARN if optional else Verdict.FAIL), nothing, late
     if facts.event is None:
         return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
     if facts.faults:
         return Verdict.FAIL, f"{facts.faults} parts can't be read: {facts.problem}", fields
-    if per_floor:
+    if facts.wanted.kind.per_floor:
         return Verdict.OK, f"came {facts.first_after or 0.0:.2f} s after a late subscribe", ""
     age = f"last {facts.age or 0.0:.1f} s ago"
     measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
-    if key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
+    if facts.wanted.kind.key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
         slow = f"{measured}: poses should come with about 10 Hz"
         return Verdict.WARN, slow, "is the network or the robot's computer overloaded?"
     if facts.rate is not None and 1 / facts.rate > config.alarms.offline_after:

@@ -17,6 +17,9 @@ from fleet_tui.rosbridge import operations
 from fleet_tui.rosbridge.operations import Subscription
 
 HEAVY_BYTES = 100_000
+# A service that does not exist: the bridge itself says so at once, without rosapi and without a robot.
+HEARTBEAT = "fleet_tui_heartbeat"
+FROZEN = "it takes connections and does not answer: restart it"
 
 
 @dataclass(slots=True)
@@ -92,7 +95,7 @@ class Wire:
         try:
             await asyncio.wait_for(self._settled.wait(), within)
         except TimeoutError:
-            self.lost = "the server takes the connection and says nothing"
+            self.lost = FROZEN
         return self.lost
 
     async def call(self, name: str, args: Mapping[str, object], within: float) -> object:
@@ -100,6 +103,10 @@ class Wire:
         if self.lost:
             raise LinkError(self.lost)
         return (await self._calls.call(f"/rosapi/{name}", args, within)).values
+
+    async def beat(self, within: float) -> str:
+        """Make the bridge itself answer; its words. Raises LinkError without an answer."""
+        return str(await self.call(HEARTBEAT, {}, within))
 
     def subscribe(self, wanted: Wanted, type_: str) -> None:
         """Hear a topic from now on, every message of it. Raises LinkError."""
