@@ -18,7 +18,7 @@ from fleet_tui.headless.doctor.causes import rosapi_remedy
 from fleet_tui.headless.doctor.finding import Verdict
 from fleet_tui.headless.doctor.gather import asked_topics
 from fleet_tui.headless.doctor.listening import listen
-from fleet_tui.headless.doctor.rosapi import ask_details, look_around
+from fleet_tui.headless.doctor.rosapi import ask_publishers, ask_services, look_around
 from fleet_tui.headless.doctor.wire import Wire
 from fleet_tui.headless.site import Site, site_of
 from fleet_tui.link.transport import network_loop
@@ -59,7 +59,8 @@ async def _ask(config: Config, until: float) -> tuple[Site, dict[str, str]]:
             remedy = f"{rosapi_remedy(rosapi)}; or edit an example (fleet-tui config init)"
             raise FleetError(f"it is rosapi that tells what is there: {rosapi.problem}: {remedy}")
         services = [name for name in rosapi.services if not name.startswith(OURS)]
-        rosapi = await ask_details(wire, rosapi, rosapi.topics, services, until)
+        rosapi = await ask_publishers(wire, rosapi, rosapi.topics, until)
+        rosapi = await ask_services(wire, rosapi, services, until)
     finally:
         wire.close()
     published = {name: type_ for name, type_ in rosapi.topics.items() if rosapi.has(name)}

@@ -8,7 +8,13 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import LinkError
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
 from fleet_tui.headless.doctor.listening import listen
-from fleet_tui.headless.doctor.rosapi import ANSWER_WITHIN, ask_details, clock_ahead, look_around
+from fleet_tui.headless.doctor.rosapi import (
+    ANSWER_WITHIN,
+    ask_publishers,
+    ask_services,
+    clock_ahead,
+    look_around,
+)
 from fleet_tui.headless.doctor.wire import Wire
 from fleet_tui.link.subscriptions import Wanted, plain_type, wanted_topics
 from fleet_tui.robots import KINDS
@@ -35,28 +41,31 @@ def asked_topics(config: Config, link: str) -> list[Wanted]:
     return list(wanted_topics(config, KINDS[config.profile.name](config.profile), link))
 
 
-def _of_interest(rosapi: Rosapi, wanted: list[Wanted]) -> list[str]:
-    """The topics that are wanted, then those of the same types: one may be what was meant."""
+async def _look_up(config: Config, name: str, wire: Wire, rosapi: Rosapi, until: float) -> Rosapi:
+    """Ask rosapi about the topics and services of a bridge's robots."""
+    wanted = asked_topics(config, name)
+    named = [one.subscription.topic for one in wanted]
+    robots = [robot.name for robot in config.robots if robot.link == name]
+    services = [config.profile.service(key, robot) for robot in robots for key in SERVICES]
+    rosapi = await ask_publishers(wire, rosapi, named, until)
+    rosapi = await ask_services(wire, rosapi, services, until)
+    if all(map(rosapi.has, named)):
+        return rosapi
+    # One of the same type may be what was meant.
     expected = {plain_type(one.subscription.type) for one in wanted}
     others = [topic for topic, type_ in rosapi.topics.items() if plain_type(type_) in expected]
-    return list(dict.fromkeys([*(one.subscription.topic for one in wanted), *others]))
+    return await ask_publishers(wire, rosapi, set(others) - set(named), until)
 
 
 async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeFacts:
     """Everything about a bridge that answers, by the monotonic `until`: questions and topics side by side."""
-    wanted = asked_topics(config, name)
-    services = [
-        config.profile.service(key, robot.name)
-        for robot in config.robots
-        if robot.link == name
-        for key in SERVICES
-    ]
     trips = await measure_calls(wire)
     rosapi, ahead = await look_around(wire), None
     drawn = [floor.name for floor in config.floors if floor.map]
+    wanted = asked_topics(config, name)
     listening = asyncio.ensure_future(listen(config.bridge(name), wanted, rosapi.topics, until, drawn))
     if not rosapi.problem:
         ahead = await clock_ahead(wire)
-        rosapi = await ask_details(wire, rosapi, _of_interest(rosapi, wanted), services, until)
+        rosapi = await _look_up(config, name, wire, rosapi, until)
     topics, lost = await listening
     return BridgeFacts(name, rosapi, tuple(topics), trips, ahead, wire.lost or lost)

@@ -65,34 +65,39 @@ async def clock_ahead(wire: Wire) -> float | None:
     return None if told is None else told - (wall + (time.monotonic() - began) / 2)
 
 
-async def ask_details(
-    wire: Wire, rosapi: Rosapi, topics: Iterable[str], services: Iterable[str], until: float
-) -> Rosapi:
-    """Add who publishes these topics, and the types of these services and their nodes, as far as there is
-    time until the monotonic `until`."""
-    there = [service for service in services if service in rosapi.services]
+async def _ask(wire: Wire, verb: str, args: dict[str, object], key: str) -> Any:
+    """One field of an answer, None without an answer."""
+    try:
+        answer = await wire.call(verb, args, ANSWER_WITHIN)
+    except LinkError:
+        return None
+    return answer.get(key) if isinstance(answer, dict) else None
 
-    async def ask(verb: str, args: dict[str, object], key: str) -> Any:
-        try:
-            answer = await wire.call(verb, args, ANSWER_WITHIN)
-        except LinkError:
-            return None
-        return answer.get(key) if isinstance(answer, dict) else None
+
+async def ask_publishers(wire: Wire, rosapi: Rosapi, topics: Iterable[str], until: float) -> Rosapi:
+    """Add who publishes these topics, as far as there is time until the monotonic `until`."""
 
     async def publishers_of(topic: str) -> tuple[str, ...] | None:
-        nodes = await ask("publishers", {"topic": topic}, "publishers")
+        nodes = await _ask(wire, "publishers", {"topic": topic}, "publishers")
         return tuple(map(str, nodes)) if isinstance(nodes, list) else None
 
+    found = await _each(publishers_of, [topic for topic in topics if topic in rosapi.topics], until)
+    return replace(rosapi, publishers={**rosapi.publishers, **found})
+
+
+async def ask_services(wire: Wire, rosapi: Rosapi, services: Iterable[str], until: float) -> Rosapi:
+    """Add the types of these services, then their nodes, as far as there is time."""
+    there = [service for service in services if service in rosapi.services]
+
     async def type_of(service: str) -> str:
-        return str(await ask("service_type", {"service": service}, "type") or "")
+        return str(await _ask(wire, "service_type", {"service": service}, "type") or "")
 
     async def node_of(service: str) -> str:
-        return str(await ask("service_node", {"service": service}, "node") or "")
+        return str(await _ask(wire, "service_node", {"service": service}, "node") or "")
 
-    publishers = await _each(publishers_of, [topic for topic in topics if topic in rosapi.topics], until)
     types = await _each(type_of, there, until)
     owners = await _each(node_of, there, until)
-    return replace(rosapi, publishers=publishers, services={**rosapi.services, **types}, owners=owners)
+    return replace(rosapi, services={**rosapi.services, **types}, owners=owners)
 
 
 def _names(answer: object, key: str) -> list[str]:
