@@ -48,6 +48,6 @@ def ready(state: FleetState) -> bool:
 async def finished(link: FleetLink, store: WatchedStore, command: Command) -> CommandRecord:
     command_id = link.submit(command)
     state = await store.until(
-        lambda state: any(record.id == command_id and record.ended for record in state.commands)
+        lambda state: any(record.id == command_id and record.is_decided for record in state.commands)
     )
     return next(record for record in state.commands if record.id == command_id)

@@ -86,7 +86,7 @@ class Planted:
         frame = self.server.answer({"service": call.service, "args": dict(call.args), "id": "1"})
         if frame is not None:
             answer = json.loads(frame)
-            stage, words = self._interface.outcome(answer["values"], answer["result"])
+            stage, words = self._interface.outcome(command, answer["values"], answer["result"])
             self.tell(CommandAdvanced(id_, stage, self.now, words))
         return self
 

@@ -98,7 +98,7 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
 def _say_what_is_open(given: Sending, say: Say) -> None:
     for record in given.under_way:
         known = f"order {record.order_id} is in the queue, and stays there"
-        known = known if record.ended else f"it was {record.stage.value}, and may still be carried out"
+        known = known if record.is_decided else f"it was {record.stage.value}, and may still be carried out"
         say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
 
 

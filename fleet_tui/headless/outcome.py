@@ -42,14 +42,16 @@ def unsent(state: FleetState, command: Command, words: str, code: int, outcome: 
 
 def ended(state: FleetState, record: CommandRecord, waited: float) -> Outcome:
     """The outcome of a command that was sent; `waited`: for how many seconds, where it has not ended."""
-    words, code, outcome = record.words, NOT_DONE, record.stage.value
-    if record.stage in SUCCESSES:
+    # An order may have gone on already: what decided the command counts.
+    step = record.outcome or record.steps[-1]
+    words, code, outcome = step.words, NOT_DONE, step.stage.value
+    if step.stage in SUCCESSES:
         code = DONE
-    elif not record.ended:
+    elif not record.is_decided:
         why = f"it was {outcome} {words}".strip()
         outcome = Stage.UNKNOWN.value
         words = f"{why}; nothing more came within {waited:.0f} s: it may still be carried out"
-    seconds = round(record.at - record.issued_at, 3) if record.ended else None
+    seconds = round(step.at - record.issued_at, 3) if record.is_decided else None
     return _outcome(state, record.command, outcome, words, code, record.order_id, seconds)
 
 

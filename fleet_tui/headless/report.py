@@ -5,7 +5,7 @@ from typing import Any
 
 from fleet_tui.headless.session import missing
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.order import STATUS_WORDS
 from fleet_tui.model.robot import Reading, Robot
 
@@ -93,7 +93,7 @@ def attention(state: FleetState) -> list[str]:
     for link in state.links.values():
         if link.phase is not Phase.UP:
             lines.append(f"{link.name}: no link to {link.url}: {link.reason or 'nothing answers'}")
-        elif link.command_path is CommandPath.DEAD:
+        elif link.command_path in NO_WAY:
             lines.append(f"{link.name}: commands don't get through: {link.command_reason}")
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.kind not in ("link", "commands"):

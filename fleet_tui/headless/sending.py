@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from fleet_tui.headless.driving import Drive
+from fleet_tui.headless.driving import follow_order
 from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, ended, unsent
 from fleet_tui.headless.session import WaitingStore
 from fleet_tui.link.fleet_link import FleetLink
@@ -46,7 +46,7 @@ def unreported(robot: Robot) -> list[str]:
 def reaches(state: FleetState, robot: Robot) -> bool:
     """Whether commands to a robot are known to get through."""
     link = state.links[robot.link]
-    return link.phase is Phase.UP and link.command_path is CommandPath.ALIVE
+    return link.phase is Phase.UP and link.command_path in (CommandPath.ALIVE, CommandPath.UNREGISTERED)
 
 
 class Sending:
@@ -81,7 +81,9 @@ class Sending:
     @property
     def under_way(self) -> list[CommandRecord]:
         """What was given and of which the last is not known."""
-        return [record for id_, record in self._records.items() if not record.ended or id_ in self._driven]
+        return [
+            record for id_, record in self._records.items() if not record.is_decided or id_ in self._driven
+        ]
 
     def give(self, wish: Wish) -> Iterator[Outcome]:
         """Check a wish, send it, and wait for the outcome of each command. To one robot they are sent one
@@ -128,7 +130,8 @@ class Sending:
                 break
         while self._driven:
             command_id, outcome = next(iter(self._driven.items()))
-            driven = Drive(self._records[command_id], outcome).follow(self.store, self.left)
+            latest = partial(self._records.__getitem__, command_id)
+            driven = follow_order(latest, outcome, self.store, self.left)
             del self._driven[command_id]
             yield driven
 
@@ -167,7 +170,7 @@ class Sending:
         return command_id in self._records and self._records[command_id].stage is not Stage.CHECKED
 
     def _has_ended(self, command_id: int, _: FleetState) -> bool:
-        return command_id in self._records and self._records[command_id].ended
+        return command_id in self._records and self._records[command_id].is_decided
 
     def _with_link(self, outcome: Outcome, record: CommandRecord) -> Outcome:
         """The exit code of no link, where that kept it from being sent."""

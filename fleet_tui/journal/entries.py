@@ -63,10 +63,11 @@ def command_records(
 
 
 def closing_records(origin: Origin, state: FleetState, wall: float) -> Iterator[AuditRecord]:
-    """The last word of this console on each command that is under way."""
+    """Tell the last word of this console on each command and order that has not ended."""
     for record in state.commands:
-        if not record.ended:
-            fields = _about(state, record) | {"words": f"it was: {record.stage.value}"}
+        if not record.is_decided or record.has_open_order:
+            words = f"order {record.order_id} was in the queue" if record.has_open_order else ""
+            fields = _about(state, record) | {"words": words or f"it was: {record.stage.value}"}
             yield origin.record(wall, change="console closed", **fields)
 
 

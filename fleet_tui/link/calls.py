@@ -35,10 +35,12 @@ class Calls:
         self._pending: dict[str, asyncio.Future[operations.ServiceResponse]] = {}
         self._ids = itertools.count(1)
 
-    def start(self, service: str, args: Mapping[str, object]) -> "Call":
-        """Send a call. Raises LinkError if there is nothing to send it on."""
+    def start(self, service: str, args: Mapping[str, object], within: float) -> "Call":
+        """Send a call that the bridge gives up after `within` seconds, where it can.
+
+        Raises LinkError if there is nothing to send it on."""
         call_id = f"call:{next(self._ids)}"
-        self._connection.send(operations.call_service(call_id, service, args))
+        self._connection.send(operations.call_service(call_id, service, args, within))
         answer = asyncio.get_running_loop().create_future()
         self._pending[call_id] = answer
         return Call(call_id, service, answer)
@@ -61,7 +63,7 @@ class Calls:
         self, service: str, args: Mapping[str, object], within: float
     ) -> operations.ServiceResponse:
         """Send a call and wait for its answer; raises what `start` and `wait` raise."""
-        call = self.start(service, args)
+        call = self.start(service, args, within)
         try:
             return await self.wait(call, within)
         finally:

@@ -7,19 +7,19 @@ import time
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.link.calls import Call, Calls, LinkLostError, NoAnswerError
+from fleet_tui.link.heartbeat import Heartbeat
 from fleet_tui.link.telemetry import Telemetry
 from fleet_tui.link.transport import Connection
 from fleet_tui.link.writer import Writer
 from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import Command, PauseRobot, Stage
-from fleet_tui.model.events import CommandAdvanced, CommandPathChanged
+from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
-from fleet_tui.robots.interface import Interface
+from fleet_tui.robots.interface import Interface, said
 from fleet_tui.rosbridge import operations
 
 LOG = logging.getLogger(__name__)
 
-HEARTBEAT_EVERY, HEARTBEAT_TIMEOUT = 5.0, 5.0
 # Poses come ten times a second: a bridge that spoke and is silent for this long is not well.
 LONGEST_SILENCE = 2.0
 # A command that waited longer for a stalled console was not meant for this moment any more.
@@ -46,60 +46,26 @@ class CommandChannel:
         self._writer = writer
         self._timeout = timeout
         self._silence = telemetry.silence
-        self._round_trips = telemetry.counter.round_trips
-        self._path = CommandPath.UNTRIED
-        self._path_reason = ""
-        self._connected = False
-        self._told: CommandPathChanged | None = None
-        self._heartbeat: asyncio.Task[None] | None = None
+        self._services = telemetry.services
         # A task that nobody holds may be collected in the middle.
         self._under_way: set[asyncio.Task[None]] = set()
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
-
-    def _set_path(self, path: CommandPath, reason: str = "") -> None:
-        told = CommandPathChanged(self._link, path, reason, self._connected)
-        if told != self._told:
-            self._path, self._path_reason, self._told = path, reason, told
-            self._writer.take(told)
+        self._heartbeat = Heartbeat(
+            link, self._calls, self._services, telemetry.counter.round_trips, writer.take
+        )
 
     def on_connecting(self) -> None:
         """A try has begun."""
 
     def on_open(self) -> None:
-        """Find out whether commands get through, and keep finding out. A pause need not wait for that."""
-        self._connected = True
-        self._set_path(self._path, self._path_reason)
-        self._heartbeat = asyncio.ensure_future(self._beat())
+        """Find out whether commands get through, and keep finding out."""
+        self._heartbeat.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """Every command under way ends now: its answer can't come any more."""
-        if self._heartbeat is not None:
-            self._heartbeat.cancel()
         self._calls.on_lost()
-        self._connected = False
-        self._set_path(CommandPath.DEAD, reason or "connection lost")
-
-    async def _beat(self) -> None:
-        while True:
-            began = time.monotonic()
-            try:
-                response = await self._calls.call("/rosapi/get_time", {}, HEARTBEAT_TIMEOUT)
-            except NoAnswerError:
-                self._round_trips.unanswered += 1
-                self._set_path(CommandPath.DEAD, "the bridge does not answer calls")
-            except LinkError:
-                return
-            else:
-                now = time.monotonic()
-                self._round_trips.take(now - began, now)
-                words = response.values if isinstance(response.values, str) else ""
-                if "unable to communicate" in words.lower():
-                    self._set_path(CommandPath.DEAD, "the ROS master is gone")
-                else:
-                    # "does not exist" is an answer: the bridge lives and only rosapi is missing.
-                    self._set_path(CommandPath.ALIVE)
-            await asyncio.sleep(HEARTBEAT_EVERY)
+        self._heartbeat.stop(reason or "connection lost")
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Only answers come here."""
@@ -110,9 +76,11 @@ class CommandChannel:
         except WireError as problem:
             LOG.warning("%s", problem)
             return
-        if isinstance(operation, operations.ServiceResponse) and not self._calls.on_response(operation):
-            _, words = self._interface.outcome(operation.values, operation.result)
-            LOG.warning("a late answer to %s: %s", brief(operation.id), words)
+        if not isinstance(operation, operations.ServiceResponse):
+            return
+        self._heartbeat.take(operation)
+        if not self._calls.on_response(operation):
+            LOG.warning("a late answer to %s: %s", brief(operation.id), brief(said(operation.values)))
 
     def on_sent(self, payload: bytes) -> None:
         """A call left."""
@@ -133,7 +101,7 @@ class CommandChannel:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
             return
         self._advance(command_id, Stage.SENT, at=at)
-        task = asyncio.ensure_future(self._wait(command_id, call))
+        task = asyncio.ensure_future(self._wait(command_id, command, call))
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
 
@@ -142,19 +110,22 @@ class CommandChannel:
             raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
         # A pause is tried even where others are held back: it can only make things safer.
         if not isinstance(command, PauseRobot):
-            if self._path is CommandPath.DEAD:
-                raise LinkError(f"no link for commands: {self._path_reason}")
+            if self._heartbeat.path is CommandPath.DEAD:
+                raise LinkError(f"no link for commands: {self._heartbeat.reason}")
             silent = self._silence()
             if silent > LONGEST_SILENCE:
                 # What goes into a frozen connection may come out, and be obeyed, much later.
                 raise LinkError(f"nothing has come from the bridge for {silent:.1f} s")
         call = self._interface.call(command, command_id)
-        return self._calls.start(call.service, call.args)
+        if mismatch := self._services.mismatch(call.service):
+            raise CommandError(f"{mismatch}: correct [profile.services], or [profile.service_types]")
+        return self._calls.start(call.service, call.args, self._timeout)
 
-    async def _wait(self, command_id: int, call: Call) -> None:
+    async def _wait(self, command_id: int, command: Command, call: Call) -> None:
         try:
             response = await self._answer(command_id, call)
-            stage, words = self._interface.outcome(response.values, response.result)
+            self._services.answered(call.service, response.values, response.result)
+            stage, words = self._interface.outcome(command, response.values, response.result)
         except NoAnswerError:
             return
         except LinkLostError as problem:
@@ -182,7 +153,6 @@ class CommandChannel:
 
     def close(self) -> None:
         """Close for good; what is under way ends as unknown."""
-        if self._heartbeat is not None:
-            self._heartbeat.cancel()
+        self._heartbeat.close()
         self._calls.on_lost()
         self.connection.shut()

@@ -3,10 +3,11 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from fleet_tui.config.profile import Profile
+from fleet_tui.config.profile import SERVICES, Profile
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.robots.interface import Interface, TopicKind
 from fleet_tui.rosbridge.operations import Subscription
+from fleet_tui.rosbridge.type_names import same_type
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,9 +47,28 @@ def plain_type(name: str) -> str:
 def type_problem(wanted: Wanted, types: Mapping[str, str], profile: Profile) -> str:
     """Why a topic must not be subscribed: with a wrong type it would be lost for every client."""
     found = types.get(wanted.subscription.topic)
-    if found is None or plain_type(found) == plain_type(wanted.subscription.type):
+    if found is None or same_type(found, wanted.subscription.type):
         return ""
     return (
         f"{wanted.subscription.topic} has type {found}, not {wanted.subscription.type}:"
         f" correct profile.topics.{wanted.kind.key} or profile.types.{wanted.kind.key}"
     )
+
+
+@dataclass(frozen=True, slots=True)
+class WantedService:
+    """One service of one robot, and the type it must have."""
+
+    robot: str
+    type: str
+
+
+def wanted_services(config: Config, link: str) -> dict[str, WantedService]:
+    """Every service of a bridge's robots by its name, pauses first."""
+    robots = [robot.name for robot in config.robots if robot.link == link]
+    keys = sorted(SERVICES, key=lambda key: key != "pause")
+    return {
+        config.profile.service(key, robot): WantedService(robot, config.profile.service_type(key))
+        for key in keys
+        for robot in robots
+    }

@@ -11,8 +11,9 @@ from fleet_tui.link.calls import Calls
 from fleet_tui.link.map_process import WORTH_A_PROCESS
 from fleet_tui.link.memory import give_back
 from fleet_tui.link.reading import Reading
+from fleet_tui.link.services import Services
 from fleet_tui.link.subscriber import Subscriber
-from fleet_tui.link.subscriptions import wanted_topics
+from fleet_tui.link.subscriptions import wanted_services, wanted_topics
 from fleet_tui.link.transport import Connection
 from fleet_tui.link.writer import Writer
 from fleet_tui.model import events
@@ -57,6 +58,7 @@ class Telemetry:
         self._subscriber = Subscriber(
             self.connection, self._calls, wanted, config.profile, self._reading, self._take
         )
+        self.services = Services(self._calls, wanted_services(config, link))
         self.show_map = self._subscriber.show_map
         self.overhear = self._subscriber.overhearing.listen
         self.counter = self._reading.counter
@@ -85,10 +87,12 @@ class Telemetry:
         self._writer.take(events.LinkChanged(self._link, now, Phase.UP))
         self._spoke = 0.0
         self._subscriber.start(now)
+        self.services.forget_types()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """Say so, and stop what was under way."""
         self._subscriber.stop()
+        self.services.stop()
         self._calls.on_lost()
         now = time.monotonic()
         self.counter.lost(reason, now)
@@ -157,5 +161,6 @@ class Telemetry:
     def close(self) -> None:
         """Close for good."""
         self._subscriber.stop()
+        self.services.stop()
         self._decoder.shutdown(wait=False, cancel_futures=True)
         self.connection.shut()

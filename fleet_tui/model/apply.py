@@ -7,13 +7,15 @@ from msgspec.structs import replace
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm, acknowledge, ripen, shelve, unshelve
 from fleet_tui.model.bounds import brief
-from fleet_tui.model.commands import Before, Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Step
+from fleet_tui.model.commands import Before, CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.conditions import conditions
 from fleet_tui.model.confirmation import before, confirm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.floods import without_floods
+from fleet_tui.model.follow_up import follow_up
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.model.robot import Robot, hear, take_chart, with_fault
+from fleet_tui.model.reports import apply_chart, apply_report
+from fleet_tui.model.robot import Robot, with_fault
 
 COMMANDS_KEPT = 200
 LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
@@ -59,9 +61,9 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
 def _confirm_commands(state: FleetState) -> FleetState:
     """One after the other: an order in a queue is the doing of one command only."""
     for record in state.commands:
-        looked = record if record.ended else confirm(state, record)
+        looked = follow_up(state, record) if record.is_decided else confirm(state, record)
         if looked is not record:
-            state = _with_record(state, looked)
+            state = _after_step(_with_record(state, looked), looked)
     return state
 
 
@@ -70,16 +72,17 @@ def _with_record(state: FleetState, record: CommandRecord) -> FleetState:
     return replace(state, commands=commands)
 
 
-def _after_command(robot: Robot, command: Command, stage: Stage) -> Robot:
-    """Our own accepted pause is all that is known where no topic tells it."""
-    if stage is not Stage.ACCEPTED:
-        return robot
-    match command:
-        case PauseRobot():
-            return replace(robot, paused_by_us=True, paused_at=robot.pose.value if robot.pose else None)
-        case ResumeRobot():
-            return replace(robot, paused_by_us=False, paused_at=None)
-    return robot
+def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
+    """Note our own pause: where no topic tells it, that is all that is known."""
+    robot = state.robots.get(record.command.robot)
+    if robot is None or record.stage not in (Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE):
+        return state
+    if isinstance(record.command, PauseRobot):
+        stands_at = robot.pose.value if robot.pose else None
+        return _with_robot(state, replace(robot, paused_by_us=True, paused_at=stands_at))
+    if isinstance(record.command, ResumeRobot):
+        return _with_robot(state, replace(robot, paused_by_us=False, paused_at=None))
+    return state
 
 
 def _advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetState:
@@ -87,13 +90,17 @@ def _advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetS
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None:
         return state
-    record = found.advanced(Step(event.stage, event.at, brief(event.words)))
-    if record is found:
-        return state
-    robot = state.robots.get(found.command.robot)
-    if robot is not None:
-        state = _with_robot(state, _after_command(robot, found.command, event.stage))
-    return _with_record(state, record)
+    record = found.advanced(Step(_late_or(event.stage, state, found), event.at, brief(event.words)))
+    return state if record is found else _after_step(_with_record(state, record), record)
+
+
+def _late_or(stage: Stage, state: FleetState, record: CommandRecord) -> Stage:
+    """The stage that an answer leads to. Where no topic tells a pause, an answer long after the command is
+    the only sign that it was carried out."""
+    robot = state.robots.get(record.command.robot)
+    late = stage is Stage.ACCEPTED and record.stage is Stage.NOT_CONFIRMED
+    untold = robot is not None and not robot.says_paused
+    return Stage.LATE if late and untold and isinstance(record.command, PauseRobot | ResumeRobot) else stage
 
 
 def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
@@ -130,17 +137,17 @@ def _apply_to_robot(
         case events.MessageRejected():
             return _with_robot(state, with_fault(robot, event.text))
         case events.GraphReceived():
-            return _with_robot(state, take_chart(robot, _shared(state, event)))
+            return _with_robot(state, apply_chart(robot, _shared(state, event)))
         case events.FrameReceived() | events.LabelsReceived():
-            return _with_robot(state, take_chart(robot, event))
+            return _with_robot(state, apply_chart(robot, event))
         case events.GridReceived():
             state = _forget_grids(state, event)
-            return _with_robot(state, take_chart(state.robots[event.robot], event))
+            return _with_robot(state, apply_chart(state.robots[event.robot], event))
         case events.PoseReported():
-            robot = hear(robot, event)
+            robot = apply_report(robot, event)
             return _with_robot(state, replace(robot, floor=_floor_with(state, robot.frame_id)))
         case _:
-            return _with_robot(state, hear(robot, event))
+            return _with_robot(state, apply_report(robot, event))
 
 
 def _floor_with(state: FleetState, frame_id: str) -> str | None:
@@ -190,7 +197,7 @@ def _issue_command(state: FleetState, event: events.CommandIssued) -> FleetState
     # What is under way, or in a queue, stays, however much there is.
     surplus = len(commands) - COMMANDS_KEPT
     if surplus > 0:
-        old = [one.id for one in commands if one.ended and not _is_in_queue(state, one)][:surplus]
+        old = [one.id for one in commands if one.is_decided and not _is_in_queue(state, one)][:surplus]
         commands = tuple(one for one in commands if one.id not in old)
     return replace(state, commands=commands)
 

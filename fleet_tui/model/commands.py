@@ -81,9 +81,16 @@ class Stage(Enum):
     CONFIRMED = "confirmed"
     NOT_CONFIRMED = "not confirmed"
     TAKEN = "accepted, but no topic shows it"
+    LATE = "carried out late"
+    DONE = "done"
+    CANCELLED = "cancelled"
+    CANCELLED_ELSEWHERE = "cancelled elsewhere"
+    LOST = "lost"
 
 
 _SEEN = frozenset({Stage.CONFIRMED, Stage.NOT_CONFIRMED, Stage.TAKEN})
+ORDER_ENDS = frozenset({Stage.DONE, Stage.CANCELLED, Stage.CANCELLED_ELSEWHERE, Stage.LOST})
+"""How an order that was in the queue can end."""
 
 NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.CHECKED: frozenset({Stage.SENT, Stage.NOT_SENT}),
@@ -94,14 +101,26 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.UNKNOWN: _SEEN,
     Stage.REFUSED: frozenset(),
     Stage.NOT_SENT: frozenset(),
-    Stage.CONFIRMED: frozenset(),
-    Stage.NOT_CONFIRMED: frozenset(),
+    # Orders only: any other command has ended.
+    Stage.CONFIRMED: ORDER_ENDS,
+    # A robot that was frozen obeys when it wakes.
+    Stage.NOT_CONFIRMED: frozenset({Stage.LATE}),
+    Stage.LATE: ORDER_ENDS,
     Stage.TAKEN: frozenset(),
+    Stage.DONE: frozenset(),
+    Stage.CANCELLED: frozenset(),
+    Stage.CANCELLED_ELSEWHERE: frozenset(),
+    Stage.LOST: frozenset(),
 }
 """The allowed transitions. A stage without a next one is an end."""
 
-FAILURES = frozenset({Stage.REFUSED, Stage.NOT_SENT, Stage.NOT_CONFIRMED})
-"""The ends that need a person."""
+OPEN = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
+"""Where the outcome of a command is not known yet."""
+
+FAILURES = frozenset(
+    {Stage.REFUSED, Stage.NOT_SENT, Stage.NOT_CONFIRMED, Stage.LATE, Stage.CANCELLED_ELSEWHERE, Stage.LOST}
+)
+"""The stages that need a person."""
 
 
 class Step(Struct, frozen=True):
@@ -115,10 +134,12 @@ class Step(Struct, frozen=True):
 class Before(Struct, frozen=True):
     """What the robot had reported when the command was given: telemetry is read against it.
 
-    `last_order_id` is None where no queue had come. `moving`: its pose had just changed."""
+    `last_order_id` is None where no queue had come; `request_id` is the one that the queue echoed.
+    `moving`: its pose had just changed."""
 
     last_order_id: int | None = None
     moving: bool = False
+    request_id: int = 0
 
 
 class CommandRecord(Struct, frozen=True):
@@ -149,9 +170,20 @@ class CommandRecord(Struct, frozen=True):
         return self.steps[-1].at
 
     @property
-    def ended(self) -> bool:
-        """Whether nothing more can happen to it."""
-        return not NEXT[self.stage]
+    def is_decided(self) -> bool:
+        """Whether its outcome is known. An order lives on after that, until it is done or gone."""
+        return self.stage not in OPEN
+
+    @property
+    def has_open_order(self) -> bool:
+        """Whether the order that it placed is in the robot's queue, as far as is known."""
+        places = isinstance(self.command, PlaceOrder | PlaceOrderWithCargo)
+        return places and self.order_id is not None and self.stage in (Stage.CONFIRMED, Stage.LATE)
+
+    @property
+    def outcome(self) -> Step | None:
+        """The step that decided it, None while it is open."""
+        return next((step for step in self.steps if step.stage not in OPEN), None)
 
     def time_of(self, stage: Stage) -> float | None:
         """When it reached a stage last, None if never."""

@@ -10,7 +10,7 @@ from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.failures import failed_commands
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.floods import Held, is_held
-from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.robot import Robot
 
 BAD_AFTER, BAD_FOR = 1.0, 10.0
@@ -98,9 +98,9 @@ def no_link(state: FleetState, link: LinkState, _held: Held) -> Condition | None
 
 
 def dead_commands(state: FleetState, link: LinkState, held: Held) -> Condition | None:
-    """Telemetry flows, but a command would not get through."""
+    """Raise where telemetry flows, but a command would not get through."""
     was_dead = (link.name, "commands") in held and link.phase is not Phase.UP
-    if not was_dead and not (link.phase is Phase.UP and link.command_path is CommandPath.DEAD):
+    if not was_dead and not (link.phase is Phase.UP and link.command_path in NO_WAY):
         return None
     text = f"commands don't get through: {link.command_reason}"
     return Condition(link.name, "commands", Priority.HIGH, text, "commands get through again")

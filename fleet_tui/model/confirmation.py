@@ -36,7 +36,8 @@ def before(robot: Robot, now: float) -> Before:
     queue = robot.orders
     last = max([queue.last_order_id, *(order.id for order in queue.orders)]) if robot.queue else None
     standing = robot.standing
-    return Before(last, standing is not None and now - standing.at < STANDS_AFTER)
+    moving = standing is not None and now - standing.at < STANDS_AFTER
+    return Before(last, moving, queue.request_id)
 
 
 def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
@@ -50,11 +51,14 @@ def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
 def _is_of_another_life(other: CommandRecord, record: CommandRecord, last: int) -> bool:
     """Whether the robot has begun to count anew between two commands: an id seen before the second one
     was given was above the last one known when it was."""
-    return other.order_id is not None and other.at <= record.issued_at and other.order_id > last
+    outcome = other.outcome
+    decided = outcome is not None and outcome.at <= record.issued_at
+    return other.order_id is not None and decided and other.order_id > last
 
 
-def find_order(state: FleetState, robot: Robot, record: CommandRecord) -> int | None:
-    """The order in the queue that a command placed: same ends, a new id, nobody else's."""
+def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool = True) -> int | None:
+    """Find the order in the queue that a command placed: same ends, a new id, nobody else's. `by_echo`:
+    not where the queue says that another request placed it."""
     queue, command, last = _queue_since(robot, record), record.command, record.before.last_order_id
     if queue is None or last is None:
         return None
@@ -70,6 +74,16 @@ def find_order(state: FleetState, robot: Robot, record: CommandRecord) -> int | 
         for order in queue.orders
         if order.id > last and order.id not in taken and order.end == end and start in (None, order.start)
     ]
+    return _by_echo(ids, queue, record) if by_echo else min(ids, default=None)
+
+
+def _by_echo(ids: list[int], queue: OrderQueue, record: CommandRecord) -> int | None:
+    """Choose among equal orders. The queue echoes the request of its newest order, if at all: where the
+    echo changed since the command was given, the newest order belongs to that request."""
+    if queue.request_id == record.id and queue.last_order_id in ids:
+        return queue.last_order_id
+    if queue.request_id not in (0, record.id, record.before.request_id):
+        ids = [id_ for id_ in ids if id_ != queue.last_order_id]
     return min(ids, default=None)
 
 
@@ -90,15 +104,15 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
     return [f"order {order.id} is {STATUS_WORDS.get(order.status, order.status)}" for order in left]
 
 
-def _is_overtaken(state: FleetState, record: CommandRecord) -> bool:
-    """Whether its opposite was given since and took effect, as far as is known: what is seen from then
-    on is the doing of that one."""
+def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
+    """Tell whether a pause's or resume's opposite was given since and took effect, as far as is known:
+    what is seen from then on is the doing of that one."""
     opposite = ResumeRobot if isinstance(record.command, PauseRobot) else PauseRobot
     return any(
         isinstance(other.command, opposite)
         and other.command.robot == record.command.robot
         and other.issued_at > record.issued_at
-        and other.stage in WAITS | {Stage.CONFIRMED, Stage.TAKEN}
+        and other.stage in WAITS | {Stage.CONFIRMED, Stage.TAKEN, Stage.LATE}
         for other in state.commands
     )
 
@@ -114,7 +128,7 @@ def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
 def _paused(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
     """The words stay on the screen, and must not read as what the robot is later."""
     taken = Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
-    if _is_overtaken(state, record):
+    if is_overtaken(state, record):
         return taken
     sent = record.time_of(Stage.SENT) or record.issued_at
     if robot.paused is not None:
@@ -127,11 +141,11 @@ def _paused(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool
     return None if robot.says_paused else taken
 
 
-def _seen(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
-    """The record, ended if telemetry shows that the command was carried out."""
+def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool) -> CommandRecord:
+    """The record, confirmed if telemetry shows that the command was carried out."""
     match record.command:
         case PlaceOrder() | PlaceOrderWithCargo():
-            order_id = find_order(state, robot, record)
+            order_id = find_order(state, robot, record, by_echo)
             if order_id is None:
                 return record
             step = Step(Stage.CONFIRMED, state.now, f"seen in the queue as order {order_id}")
@@ -155,7 +169,7 @@ def _instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) ->
         return "it reported no pause" if wanted else "it reported a pause"
     if robot.says_paused:
         return "the topic that tells its pauses has not been heard"
-    if not wanted or not record.before.moving or _is_overtaken(state, record):
+    if not wanted or not record.before.moving or is_overtaken(state, record):
         return "nothing shows it"
     if robot.pose is None or robot.pose.at - record.issued_at < STANDS_AFTER:
         return "its pose has not been heard since"
@@ -187,12 +201,12 @@ def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
     robot = state.robots.get(record.command.robot)
     if robot is None or record.stage not in WAITS:
         return record
-    looked = _seen(state, robot, record)
-    if looked.ended:
-        return looked
     deadline = _deadline(state, robot, record)
-    if deadline is None or state.now < deadline:
-        return record
+    is_last_look = deadline is not None and state.now >= deadline
+    # The echo is not reliable everywhere: an order that it gives to another request is believed in the end.
+    looked = _seen(state, robot, record, by_echo=not is_last_look)
+    if looked.is_decided or not is_last_look:
+        return looked
     said = f"{record.stage.value}: {record.words}" if record.stage is not Stage.ACCEPTED else "accepted"
     words = f"{said}; {_instead(state, robot, record)}"
     return record.advanced(Step(Stage.NOT_CONFIRMED, state.now, words))

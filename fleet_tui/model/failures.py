@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.alarm import Condition, Key, Priority
 from fleet_tui.model.commands import (
+    FAILURES,
     CancelOrder,
     ClearOrders,
     Command,
@@ -24,14 +25,15 @@ from fleet_tui.model.robot import Robot
 
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""
+_OVER = {stage: f"was {stage.value}" for stage in (Stage.LATE, Stage.CANCELLED_ELSEWHERE, Stage.LOST)}
 TOGETHER, MANY = 0.3, 5
 """Commands of one kind with less than so many seconds in between are one wish; for so many robots
 it is one alarm."""
 
 
 def has_failed(record: CommandRecord) -> bool:
-    """Whether a command that left this console failed."""
-    return record.stage in (Stage.REFUSED, Stage.NOT_CONFIRMED)
+    """Tell whether a command that left this console needs a person: it failed, or went on unexpectedly."""
+    return record.stage in FAILURES and record.stage is not Stage.NOT_SENT
 
 
 def _wish(robot: Robot, command: Command) -> str:
@@ -79,8 +81,9 @@ def _failed(state: FleetState, key: Key, records: Sequence[CommandRecord]) -> Co
         Priority.HIGH if high else Priority.MEDIUM,
         # How it failed comes first: it must not be cut at the right end.
         f"{last.stage.value}: {wish}" + (f" ({last.words})" if last.words else ""),
-        f"failed: {wish}",
-        parts=frozenset(str(record.id) for record in records),
+        f"{_OVER.get(last.stage, 'failed')}: {wish}",
+        # A failure that turns into another one is news.
+        parts=frozenset(f"{record.id} {record.stage.value}" for record in records),
     )
 
 

@@ -14,12 +14,17 @@ class Phase(Enum):
 
 
 class CommandPath(Enum):
-    """Whether a command would get through: found out on a connection of its own."""
+    """Whether a command would get through: found out on a connection of its own. UNREGISTERED: the bridge
+    answers, and services of robots that were there no longer exist."""
 
     UNTRIED = "untried"
     ALIVE = "alive"
+    UNREGISTERED = "unregistered"
     DEAD = "dead"
 
+
+NO_WAY = frozenset({CommandPath.UNREGISTERED, CommandPath.DEAD})
+"""Where commands don't reach all robots."""
 
 OF_BAG = "rosbag://"
 """How the address begins of what is no bridge, but the file that a recording was made of."""

@@ -18,11 +18,13 @@ class Order(Struct, frozen=True):
 
 
 class OrderQueue(Struct, frozen=True):
-    """A robot's orders. `current_order_id` means none where no order of the list has it."""
+    """A robot's orders. `current_order_id` means none where no order of the list has it; `request_id` is
+    the request that placed the newest order, 0 where the robot does not echo it."""
 
     last_order_id: int
     current_order_id: int
     orders: tuple[Order, ...]
+    request_id: int = 0
 
     @property
     def current(self) -> Order | None:

@@ -1,29 +1,19 @@
 """One robot as far as it is known: each value with the time it was true."""
 
-import math
 from collections.abc import Mapping
-from typing import Generic, TypeVar, assert_never
+from typing import Generic, TypeVar
 
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-from fleet_tui.model import events
-from fleet_tui.model.bounds import LONGEST_NAME, brief
+from fleet_tui.model.bounds import brief
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
-from fleet_tui.model.movement import gets_on, is_apart, leap
 from fleet_tui.model.order import OrderQueue
+from fleet_tui.model.order_life import GoneOrder, OrderTrace
 
 T = TypeVar("T")
-
-# A robot whose clock runs slower than ours by this share must not age into "offline" over days.
-CLOCK_DRIFT = 1e-3
-# Stamps of one robot never run backwards unless its clock was set.
-CLOCK_STEP = 0.5
-# A robot brakes after it accepted a pause; further than this, it drives.
-BRAKING_DISTANCE = 0.5
-JUMPS_KEPT, JUMPS_WITHIN = 100, 10.0
 
 
 class Reading(Struct, Generic[T], frozen=True):
@@ -63,7 +53,8 @@ class Robot(Struct, frozen=True, eq=False):
     when it accepted our own pause; `standing` is the pose it has not left, and since when; `place`
     is coarser: where it got to, and since when it gets no further; `jumps` are the metres of its
     pose's last leaps that no robot drives, each with its time; `fault_at` is when bad data came last;
-    `says_paused`: it has a topic for that, heard or not."""
+    `says_paused`: it has a topic for that, heard or not; `traces` are the orders in its queue by id,
+    `gone` those that left it, the newest last."""
 
     name: str
     number: int
@@ -79,6 +70,8 @@ class Robot(Struct, frozen=True, eq=False):
     cargo: Reading[bool] | None = None
     obstacle: Reading[float] | None = None
     queue: Reading[OrderQueue] | None = None
+    traces: Mapping[int, OrderTrace] = field(default_factory=dict)
+    gone: tuple[GoneOrder, ...] = ()
     says_paused: bool = False
     paused: Reading[bool] | None = None
     paused_by_us: bool = False
@@ -117,124 +110,3 @@ class Robot(Struct, frozen=True, eq=False):
 def with_fault(robot: Robot, text: str, count: int = 1) -> Robot:
     """The robot with bad data counted and the newest named."""
     return replace(robot, faults=robot.faults + count, last_fault=brief(text))
-
-
-def _set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
-    offset = at - stamp
-    if clock is None or stamp < clock.stamp - CLOCK_STEP:
-        return StampClock(offset, stamp, at)
-    crept = clock.offset + CLOCK_DRIFT * max(0.0, at - clock.at)
-    return StampClock(min(crept, offset), stamp, at)
-
-
-def _place(robot: Robot, pose: Reading[Pose], frame_id: str) -> Reading[Pose]:
-    before = robot.place
-    if before is None or frame_id != robot.frame_id:
-        return pose
-    return pose if gets_on(before.value, pose.value) else before
-
-
-def _jumps(robot: Robot, pose: Pose, frame_id: str, at: float) -> tuple[Reading[float], ...]:
-    last = robot.pose
-    if last is None or frame_id != robot.frame_id:
-        return robot.jumps
-    metres = leap(last.value, pose, at - last.at)
-    if metres is None:
-        return robot.jumps
-    recent = (jump for jump in robot.jumps if at - jump.at < JUMPS_WITHIN)
-    return (*recent, Reading(metres, at))[-JUMPS_KEPT:]
-
-
-def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
-    """What arrives late must not look new: the pose is as old as its stamp lags the freshest."""
-    clock, true_at = robot.clock, event.at
-    if event.stamp is not None:
-        clock = _set_clock(clock, event.at, event.stamp)
-        # Of a stamp beyond all measure the sum is rounded by minutes: nothing was true after it came.
-        true_at = min(event.at, event.stamp + clock.offset)
-    pose, frame_id = Reading(event.pose, true_at), brief(event.frame_id.lstrip("/"), LONGEST_NAME)
-    standing = robot.standing
-    if standing is None or frame_id != robot.frame_id or is_apart(standing.value, event.pose):
-        standing = pose
-    driving = robot.paused_at is not None and (
-        math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
-    )
-    stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
-    return replace(
-        robot,
-        pose=pose,
-        standing=standing,
-        place=_place(robot, pose, frame_id),
-        jumps=_jumps(robot, event.pose, frame_id, true_at),
-        frame_id=frame_id,
-        clock=clock,
-        heard=max(robot.heard if robot.heard is not None else true_at, true_at),
-        paused_by_us=robot.paused_by_us and not driving,
-        paused_at=None if driving else stood_at,
-    )
-
-
-def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
-    """One line for each order of the queue that names a vertex no graph of the robot has."""
-    if not robot.knows_all_graphs():
-        return []
-    return [
-        f"order {order.id} names unknown vertex {vertex}"
-        for order in queue.orders
-        for vertex in (order.start, order.end)
-        if robot.name_of(vertex) is None
-    ]
-
-
-def _take_queue(robot: Robot, queue: OrderQueue, at: float) -> Robot:
-    """An order to nowhere is counted once, when it first shows."""
-    before = set(lost_vertices(robot, robot.orders))
-    for line in lost_vertices(robot, queue):
-        if line not in before:
-            robot = with_fault(robot, line)
-    return replace(robot, queue=Reading(queue, at))
-
-
-def hear(robot: Robot, event: events.Telemetry) -> Robot:
-    """The robot after one report of its own."""
-    match event:
-        case events.PoseReported():
-            return _take_pose(robot, event)
-        case events.BatteryReported():
-            robot = replace(robot, battery=Reading(event.percent, event.at))
-        case events.CargoReported():
-            robot = replace(robot, cargo=Reading(event.loaded, event.at))
-        case events.ObstacleReported():
-            robot = replace(robot, obstacle=Reading(event.seconds, event.at))
-        case events.QueueReported():
-            robot = _take_queue(robot, event.queue, event.at)
-            robot = with_fault(robot, event.fault) if event.fault else robot
-        case events.PausedReported():
-            robot = replace(robot, paused=Reading(event.paused, event.at))
-        case _:
-            assert_never(event)
-    return replace(robot, heard=max(robot.heard or event.at, event.at))
-
-
-def take_chart(robot: Robot, event: events.ChartReceived) -> Robot:
-    """The robot after it told how a floor looks to it."""
-    chart = robot.charts.get(event.floor, Chart())
-    match event:
-        case events.FrameReceived():
-            chart = replace(chart, frame=event.frame)
-        case events.GraphReceived():
-            chart = replace(chart, graph=event.graph)
-        case events.LabelsReceived():
-            chart = replace(chart, labels=dict(event.labels))
-        case events.GridReceived():
-            chart = replace(chart, grid=event.grid)
-        case _:
-            assert_never(event)
-    before = set(lost_vertices(robot, robot.orders))
-    robot = replace(robot, charts={**robot.charts, event.floor: chart})
-    if isinstance(event, events.GraphReceived | events.LabelsReceived) and event.faults:
-        robot = with_fault(robot, event.fault, event.faults)
-    for line in lost_vertices(robot, robot.orders):
-        if line not in before:
-            robot = with_fault(robot, line)
-    return robot

@@ -28,7 +28,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     if record is None or (robot.orders.current is not None and not state.is_paused(robot)):
         return None
     failed = record.stage in FAILURES and state.now - record.at < RECENT
-    if record.ended and not failed:
+    if record.is_decided and not failed:
         return None
     verb = "resume" if isinstance(record.command, ResumeRobot) else "order"
     evidence = record.words or f"given {age(state.now - record.issued_at)} ago"

@@ -6,7 +6,8 @@ from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.graph import Role
 from fleet_tui.model.link import Phase
 from fleet_tui.model.reason import Reason, Strength, last_command, name_of, stands_since
-from fleet_tui.model.robot import JUMPS_WITHIN, Robot
+from fleet_tui.model.reports import JUMPS_WITHIN
+from fleet_tui.model.robot import Robot
 from fleet_tui.model.traffic import graph_here, vertex_here
 
 JUMPS = 2

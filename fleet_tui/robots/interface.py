@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from fleet_tui.model.bounds import brief
-from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import Event
 
 # (robot, floor, message still encoded, monotonic seconds of arrival) -> the fact; raises WireError.
@@ -41,27 +41,49 @@ class Interface:
 
     topics: Sequence[TopicKind]
     call: Callable[[Command, int], Call]
-    outcome: Callable[[object, bool], tuple[Stage, str]]
+    outcome: Callable[[Command, object, bool], tuple[Stage, str]]
 
 
-def _said(values: object) -> str:
+_NEVER_ARRIVED = re.compile(
+    r"^Service \S+ does not exist"
+    r"|does not have a field|message requires an? |is not a primitive type|not supported between instances"
+    r"|^Unable to (communicate with|import)"
+)
+"""What a bridge says of a call that it did not pass on. Whatever else failed may have run: the node died
+or its handler threw in the middle, or the bridge did not wait any longer."""
+
+_ALREADY = {
+    PauseRobot: re.compile(r"\balready paused\b", re.IGNORECASE),
+    ResumeRobot: re.compile(r"\balready running\b|\bnot paused\b", re.IGNORECASE),
+}
+"""Words with which a robot declines what is the case: it is as it was asked to be."""
+
+
+def said(values: object) -> str:
+    """Write the values of an answer as text."""
     try:
         return str(values)
     except RecursionError:
         return "something nested too deep"
 
 
-def judge(values: object, result: bool, refusals: Sequence[re.Pattern[str]]) -> tuple[Stage, str]:
-    """How a call ended. A refusal may come in an answer that says the call went well.
+def judge(
+    command: Command, values: object, result: bool, refusals: Sequence[re.Pattern[str]]
+) -> tuple[Stage, str]:
+    """Tell how a call ended. A refusal may come in an answer that says the call went well.
 
     An answer says `success`, or is a `status` text; one that does neither says nothing.
     """
     if not result:
-        return Stage.REFUSED, brief(_said(values))
+        text = brief(said(values))
+        return (Stage.REFUSED if _NEVER_ARRIVED.search(text) else Stage.UNKNOWN), text
     fields = values if isinstance(values, dict) else {}
     success, words = fields.get("success"), fields.get("status", fields.get("message"))
     if not isinstance(success, bool) and not ("success" not in fields and isinstance(words, str)):
-        return Stage.UNKNOWN, f"an answer that says nothing: {brief(_said(values))}"
+        return Stage.UNKNOWN, f"an answer that says nothing: {brief(said(values))}"
     text = words if isinstance(words, str) else ""
+    already = _ALREADY.get(type(command))
+    if already is not None and already.search(text, 0, LONGEST_JUDGED):
+        return Stage.ACCEPTED, brief(text)
     refused = success is False or any(pattern.search(text, 0, LONGEST_JUDGED) for pattern in refusals)
     return (Stage.REFUSED if refused else Stage.ACCEPTED), brief(text)

@@ -117,7 +117,9 @@ def _translate_queue(profile: Profile) -> Translate:
         parts = map(read_order, first_orders(queue.orders, current, names.get("id", "id")))
         orders = tuple(Order(one.id, one.start, one.end, brief(one.status, LONGEST_NAME)) for one in parts)
         fault = beyond(len(queue.orders), MOST_ORDERS, "orders")
-        return events.QueueReported(robot, at, OrderQueue(queue.last_order_id, current, orders), fault)
+        echo = queue.request_id if isinstance(queue.request_id, int) else 0
+        reported = OrderQueue(queue.last_order_id, current, orders, echo)
+        return events.QueueReported(robot, at, reported, fault)
 
     return translate
 
@@ -238,5 +240,5 @@ def interface(profile: Profile) -> Interface:
             TopicKind("map", _translate_map(profile), per_floor=True, heavy=True),
         ),
         call=partial(_call, profile),
-        outcome=lambda values, result: judge(values, result, refusals),
+        outcome=lambda command, values, result: judge(command, values, result, refusals),
     )

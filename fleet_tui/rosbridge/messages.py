@@ -154,6 +154,7 @@ class ActionQueue(msgspec.Struct, frozen=True):
     last_order_id: Int32
     current_order_id: Int32
     orders: list[Any]
+    request_id: Any = None
 
 
 S = TypeVar("S", bound=msgspec.Struct)

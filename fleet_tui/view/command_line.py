@@ -22,9 +22,11 @@ from fleet_tui.view.text import visible
 TOGETHER, FEW = 0.3, 3
 # Seconds for which a command that did not end well stays in view.
 REMEMBERED = 30.0
+# Seconds for which the end of an order that ended well does.
+ENDED_WELL = 5.0
 
 TROUBLE = FAILURES | {Stage.NO_ANSWER, Stage.UNKNOWN}
-_INKS = {Stage.CONFIRMED: Ink.GOOD, Stage.ACCEPTED: Ink.GOOD, Stage.TAKEN: Ink.GOOD}
+_INKS = dict.fromkeys((Stage.CONFIRMED, Stage.ACCEPTED, Stage.TAKEN, Stage.DONE, Stage.CANCELLED), Ink.GOOD)
 
 
 def command_text(state: FleetState, command: Command) -> str:
@@ -73,8 +75,9 @@ def _worth_saying(state: FleetState) -> list[CommandRecord]:
         record
         for record in state.commands
         if last.issued_at - record.issued_at < TOGETHER
-        or not record.ended
+        or not record.is_decided
         or (record.stage in TROUBLE and state.now - record.at < REMEMBERED)
+        or (record.stage in (Stage.DONE, Stage.CANCELLED) and state.now - record.at < ENDED_WELL)
     ]
 
 

@@ -70,9 +70,10 @@ def _commands(link: LinkState) -> Run:
     match link.command_path:
         case CommandPath.ALIVE:
             return "● get through", Ink.GOOD
-        case CommandPath.DEAD:
+        case CommandPath.DEAD | CommandPath.UNREGISTERED:
             return f"✗ don't get through: {visible(link.command_reason)}", Ink.ALARM
-    return "○ not tried yet", Ink.WARN
+        case CommandPath.UNTRIED:
+            return "○ not tried yet", Ink.WARN
 
 
 def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:

@@ -32,7 +32,7 @@ def _under_way(state: FleetState, selected: str, all_robots: bool) -> list[Comma
     return [
         record
         for record in state.commands
-        if not record.ended and (all_robots or record.command.robot == selected)
+        if not record.is_decided and (all_robots or record.command.robot == selected)
     ]
 
 

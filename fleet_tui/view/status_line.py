@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run
 from fleet_tui.view.text import visible
@@ -45,6 +45,8 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         yield f"{silent:.1f} s", Ink.DIM if silent < SILENT_AFTER else Ink.WARN
     if link.command_path is CommandPath.DEAD:
         yield f" commands dead: {visible(link.command_reason)}", Ink.ALARM
+    elif link.command_path is CommandPath.UNREGISTERED:
+        yield f" {visible(link.command_reason)}", Ink.ALARM
     if link.faults:
         yield f" {link.faults} bad frames", Ink.WARN
 
@@ -55,7 +57,7 @@ def _worst(state: FleetState) -> LinkState:
         state.links.values(),
         key=lambda link: (
             link.phase is Phase.UP,
-            link.command_path is not CommandPath.DEAD,
+            link.command_path not in NO_WAY,
             link.heard or 0.0,
         ),
     )

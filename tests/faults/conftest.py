@@ -4,13 +4,13 @@ import os
 
 import pytest
 
-from fleet_tui.link import command_channel, subscriber, transport
+from fleet_tui.link import heartbeat, subscriber, transport
 
 SHORT = (
     # Autobahn cuts its times down to whole seconds of the clock: 2 is 1 to 2.
     (transport, {"PING_INTERVAL": 1.0, "PING_TIMEOUT": 2.0, "CONNECT_TIMEOUT": 2.0}),
     (transport, {"FIRST_DELAY": 0.1, "LONGEST_DELAY": 0.4}),
-    (command_channel, {"HEARTBEAT_EVERY": 1.0, "HEARTBEAT_TIMEOUT": 1.0}),
+    (heartbeat, {"EVERY": 1.0, "TIMEOUT": 1.0}),
     (subscriber, {"FIRST_AGAIN": 6.0}),
 )
 

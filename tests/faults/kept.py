@@ -80,7 +80,7 @@ def commands_are_kept(config: Config, state: FleetState, lines: Iterable[AuditRe
         is_open = stages[-1] in OPEN or (waits and stages[-1] in (Stage.SENT, Stage.ACCEPTED))
         assert is_open or [stage for stage in stages if not NEXT[stage]] == stages[-1:]
         logged = [line.change for line in lines if line.id == record.id and line.kind == "command"]
-        assert logged == [stage.value for stage in stages] + ["console closed"] * (not record.ended)
+        assert logged == [stage.value for stage in stages] + ["console closed"] * (not record.is_decided)
     sent = Counter(record.command.robot for record in state.commands if record.time_of(Stage.SENT))
     assert wire.left == sent
 

@@ -271,7 +271,7 @@ async def test_a_message_over_the_limit_costs_only_itself(server: RosbridgeServe
 async def test_a_command_path_of_its_own_fault(server: RosbridgeServer) -> None:
     """Telemetry flows while calls are not answered: said at once, commands are held back, a pause is not."""
     async with through(server) as (_, link, store, watch):
-        server.silent_services.add("/rosapi/get_time")
+        server.silent_services.add("/rosapi/fleet_tui_heartbeat")
         watch.start()
         noticed = await watch.until(
             lambda state: state.links["rosbridge"].command_path is CommandPath.DEAD, within=15
@@ -282,7 +282,7 @@ async def test_a_command_path_of_its_own_fault(server: RosbridgeServer) -> None:
         healed = await watch.until(fresh(), within=15)
     report(
         "calls are not answered",
-        "rosapi is silent",
+        "no call is answered",
         "commands dead: the bridge does not answer calls",
         noticed,
         healed,

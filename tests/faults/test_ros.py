@@ -142,7 +142,7 @@ async def test_a_service_that_never_answers(server: RosbridgeServer) -> None:
         noticed = await watch.until(
             lambda state: state.commands and state.commands[-1].time_of(Stage.NO_ANSWER)
         )
-        await store.until(lambda state: state.commands and state.commands[-1].ended)
+        await store.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert store.state.commands[-1].id == command
         assert (await finished(link, store, PauseRobot("robot_1"))).stage is Stage.CONFIRMED
     seen = "no answer, then not confirmed"

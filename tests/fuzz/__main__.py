@@ -21,6 +21,7 @@ with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"])
     from fleet_tui.journal.indexing import open_recording
     from fleet_tui.journal.records import Keyframe, RecordingError
     from fleet_tui.map_files import load_floor_map
+    from fleet_tui.model.commands import PauseRobot
     from fleet_tui.robots.oh_ressources import interface
     from fleet_tui.rosbridge.operations import Publish, ServiceResponse, decode, decode_cbor
     from fleet_tui.themes import load_themes, read_theme
@@ -41,7 +42,7 @@ def _frame(payload: bytes, binary: bool) -> None:
     except WireError:
         return
     if isinstance(operation, ServiceResponse):
-        SPOKEN.outcome(operation.values, operation.result)
+        SPOKEN.outcome(PauseRobot("robot_0"), operation.values, operation.result)
     if isinstance(operation, Publish):
         for kind in SPOKEN.topics:
             try:

@@ -39,7 +39,7 @@ async def test_an_order_is_done_when_it_is_in_the_queue(server: RosbridgeServer,
     said = "robot_0 order Base -> Consumidores: confirmed (seen in the queue as order 1)\n"
     assert done == Ended(0, said, "")
     assert asked(server) == ["robot_0 Execute_order"]
-    assert audited(folder) == [f"robot_0 order {word}" for word in STAGES]
+    assert audited(folder) == [f"robot_0 order {word}" for word in (*STAGES, "console closed")]
 
 
 async def test_a_b_c_is_two_orders_one_after_the_other(server: RosbridgeServer, folder: Path) -> None:
@@ -93,7 +93,7 @@ async def test_pause_and_resume_one_or_all(server: RosbridgeServer, folder: Path
 
 
 async def test_a_pause_waits_for_neither_rosapi_nor_the_robots(server: RosbridgeServer, folder: Path) -> None:
-    server.silent_services.add("/rosapi/get_time")
+    server.silent_services.add("/rosapi/fleet_tui_heartbeat")
     server.muted.update(server.topics)
     done = await run(folder, "pause", "--all", "--timeout", "3")
     assert sorted(asked(server)) == ["robot_0 Pause", "robot_1 Pause"]
@@ -247,7 +247,7 @@ async def test_ended_from_outside_it_says_what_is_not_known(
 
 async def test_ctrl_c_before_anything_was_sent(server: RosbridgeServer, folder: Path) -> None:
     server.muted.add("/robot_0/queue")
-    connected = carried_out(server, "/rosapi/get_time", answers=True)
+    connected = carried_out(server, "/rosapi/fleet_tui_heartbeat", answers=True)
     process = await started(folder, *ORDER)
     await asyncio.wait_for(connected.wait(), 10)
     process.send_signal(signal.SIGINT)

@@ -159,7 +159,7 @@ async def test_a_command_under_way_ends_when_the_link_goes(server: RosbridgeServ
         await server.drop_clients()
         await store.until(lambda state: state.commands[-1].stage is Stage.UNKNOWN)
         # What became of it is seen after the return of the link, in the telemetry: it was not carried out.
-        state = await store.until(lambda state: state.commands[-1].ended)
+        state = await store.until(lambda state: state.commands[-1].is_decided)
         record = state.commands[-1]
         steps = [event for event in store.events if isinstance(event, CommandAdvanced)]
     assert (record.id, record.stage) == (command_id, Stage.NOT_CONFIRMED)

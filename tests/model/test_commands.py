@@ -210,7 +210,7 @@ def test_a_robot_that_stood_all_the_time_is_not_said_to_move() -> None:
 def test_the_end_of_a_pause_does_not_read_as_if_it_were_paused(command: Command, says: bool) -> None:
     asked = up(PausedReported(R0, T0, not says), *commanded(1, command, SENT, ACCEPTED))
     end = only(told(asked, PausedReported(R0, T0 + 1, says), tick(T0 + PATIENCE)))
-    assert end.ended and "paused" not in end.words
+    assert end.is_decided and "paused" not in end.words
 
 
 COMMANDS = [
@@ -268,7 +268,7 @@ class Life(RuleBasedStateMachine):
     @invariant()
     def an_end_is_the_end(self) -> None:
         for record in self.state.commands:
-            assert self.ended.setdefault(record.id, record) == record or not self.ended[record.id].ended
+            assert self.ended.setdefault(record.id, record) == record or not self.ended[record.id].is_decided
             self.ended[record.id] = record
         claimed = [record.order_id for record in self.state.commands if record.order_id is not None]
         assert len(claimed) == len(set(claimed))
@@ -278,7 +278,7 @@ class Life(RuleBasedStateMachine):
         for record in self.state.commands:
             self.tell(CommandAdvanced(record.id, UNKNOWN, self.now))
         self.tell(link_up(self.now), tick(self.now + 2 * PATIENCE))
-        assert all(record.ended for record in self.state.commands)
+        assert all(record.is_decided for record in self.state.commands)
 
 
 TestLife = Life.TestCase

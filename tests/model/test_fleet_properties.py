@@ -138,5 +138,5 @@ def test_a_command_goes_only_along_the_table(facts: list[events.Event]) -> None:
             assert stages[0] is Stage.CHECKED
             assert all(later in NEXT[earlier] for earlier, later in pairwise(stages))
             assert ended.get(record.id, record) == record
-            if record.ended:
+            if record.is_decided:
                 ended[record.id] = record

@@ -136,7 +136,7 @@ SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "no answer": (lambda: unanswered(driving("never").run(2)), "order: no answer"),
     "just sent": (lambda: driving("never"), "order: sent"),
     "cleared from here": (lambda: driving().command(ClearOrders(R0)).run(20), "no orders"),
-    "its software restarted": (lambda: driving("restart").run(12), "no orders"),
+    "its software restarted": (lambda: driving("restart").run(12), "order: lost"),
     "charging": (lambda: driving("battery:robot_0", quiet=False).run(120), "charging at Charger"),
     "flat, orders wait": (lambda: flat(waiting_orders(), 6.0).run(3), "battery 6 %"),
     "orders wait": (lambda: waiting_orders().run(3), "2 orders waiting, none current"),

@@ -172,13 +172,15 @@ def test_no_text_from_outside_is_kept_longer_than_its_bound() -> None:
 )
 @pytest.mark.parametrize("result", [True, False])
 def test_what_is_kept_of_an_answer_is_short(values: object, result: bool) -> None:
-    _, words = SPOKEN.outcome(values, result)
+    _, words = SPOKEN.outcome(PauseRobot("robot_0"), values, result)
     assert len(words) < 2 * bounds.LONGEST_WORDS
 
 
 def test_an_answer_as_long_as_it_may_be_is_judged_soon() -> None:
     began = time.process_time()
-    stage, _ = SPOKEN.outcome({"success": True, "status": "no " * (operations.LARGEST_ANSWER // 3)}, True)
+    stage, _ = SPOKEN.outcome(
+        PauseRobot("robot_0"), {"success": True, "status": "no " * (operations.LARGEST_ANSWER // 3)}, True
+    )
     assert stage is Stage.ACCEPTED and time.process_time() - began < SOON
 
 
@@ -186,7 +188,7 @@ def test_an_answer_nested_too_deep_is_none() -> None:
     nested: list[Any] = []
     for _ in range(100_000):
         nested = [nested]
-    stage, words = SPOKEN.outcome(nested, True)
+    stage, words = SPOKEN.outcome(PauseRobot("robot_0"), nested, True)
     assert (stage, words) == (Stage.UNKNOWN, "an answer that says nothing: something nested too deep")
 
 
@@ -194,7 +196,7 @@ def test_an_answer_beyond_the_bound_is_not_read() -> None:
     frame = {"op": "service_response", "id": "1", "values": {"a": "x" * operations.LARGEST_ANSWER}}
     answer = operations.decode(json.dumps(frame).encode())
     assert isinstance(answer, operations.ServiceResponse)
-    stage, words = SPOKEN.outcome(answer.values, True)
+    stage, words = SPOKEN.outcome(PauseRobot("robot_0"), answer.values, True)
     assert stage is Stage.UNKNOWN and "4,194,313 bytes, which are not read" in words
 
 

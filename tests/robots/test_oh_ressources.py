@@ -15,7 +15,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.apply import apply
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
@@ -90,7 +90,7 @@ def test_the_recording_ends_in_the_state_it_tells() -> None:
     assert robot.battery.value == pytest.approx(87.09254)
     assert (robot.obstacle.value, robot.has_cargo, robot.paused) == (0.0, False, None)
     orders = (Order(4, 105, 8, "W"), Order(5, 105, 2, "Q"))
-    assert robot.orders == OrderQueue(5, 4, orders)
+    assert robot.orders == OrderQueue(5, 4, orders, request_id=4)
     assert [robot.name_of(id_) for id_ in (105, 8, 2, 9999)] == ["105", "8", "Lab ground", None]
 
 
@@ -124,7 +124,9 @@ def test_the_recorded_answers_are_judged_by_their_words() -> None:
     for line in recording("telemetry-and-orders.jsonl"):
         operation = decode(line["text"].encode()) if line["dir"] == "in" else None
         if isinstance(operation, ServiceResponse):
-            answers[operation.id] = speaking().outcome(operation.values, operation.result)
+            answers[operation.id] = speaking().outcome(
+                PlaceOrder(ROBOT, 0, 7), operation.values, operation.result
+            )
     refused = {id_: words for id_, (outcome, words) in answers.items() if outcome is Stage.REFUSED}
     assert refused.keys() == {"c6", "c7", "c8", "c9"}
     assert refused["c6"] == "REJECTED: no vertex 9999"
@@ -135,7 +137,7 @@ def test_the_recorded_answers_are_judged_by_their_words() -> None:
 
 def test_good_messages_are_the_facts_they_tell() -> None:
     assert event("pose", POSE) == events.PoseReported(ROBOT, 10.0, Pose(1.0, 2.0, 0.0), "ground", 5.0)
-    queue = OrderQueue(1, 1, (Order(1, 0, 7, "W"),))
+    queue = OrderQueue(1, 1, (Order(1, 0, 7, "W"),), request_id=1)
     assert event("queue", QUEUE) == events.QueueReported(ROBOT, 10.0, queue)
     assert event("obstacle", {"data": 4.2}) == events.ObstacleReported(ROBOT, 10.0, 4.2)
     assert event("battery", {"data": 55.5}) == events.BatteryReported(ROBOT, 10.0, 55.5)

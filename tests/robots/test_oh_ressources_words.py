@@ -1,5 +1,6 @@
 """What the robots of the source are told, under which names, and what of a bad graph is kept."""
 
+import json
 import math
 from typing import Any
 
@@ -23,7 +24,13 @@ from fleet_tui.model.events import Event, FrameReceived, GraphReceived, LabelsRe
 from fleet_tui.model.graph import Edge, Role, Vertex
 from fleet_tui.robots import KINDS
 from fleet_tui.robots.interface import Call
+from tests.fleets import WIRE, recording
 
+ORDER = PlaceOrder("r1", 0, 7)
+DIED = "transport error completing service call: unable to receive data from sender, check sender's logs"
+THREW = "service [/r1/x] responded with an error: b'error processing request: division by zero'"
+TIMED_OUT = "Timeout exceeded while waiting for service response"
+UNREACHED = "Unable to communicate with service [/r1/x], address [rosrpc://host:1]"
 INT32 = st.integers(-(2**31), 2**31 - 1)
 SERVICE = "/r1/Application_layout/"
 
@@ -197,7 +204,12 @@ def test_the_origin_is_taken_as_the_profile_says(origin: Any) -> None:
         ({"success": False, "status": ""}, True, Stage.REFUSED, ""),
         ({"success": True, "message": "paused"}, True, Stage.ACCEPTED, "paused"),
         ("Service /x does not exist", False, Stage.REFUSED, "Service /x does not exist"),
-        ({"status": "ACCEPTED"}, False, Stage.REFUSED, "{'status': 'ACCEPTED'}"),
+        (DIED, False, Stage.UNKNOWN, DIED),
+        (THREW, False, Stage.UNKNOWN, THREW),
+        (TIMED_OUT, False, Stage.UNKNOWN, TIMED_OUT),
+        (UNREACHED, False, Stage.REFUSED, UNREACHED),
+        ("Unable to communicate with master!", False, Stage.REFUSED, "Unable to communicate with master!"),
+        ({"status": "ACCEPTED"}, False, Stage.UNKNOWN, "{'status': 'ACCEPTED'}"),
         (None, True, Stage.UNKNOWN, "an answer that says nothing: None"),
         ({}, True, Stage.UNKNOWN, "an answer that says nothing: {}"),
         ({"status": None}, True, Stage.UNKNOWN, "an answer that says nothing: {'status': None}"),
@@ -209,13 +221,53 @@ def test_the_origin_is_taken_as_the_profile_says(origin: Any) -> None:
     ],
 )
 def test_an_answer_is_judged_by_its_words(values: object, result: bool, outcome: Stage, words: str) -> None:
-    assert KINDS["oh_ressources"](Profile()).outcome(values, result) == (outcome, words)
+    assert KINDS["oh_ressources"](Profile()).outcome(ORDER, values, result) == (outcome, words)
+
+
+@pytest.mark.parametrize(
+    ("command", "message", "outcome"),
+    [
+        (ResumeRobot("robot_1"), "already running", Stage.ACCEPTED),
+        (ResumeRobot("robot_1"), "The robot is not paused", Stage.ACCEPTED),
+        (PauseRobot("robot_1"), "Already paused", Stage.ACCEPTED),
+        (PauseRobot("robot_1"), "not running", Stage.REFUSED),
+        (PauseRobot("robot_1"), "already running", Stage.REFUSED),
+        (ORDER, "already running", Stage.REFUSED),
+    ],
+)
+def test_a_robot_that_is_as_it_was_asked_to_be_does_not_refuse(
+    command: Command, message: str, outcome: Stage
+) -> None:
+    answer = {"success": False, "message": message}
+    assert KINDS["oh_ressources"](Profile()).outcome(command, answer, True) == (outcome, message)
+
+
+REACHED_NOBODY = [
+    "does not exist",
+    "does not have a field",
+    "message requires",
+    "not a primitive type",
+    "not supported between",
+]
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in WIRE.glob("*.jsonl")))
+def test_each_recorded_failure_of_a_call_is_told_apart(name: str) -> None:
+    """Only what never reached a node was refused."""
+    frames = [
+        json.loads(frame["text"]) for frame in recording(name) if frame["dir"] == "in" and "text" in frame
+    ]
+    for frame in frames:
+        if frame["op"] == "service_response" and not frame["result"]:
+            stage, words = KINDS["oh_ressources"](Profile()).outcome(ORDER, frame["values"], False)
+            refused = any(part in words for part in REACHED_NOBODY)
+            assert stage is (Stage.REFUSED if refused else Stage.UNKNOWN), words
 
 
 def test_which_words_refuse_is_the_profiles() -> None:
     judge = KINDS["oh_ressources"](Profile(refusals=("^no$",))).outcome
-    assert judge({"status": "no"}, True)[0] is Stage.REFUSED
-    assert judge({"status": "REJECTED"}, True)[0] is Stage.ACCEPTED
+    assert judge(ORDER, {"status": "no"}, True)[0] is Stage.REFUSED
+    assert judge(ORDER, {"status": "REJECTED"}, True)[0] is Stage.ACCEPTED
 
 
 def test_poses_are_asked_for_first_and_only_maps_are_heavy() -> None:

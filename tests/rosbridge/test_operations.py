@@ -84,7 +84,8 @@ def test_a_call_is_said_as_the_recorded_ones() -> None:
     recorded = sent("call_service")
     assert recorded
     for frame in recorded:
-        assert json.loads(call_service(frame["id"], frame["service"], frame["args"])) == frame
+        said = json.loads(call_service(frame["id"], frame["service"], frame["args"], 5))
+        assert said == frame | {"timeout": 5.0}
 
 
 def test_a_bridge_that_speaks_up() -> None:
@@ -210,7 +211,8 @@ def test_any_binary_frame_is_an_operation_or_refused(payload: bytes) -> None:
 )
 def test_a_call_arrives_as_it_was_meant(service: str, args: dict[str, object]) -> None:
     try:
-        frame = call_service("c1", service, args)
+        frame = call_service("c1", service, args, 2.5)
     except (UnicodeEncodeError, msgspec.MsgspecError):
         return  # half of a surrogate pair: no name in a config can hold one
-    assert json.loads(frame) == {"op": "call_service", "id": "c1", "service": service, "args": args}
+    asked = {"op": "call_service", "id": "c1", "service": service, "args": args, "timeout": 2.5}
+    assert json.loads(frame) == asked

@@ -58,7 +58,7 @@ async def ended(it: Console, count: int = 1) -> CommandRecord:
     """The last of so many commands, once all of them have ended."""
 
     def holds(state: FleetState) -> bool:
-        return len(state.commands) == count and all(record.ended for record in state.commands)
+        return len(state.commands) == count and all(record.is_decided for record in state.commands)
 
     return (await it.until(holds)).commands[-1]
 

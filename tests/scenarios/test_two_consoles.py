@@ -25,7 +25,7 @@ class Other:
 
     async def ended(self, count: int = 1) -> CommandRecord:
         def holds(state: FleetState) -> bool:
-            return len(state.commands) == count and all(record.ended for record in state.commands)
+            return len(state.commands) == count and all(record.is_decided for record in state.commands)
 
         return (await self.store.until(holds)).commands[-1]
 

@@ -119,7 +119,7 @@ async def test_with_cargo_and_no_orders_there_is_only_a_destination(server: Rosb
         assert "From" not in it.text
         await it.type("Base")
         await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         wanted = {"agent": "robot_0", "end_point": vertex(it, "Base")}
         assert sent(server) == [("Execute_order_with_cargo", wanted)]
 
@@ -134,7 +134,7 @@ async def test_another_robot_in_the_form(server: RosbridgeServer) -> None:
         await it.press("enter")
         await it.type("Cons")
         await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert server.calls[-1][0].startswith("/robot_1/")
 
 
@@ -268,7 +268,7 @@ async def test_an_order_from_a_vertex_on_the_map(server: RosbridgeServer) -> Non
         start = it.app.main.query_one("#from", Input).value
         await it.type("Consum")
         await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         ids = {"initial_point": vertex(it, start), "end_point": vertex(it, "Consumidores")}
         assert sent(server) == [("Execute_order", ids)]
 
@@ -281,7 +281,7 @@ async def test_with_cargo_a_vertex_on_the_map_is_where_it_goes(server: Rosbridge
         await it.shows("Come here")
         end = it.app.main.query_one("#to", Input).value
         await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert sent(server)[0][1]["end_point"] == vertex(it, end)
 
 
@@ -337,7 +337,7 @@ async def test_the_same_label_on_two_floors_stays_what_was_picked(server: Rosbri
         assert isinstance(wanted, int)
         it.app.main.order_at(wanted, "floor_1")
         await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert sent(server)[0][1]["end_point"] == wanted
 
 
@@ -355,7 +355,7 @@ async def test_cargo_that_came_on_board_meanwhile_changes_the_form_not_the_comma
         await it.shows("carries cargo and has no orders now")
         assert sent(server) == []
         await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert [name for name, _ in sent(server)] == ["Execute_order_with_cargo"]
 
 
@@ -363,7 +363,7 @@ async def test_two_enters_in_a_menu_do_it_once(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("tab", "enter", "j")
         one_packet(it, "\r\r")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         await it.pilot.pause()
         assert sent(server) == [("Pause", {})]
 
@@ -390,7 +390,7 @@ async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
             wanted = "Base" if field == "from" else "Store"
             row = next(y for y, text in enumerate(labels) if text.startswith(wanted))
             await it.pilot.click("#matches", offset=(3, row))
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         ids = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Store")}
         assert sent(server) == [("Execute_order", ids)]
 
@@ -402,7 +402,7 @@ async def test_the_send_button_does_what_enter_does(server: RosbridgeServer) -> 
         await it.pilot.click("#send")
         await it.type("Store")
         await it.pilot.click("#send")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert [name for name, _ in sent(server)] == ["Execute_order"]
 
 

@@ -244,7 +244,7 @@ async def test_with_cargo_a_chain_begins_with_the_cargo(server: RosbridgeServer)
     async with console(config_of(server.url, 1)) as it:
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         one_packet(it, "oBase>Store\r")
-        await it.until(lambda state: len(state.commands) == 2 and state.commands[-1].ended)
+        await it.until(lambda state: len(state.commands) == 2 and state.commands[-1].is_decided)
         assert [name for name, _ in sent(server)] == ["Execute_order_with_cargo", "Execute_order"]
         base, store = vertex(it, "Base"), vertex(it, "Store")
         assert it.store.state.commands[-1].command == PlaceOrder("robot_0", base, store)

@@ -40,7 +40,7 @@ async def test_an_order_with_arrows_and_enter_alone(server: RosbridgeServer, siz
         await it.shows("Where to?")
         await pick_by_arrows(it, "Consumidores")
         await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         wanted = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Consumidores")}
         ((service, args),) = sent(server)
         assert service == "Execute_order" and wanted.items() <= args.items()
@@ -59,7 +59,7 @@ async def test_an_order_with_the_mouse_alone(server: RosbridgeServer) -> None:
             await it.pilot.click("#simple-list", offset=(3, row))
             await it.until(lambda _: it.app.main.query_one("#simple-send").region.height)
         await it.pilot.click("#simple-send")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert [service for service, _ in sent(server)] == ["Execute_order"]
 
 
@@ -93,7 +93,7 @@ async def test_with_cargo_on_board_there_is_only_a_destination(
         await it.shows("Where to?")
         await pick_by_arrows(it, "Base")
         await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].ended)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert sent(server) == [
             ("Execute_order_with_cargo", {"agent": "robot_0", "end_point": vertex(it, "Base")})
         ]

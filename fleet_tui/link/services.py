@@ -1,0 +1,132 @@
+"""The robots' services, as rosapi lists them: which are there, and of what type."""
+
+import asyncio
+import logging
+from collections.abc import Callable, Iterable, Mapping
+
+from fleet_tui.errors import LinkError
+from fleet_tui.link.calls import Calls
+from fleet_tui.link.subscriptions import WantedService
+from fleet_tui.model.bounds import brief
+from fleet_tui.rosbridge.operations import ServiceResponse
+from fleet_tui.rosbridge.type_names import same_type
+
+LOG = logging.getLogger(__name__)
+
+ROSAPI_TIMEOUT = 5.0
+
+
+class Services:
+    """Knows what is known of the services of one bridge's robots. Runs on the network loop.
+
+    A bridge passes a call on to whatever has that name: `{}` is a command to some servers. So a call of
+    another type must not leave; a type that nobody tells is no reason to hold it back.
+    """
+
+    def __init__(self, calls: Calls, wanted: Mapping[str, WantedService]) -> None:
+        """`wanted` are the services by name."""
+        self._calls, self._wanted = calls, wanted
+        self._types: dict[str, str] = {}
+        self._seen: set[str] = set()
+        self._gone: set[str] = set()
+        self._rosapi_answered = False
+        self._master_was_gone = False
+        self._task: asyncio.Task[None] | None = None
+        self.changed: Callable[[], None] = lambda: None
+        """Called when services have gone, or are there again."""
+
+    @property
+    def unregistered(self) -> list[str]:
+        """The robots of which services were there and no longer exist, by name."""
+        return sorted({self._wanted[name].robot for name in self._gone})
+
+    @property
+    def is_total(self) -> bool:
+        """Whether that holds for every robot whose services were ever seen."""
+        return bool(self._gone) and self._gone == self._seen
+
+    def look(self) -> None:
+        """Ask rosapi, unless that is under way."""
+        if self._task is None or self._task.done():
+            self._task = asyncio.ensure_future(self._look())
+
+    def forget_types(self) -> None:
+        """Ask for the types again: behind a new connection there may be other nodes."""
+        self._types.clear()
+        self.stop()
+        self.look()
+
+    def stop(self) -> None:
+        """Ask no more."""
+        if self._task is not None:
+            self._task.cancel()
+            self._task = None
+
+    def master_gone(self) -> None:
+        """Note that the ROS master was gone: a new one knows no node of before."""
+        self._master_was_gone = True
+
+    def answered(self, service: str, values: object, result: bool) -> None:
+        """Take an answer to a call of a robot's service as a sign of whether it is there."""
+        if service not in self._wanted:
+            return
+        if not result and _does_not_exist(values):
+            self._set_gone(self._gone | ({service} & self._seen))
+            self.look()
+        elif result:
+            robot = self._wanted[service].robot
+            self._seen.add(service)
+            self._set_gone({name for name in self._gone if self._wanted[name].robot != robot})
+
+    def _set_gone(self, gone: set[str]) -> None:
+        if gone != self._gone:
+            self._gone = gone
+            self.changed()
+
+    def mismatch(self, service: str) -> str:
+        """Why a service must not be called; empty where nothing is known against it."""
+        found = self._types.get(service, "")
+        if not found:
+            return ""
+        expected = self._wanted[service].type
+        if same_type(found, expected):
+            return ""
+        return f"{service} has type {found}, not {expected}"
+
+    async def _look(self) -> None:
+        response = await self._ask("services", {})
+        if response is None:
+            return
+        if not response.result or not isinstance(response.values, dict):
+            if self._rosapi_answered and self._master_was_gone and _does_not_exist(response.values):
+                # rosapi is a node like the robots': the new master knows none of them.
+                self._set_gone(set(self._seen))
+            return
+        listed = response.values.get("services")
+        if not isinstance(listed, list):
+            return
+        there = self._wanted.keys() & {name for name in listed if isinstance(name, str)}
+        self._rosapi_answered, self._master_was_gone = True, False
+        self._seen |= there
+        self._set_gone(self._seen - there)
+        await self._ask_types(name for name in self._wanted if name in there and name not in self._types)
+
+    async def _ask_types(self, names: Iterable[str]) -> None:
+        for name in list(names):
+            response = await self._ask("service_type", {"service": name})
+            if response is None:
+                return
+            found = response.values.get("type") if isinstance(response.values, dict) else None
+            if response.result and isinstance(found, str) and found:
+                self._types[name] = brief(found)
+
+    async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse | None:
+        try:
+            return await self._calls.call(f"/rosapi/{question}", args, ROSAPI_TIMEOUT)
+        except LinkError as problem:
+            LOG.info("services are not looked up: %s", problem)
+            return None
+
+
+def _does_not_exist(values: object) -> bool:
+    return isinstance(values, str) and values.endswith("does not exist")

@@ -1,0 +1,119 @@
+"""Follow-up of decided commands: orders until they end, and what is carried out late."""
+
+from typing import assert_never
+
+from msgspec.structs import replace
+
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    PlaceOrderWithCargo,
+    ResumeRobot,
+    Stage,
+    Step,
+)
+from fleet_tui.model.confirmation import find_order, is_overtaken
+from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest
+from fleet_tui.model.robot import Robot
+
+LATE_ORDER, LATE_OTHER = 600.0, 60.0
+"""Seconds after `not confirmed` in which what a robot does still counts as the command carried out late."""
+
+_REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
+_MAY_HAVE_REMOVED = _REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED}
+
+
+def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
+    """Advance a decided command by what its robot has reported since."""
+    robot = state.robots.get(record.command.robot)
+    if robot is None:
+        return record
+    if record.stage is Stage.NOT_CONFIRMED:
+        return _carried_out_late(state, robot, record)
+    return _ended(state, robot, record) if record.has_open_order else record
+
+
+def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
+    assert record.order_id is not None
+    gone = latest(robot.gone, record.order_id, record.at)
+    if gone is None:
+        return record
+    stage = _end_stage(state, record, gone)
+    reason = "by this console" if stage is Stage.CANCELLED else gone.reason
+    return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
+
+
+def _end_stage(state: FleetState, record: CommandRecord, gone: GoneOrder) -> Stage:
+    if gone.reason == STARTED_OVER:
+        return Stage.LOST
+    ours = _removals(state, record, gone)
+    if gone.stage is Stage.DONE:
+        return Stage.CANCELLED if ours & _REMOVED else Stage.DONE
+    if ours & _MAY_HAVE_REMOVED:
+        return Stage.CANCELLED
+    return Stage.CANCELLED_ELSEWHERE if gone.stage is Stage.CANCELLED else gone.stage
+
+
+def _removals(state: FleetState, record: CommandRecord, gone: GoneOrder) -> set[Stage]:
+    """Where the commands of this console stand that were to take the order out of the queue."""
+    return {
+        other.stage
+        for other in state.commands
+        if other.command.robot == record.command.robot
+        and record.issued_at <= other.issued_at <= gone.at
+        and _removes(other, gone.order.id)
+    }
+
+
+def _removes(record: CommandRecord, order_id: int) -> bool:
+    match record.command:
+        case CancelOrder(_, cancelled):
+            return cancelled == order_id
+        case ClearOrders():
+            last = record.before.last_order_id
+            return last is None or order_id <= last
+        case PlaceOrder() | PlaceOrderWithCargo() | PauseRobot() | ResumeRobot():
+            return False
+        case _:
+            assert_never(record.command)
+
+
+def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
+    match record.command:
+        case PlaceOrder() | PlaceOrderWithCargo():
+            order_id = find_order(state, robot, record) if state.now - record.at < LATE_ORDER else None
+            if order_id is None:
+                return record
+            late = record.advanced(_late(state, record, f"order {order_id}"))
+            return replace(late, order_id=order_id)
+        case CancelOrder() | ClearOrders():
+            happened = any(
+                one.at > record.at
+                and one.stage is not Stage.DONE
+                and one.reason != STARTED_OVER
+                and _removes(record, one.order.id)
+                for one in robot.gone
+            )
+        case PauseRobot():
+            happened = _reports_pause(state, robot, record, True)
+        case ResumeRobot():
+            happened = _reports_pause(state, robot, record, False)
+        case _:
+            assert_never(record.command)
+    if not happened or state.now - record.at > LATE_OTHER:
+        return record
+    return record.advanced(_late(state, record, "reported by the robot"))
+
+
+def _reports_pause(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> bool:
+    paused = robot.paused
+    reported = paused is not None and paused.at > record.at and paused.value is wanted
+    return reported and not is_overtaken(state, record)
+
+
+def _late(state: FleetState, record: CommandRecord, shown: str) -> Step:
+    return Step(Stage.LATE, state.now, f"{shown}, {age(state.now - record.issued_at)} after it was given")

@@ -1,0 +1,18 @@
+"""Names of ROS types: the same type is spelled in more than one way."""
+
+_MIDDLES = ("/msg/", "/srv/", "/action/")
+
+
+def same_type(one: str, other: str) -> bool:
+    """Tell whether two names mean the same type, as far as their spelling tells.
+
+    ROS 2 has a middle part (`std_msgs/msg/Bool`), lower-case packages and CamelCase names:
+    `OH_ressources/Cancel_order` is `oh_ressources/srv/CancelOrder` there.
+    """
+    return _plain(one) == _plain(other)
+
+
+def _plain(name: str) -> str:
+    for middle in _MIDDLES:
+        name = name.replace(middle, "/")
+    return name.replace("_", "").lower()
