@@ -104,10 +104,10 @@ class FleetApp(SteadyApp, inherit_bindings=False):
 
     def submit(self, command: Command) -> None:
         """Send a command now, or say why not."""
-        if self._door is None:
-            self.main.say("not sent: the console is still starting")
-        elif not self.main.armed:
+        if not self.main.armed:
             self.main.say("not sent: this console is not armed, : Arm lets commands leave")
+        elif self._door is None:
+            self.main.say("not sent: the console is still starting")
         else:
             self._door.submit(command)
 

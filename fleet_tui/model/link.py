@@ -50,6 +50,13 @@ class LinkState(Struct, frozen=True):
     fault_at: float | None = None
 
     @property
+    def is_starting(self) -> bool:
+        """Whether it is tried for the first time: nothing speaks against it yet."""
+        if self.phase is Phase.UP:
+            return not self.commands_connected and self.command_path is CommandPath.UNTRIED
+        return self.phase is Phase.CONNECTING and not self.reason
+
+    @property
     def is_bag(self) -> bool:
         """Whether there never was a bridge: what is shown was made of a ROS bag."""
         return self.url.startswith(OF_BAG)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.model.commands import Command, Wish
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.screens.held import Held
 from fleet_tui.screens.part import Part
 from fleet_tui.store import Store
 from fleet_tui.view.command_line import newest
@@ -30,6 +31,7 @@ class Dispatch(Part):
         super().__init__()
         self._given: dict[tuple[Command, ...], float] = {}
         self.said, self._said_at = "", 0.0
+        self._held = Held(lambda wish: self._give_held(wish))
 
     @property
     def state(self) -> FleetState:
@@ -46,7 +48,26 @@ class Dispatch(Part):
 
     def give(self, wish: Wish, sent: Callable[[], None] = lambda: None) -> str:
         """Send a wish, after asking where something is lost or was warned of; `sent` is called when it
-        has left. Returns why it is not sent, empty where it is or where that is asked."""
+        has left, or waits for the first connection. Returns why it is not sent, empty where it is or where
+        that is asked."""
+        may_send = self.armed and not self.read_only
+        ready = self._held.hold(self.state, wish, time.monotonic()) if may_send else wish
+        if ready is not wish:
+            self.note("waiting for the link")
+        if ready is None:
+            sent()
+            return ""
+        return self._give_now(ready, sent)
+
+    def _give_held(self, wish: Wish) -> None:
+        if problem := self._give_now(wish, lambda: None):
+            self.say(problem)
+
+    def release_held(self) -> None:
+        """Give what waited for the link, when that is there."""
+        self._held.release(self.state, time.monotonic())
+
+    def _give_now(self, wish: Wish, sent: Callable[[], None]) -> str:
         from fleet_tui.view.questions import losses, question
 
         found = self._problems(wish)

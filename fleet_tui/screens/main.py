@@ -97,6 +97,7 @@ class MainScreen(Navigation):
 
     def tick(self) -> None:
         """Show the newest state."""
+        self.release_held()
         state = self.state
         if self.furnished:
             self._show_floor(state)
