@@ -40,10 +40,8 @@ def renamed(server: RosbridgeServer, old: str, new: str) -> None:
 
 def only_listened_to(server: RosbridgeServer, *topics: str) -> None:
     """As the master lists topics that an open console asks for and nobody publishes."""
-    for topic in topics:
-        server.types[topic] = next(
-            type_ for name, type_ in server.types.items() if name.endswith(topic.rpartition("/")[2])
-        )
+    types = {name.rpartition("/")[2]: type_ for name, type_ in server.types.items()}
+    server.types |= {topic: types[topic.rpartition("/")[2]] for topic in topics if topic not in server.types}
 
     def publishers(args: dict[str, Any]) -> dict[str, Any]:
         there = args["topic"] in server.types and args["topic"] not in topics
@@ -179,6 +177,20 @@ def _dead_node(server: RosbridgeServer) -> None:
     server.answers |= {"/rosapi/publishers": publishers, "/rosapi/service_node": owner}
 
 
+def spelled_as_ros_2(server: RosbridgeServer) -> None:
+    """Lower-case packages, CamelCase names and a middle part."""
+
+    def spelled(type_: str, middle: str) -> str:
+        package, _, name = type_.partition("/")
+        camel = "".join(part[0].upper() + part[1:] for part in name.split("_"))
+        return f"{package.lower()}/{middle}/{camel}"
+
+    for topic in list(server.topics):
+        retyped(server, topic, spelled(server.types[topic], "msg"))
+    for name, type_ in server.services.items():
+        server.services[name] = replace(type_, name=spelled(type_.name, "srv"))
+
+
 AT = "/robot_0/floor_0/"
 ONE_ROBOT = [RobotEntry("robot_00"), RobotEntry("robot_1")]
 NO_FILE = [FloorEntry("floor_0", map="maps/ground.yaml"), FloorEntry("floor_1")]
@@ -202,6 +214,7 @@ PLANTS: dict[str, Plant] = {
     "a battery that is not a number": on_the_server(
         partial(says, topic="/robot_1/battery", change=lambda _: {"data": None})
     ),
+    "types as ROS 2 spells them": on_the_server(spelled_as_ros_2),
     "a missing topic": on_the_server(partial(_remove, "/robot_0/cargo")),
     "a wrong type": on_the_server(partial(retyped, topic="/robot_1/battery", type_="std_msgs/Float64")),
     "a topic that stays away": on_the_server(lambda server: server.muted.add("/robot_0/pose")),

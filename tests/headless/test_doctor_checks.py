@@ -25,6 +25,7 @@ from fleet_tui.headless.doctor.terminal import (
     size_finding,
     speed_finding,
 )
+from fleet_tui.headless.doctor.tools import LOOK_FOR_NODE, named
 from fleet_tui.headless.doctor.wire import Heard
 from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.model.events import Event, TimePassed
@@ -82,6 +83,18 @@ def test_a_message_that_is_being_read_is_not_one_that_can_not_be_read() -> None:
     heard.take({}, 1.0)
     facts = heard.facts(2.0)
     assert seen == [0] and (facts.count, facts.event) == (1, TimePassed(1.0, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("ros", "words"),
+    [
+        (1, "rosnode ping /base"),
+        (2, "ros2 node list"),
+        (0, "rosnode ping /base, ROS 2: ros2 node list"),
+    ],
+)
+def test_a_remedy_names_the_tools_of_the_ros_that_is_there(ros: int, words: str) -> None:
+    assert named(LOOK_FOR_NODE, ros, "/base") == words
 
 
 def test_round_trips_and_clocks() -> None:

@@ -9,6 +9,11 @@ from fleet_tui.model.events import Event
 LONG_ENOUGH = 1.5  # seconds without a message that mean anything
 
 
+def is_hidden(topic: str) -> bool:
+    """Whether it belongs to an action: rosapi does not list these."""
+    return "/_action/" in topic
+
+
 @dataclass(frozen=True, slots=True)
 class Rosapi:
     """The answers of rosapi: types by topic, types by service (None where it was not asked), nodes, by topic
@@ -35,8 +40,9 @@ class Rosapi:
         return any(word in self.problem for word in words)
 
     def has(self, topic: str) -> bool:
-        """Whether a topic is there to be heard: every open console keeps the names of its own listed."""
-        return topic in self.topics and self.publishers.get(topic) != ()
+        """Whether a topic is there to be heard: every open console keeps the names of its own listed. The
+        topics of actions never are."""
+        return is_hidden(topic) or (topic in self.topics and self.publishers.get(topic) != ())
 
 
 @dataclass(frozen=True, slots=True)

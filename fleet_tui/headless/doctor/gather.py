@@ -16,8 +16,9 @@ from fleet_tui.headless.doctor.rosapi import (
     look_around,
 )
 from fleet_tui.headless.doctor.wire import Wire
-from fleet_tui.link.subscriptions import Wanted, plain_type, wanted_topics
+from fleet_tui.link.subscriptions import Wanted, wanted_topics
 from fleet_tui.robots import KINDS
+from fleet_tui.rosbridge.type_names import same_type
 
 ROUND_TRIPS = 10
 
@@ -52,9 +53,13 @@ async def _look_up(config: Config, name: str, wire: Wire, rosapi: Rosapi, until:
     if all(map(rosapi.has, named)):
         return rosapi
     # One of the same type may be what was meant.
-    expected = {plain_type(one.subscription.type) for one in wanted}
-    others = [topic for topic, type_ in rosapi.topics.items() if plain_type(type_) in expected]
-    return await ask_publishers(wire, rosapi, set(others) - set(named), until)
+    expected = {one.subscription.type for one in wanted}
+    others = [
+        topic
+        for topic, type_ in rosapi.topics.items()
+        if topic not in rosapi.publishers and any(same_type(type_, one) for one in expected)
+    ]
+    return await ask_publishers(wire, rosapi, others, until)
 
 
 async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeFacts:

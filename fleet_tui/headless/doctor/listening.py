@@ -7,9 +7,10 @@ from contextlib import suppress
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
-from fleet_tui.headless.doctor.facts import TopicFacts
+from fleet_tui.headless.doctor.facts import TopicFacts, is_hidden
 from fleet_tui.headless.doctor.wire import Wire
-from fleet_tui.link.subscriptions import Wanted, plain_type
+from fleet_tui.link.subscriptions import Wanted
+from fleet_tui.rosbridge.type_names import same_type
 
 CONNECT_WITHIN = 4.0
 # Seconds that topics are listened to, at least and at most: a little longer than a robot may be silent
@@ -51,7 +52,7 @@ def _worth_hearing(
     floors = set(drawn)
     for one in wanted:
         topic, type_ = one.subscription.topic, one.subscription.type
-        if types and plain_type(types.get(topic, "")) != plain_type(type_):
+        if types and not is_hidden(topic) and not same_type(types.get(topic, ""), type_):
             continue
         if one.kind.heavy:
             if one.floor in floors:

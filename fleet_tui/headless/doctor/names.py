@@ -1,13 +1,14 @@
-"""Names that are near one that is not there: of topics, services and robots. Pure."""
+"""Names that are near one that is not there, and names that ROS 2 spells otherwise. Pure."""
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Mapping
 
-from fleet_tui.config.profile import Profile
+from fleet_tui.config.profile import SERVICES, Profile
 from fleet_tui.config.schema import Config
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
-from fleet_tui.headless.doctor.finding import listed, nearest
+from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.link.subscriptions import plain_type
+from fleet_tui.rosbridge.type_names import same_type
 
 
 def robots_on(profile: Profile, rosapi: Rosapi) -> set[str]:
@@ -25,9 +26,8 @@ def robots_on(profile: Profile, rosapi: Rosapi) -> set[str]:
 def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
     """The published names that a topic may have now, those of its type first, as the config would say it."""
     wanted, types = facts.wanted, bridge.rosapi.topics
-    expected = plain_type(wanted.subscription.type)
     free = set(filter(bridge.rosapi.has, types)) - {one.topic for one in bridge.topics}
-    fitting = [topic for topic in free if plain_type(types[topic]) == expected]
+    fitting = [topic for topic in free if same_type(types[topic], wanted.subscription.type)]
     own = [topic for topic in fitting if topic.startswith(f"/{wanted.robot}/")]
     near = nearest(facts.topic, own) or nearest(facts.topic, fitting) or nearest(facts.topic, free)
     if not near:
@@ -60,3 +60,41 @@ def near_service(robot: str, key: str, service: str, free: Collection[str]) -> s
         return ""
     template = near[0].replace(f"/{robot}/", "/{robot}/")
     return f'did you mean {near[0]}? Then [profile.services] {key} = "{template}"'
+
+
+def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:
+    """What to write where ROS 2 spells types otherwise: lower-case packages, CamelCase names.
+
+    With rosapi the bridge's spelling is found out; without it a topic is asked for by the profile's.
+    """
+    rosapi, profile = facts.rosapi, config.profile
+    asked = [(one.wanted.kind.key, one.topic, one.wanted.subscription.type) for one in facts.topics]
+    topics = _spelled(asked, rosapi.topics)
+    called = [
+        (key, profile.service(key, robot), profile.service_type(key))
+        for robot in dict.fromkeys(one.wanted.robot for one in facts.topics)
+        for key in SERVICES
+    ]
+    services = _spelled(called, rosapi.services)
+    written = [
+        f"[profile.{table}] " + ", ".join(f'{key} = "{type_}"' for key, type_ in found.items())
+        for table, found in (("types", topics), ("service_types", services))
+        if found
+    ]
+    if not written:
+        return None
+    measured = (
+        f"those of {listed([*topics, *services])} are spelled as in ROS 2: found only while rosapi answers"
+    )
+    return Finding(facts.name, "types", Verdict.WARN, measured, "; ".join(written))
+
+
+def _spelled(wanted: Iterable[tuple[str, str, str]], there: Mapping[str, str | None]) -> dict[str, str]:
+    """By key the types that are the expected ones, but for their spelling."""
+    return {
+        key: found
+        for key, name, expected in wanted
+        if (found := there.get(name))
+        and same_type(found, expected)
+        and plain_type(found) != plain_type(expected)
+    }

@@ -31,7 +31,7 @@ async def look_around(wire: Wire) -> Rosapi:
     try:
         topics, services, nodes, version = await asyncio.gather(
             *(
-                wire.call(name, {}, ANSWER_WITHIN)
+                wire.call(f"/rosapi/{name}", {}, ANSWER_WITHIN)
                 for name in ("topics", "services", "nodes", "get_ros_version")
             )
         )
@@ -58,7 +58,7 @@ async def clock_ahead(wire: Wire) -> float | None:
     """By how many seconds the bridge's clock is ahead of ours, None where it does not say."""
     began, wall = time.monotonic(), time.time()
     try:
-        answer = await wire.call("get_time", {}, ANSWER_WITHIN)
+        answer = await wire.call("/rosapi/get_time", {}, ANSWER_WITHIN)
         told = msgspec.convert(answer, _Time).time.seconds
     except (LinkError, msgspec.ValidationError):
         return None
@@ -68,7 +68,7 @@ async def clock_ahead(wire: Wire) -> float | None:
 async def _ask(wire: Wire, verb: str, args: dict[str, object], key: str) -> Any:
     """One field of an answer, None without an answer."""
     try:
-        answer = await wire.call(verb, args, ANSWER_WITHIN)
+        answer = await wire.call(f"/rosapi/{verb}", args, ANSWER_WITHIN)
     except LinkError:
         return None
     return answer.get(key) if isinstance(answer, dict) else None

@@ -22,6 +22,7 @@ from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.floors import floor_findings, place_finding, placed_grid
 from fleet_tui.headless.doctor.gather import gather
+from fleet_tui.headless.doctor.names import spelling_finding
 from fleet_tui.headless.doctor.render import as_values, line, summary
 from fleet_tui.headless.doctor.services import service_findings
 from fleet_tui.headless.doctor.terminal import terminal_findings
@@ -75,6 +76,9 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
     if facts.lost:
         remedy = "see the log of rosbridge: the rest was measured on what came before"
         yield Finding(facts.name, "link", Verdict.FAIL, f"it broke while measuring: {facts.lost}", remedy)
+    spelling = spelling_finding(config, facts)
+    if spelling is not None:
+        yield spelling
     causes = causes_of(config, facts)
     yield from (cause.finding for cause in causes)
     robots = [robot for robot in config.robots if facts.of(robot.name)]

@@ -8,7 +8,7 @@ from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
 from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.names import near_service
 from fleet_tui.headless.doctor.topics import is_there
-from fleet_tui.link.subscriptions import plain_type
+from fleet_tui.rosbridge.type_names import same_type
 
 
 def service_findings(
@@ -47,7 +47,7 @@ def _service(profile: Profile, key: str, robot: str, rosapi: Rosapi) -> Finding:
     if there is None:
         return finding(Verdict.SKIPPED, "no time was left to ask for its type", "a longer --timeout", True)
     by = f", by {node}" if node else ""
-    if there and plain_type(there) != plain_type(expected):
+    if there and not same_type(there, expected):
         return finding(
             Verdict.FAIL,
             f"{service}{by} has type {there}, not {expected}",

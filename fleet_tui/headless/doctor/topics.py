@@ -5,11 +5,11 @@ from collections.abc import Iterator, Sequence
 from fleet_tui.config.profile import FLOOR_TOPICS
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.headless.doctor.causes import Cause
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts, is_hidden
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.headless.doctor.names import near_topic, robots_on
 from fleet_tui.headless.doctor.tools import LATCHED, LOOK_FOR_NODE, named
-from fleet_tui.link.subscriptions import plain_type
+from fleet_tui.rosbridge.type_names import same_type
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 UNSEEN = "without rosapi nobody can tell whether it is there"
@@ -99,7 +99,7 @@ def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     if not rosapi.problem and not facts.count and not rosapi.has(facts.topic):
         return _missing(config, facts, bridge)
     there, expected = rosapi.topics.get(facts.topic, ""), facts.wanted.subscription.type
-    if there and plain_type(there) != plain_type(expected):
+    if there and not same_type(there, expected):
         return _wrong_type(config, facts, there, bridge)
     if facts.wanted.kind.heavy and not facts.subscribed:
         return _finding(facts, Verdict.OK, f"{expected}, one is enough: not listened to", type=there)
@@ -170,6 +170,8 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
     key = facts.wanted.kind.key
     if not facts.is_silent:
         return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
+    if is_hidden(facts.topic):
+        return Verdict.SKIPPED, "an action's: it is in no list, and nothing comes before the first goal", ""
     nodes = rosapi.publishers.get(facts.topic)
     nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
     if not facts.wanted.kind.per_floor:

@@ -10,6 +10,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.headless.doctor.facts import TopicFacts
 from fleet_tui.link.calls import Calls
+from fleet_tui.link.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.link.transport import Connection
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
@@ -17,8 +18,6 @@ from fleet_tui.rosbridge import operations
 from fleet_tui.rosbridge.operations import Subscription
 
 HEAVY_BYTES = 100_000
-# A service that does not exist: the bridge itself says so at once, without rosapi and without a robot.
-HEARTBEAT = "fleet_tui_heartbeat"
 FROZEN = "it takes connections and does not answer: restart it"
 
 
@@ -98,11 +97,11 @@ class Wire:
             self.lost = FROZEN
         return self.lost
 
-    async def call(self, name: str, args: Mapping[str, object], within: float) -> object:
-        """What a service of rosapi answers, a string where it fails. Raises LinkError without an answer."""
+    async def call(self, service: str, args: Mapping[str, object], within: float) -> object:
+        """The answer of a service of rosapi, a string where it fails. Raises LinkError without an answer."""
         if self.lost:
             raise LinkError(self.lost)
-        return (await self._calls.call(f"/rosapi/{name}", args, within)).values
+        return (await self._calls.call(service, args, within)).values
 
     async def beat(self, within: float) -> str:
         """Make the bridge itself answer; its words. Raises LinkError without an answer."""
