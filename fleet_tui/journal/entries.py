@@ -7,6 +7,7 @@ from typing import Any, assert_never
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, transitions
 from fleet_tui.model.audit_record import VERSION, AuditRecord
+from fleet_tui.model.batches import pauses, summary
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -60,6 +61,22 @@ def command_records(
     for record in after.commands:
         for step in record.steps[told.get(record.id, 0) :]:
             yield _of_step(origin, after, record, step, wall(step.at))
+    yield from _summaries(origin, before, after, wall)
+
+
+def _summaries(
+    origin: Origin, before: FleetState, after: FleetState, wall: Callable[[float], float]
+) -> Iterator[AuditRecord]:
+    """Sum up what was asked of many robots in one request, once all of it is decided."""
+    was_open = {record.id for record in before.commands if not record.is_decided}
+    for batch in pauses(after.commands):
+        if all(record.is_decided for record in batch) and any(record.id in was_open for record in batch):
+            yield _summary(origin, after, batch, wall(max(record.at for record in batch)))
+
+
+def _summary(origin: Origin, state: FleetState, batch: list[CommandRecord], wall: float) -> AuditRecord:
+    what, words = summary(state, batch)
+    return origin.record(wall, kind="command", what=what, change="summary", words=words)
 
 
 def closing_records(origin: Origin, state: FleetState, wall: float) -> Iterator[AuditRecord]:
@@ -69,6 +86,9 @@ def closing_records(origin: Origin, state: FleetState, wall: float) -> Iterator[
             words = f"order {record.order_id} was in the queue" if record.has_open_order else ""
             fields = _about(state, record) | {"words": words or f"it was: {record.stage.value}"}
             yield origin.record(wall, change="console closed", **fields)
+    for batch in pauses(state.commands):
+        if not all(record.is_decided for record in batch):
+            yield _summary(origin, state, batch, wall)
 
 
 def _of_step(

@@ -8,6 +8,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.alarm import Condition, Key, Priority
+from fleet_tui.model.batches import batches
 from fleet_tui.model.commands import (
     FAILURES,
     CancelOrder,
@@ -26,9 +27,8 @@ from fleet_tui.model.robot import Robot
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""
 _OVER = {stage: f"was {stage.value}" for stage in (Stage.LATE, Stage.CANCELLED_ELSEWHERE, Stage.LOST)}
-TOGETHER, MANY = 0.3, 5
-"""Commands of one kind with less than so many seconds in between are one wish; for so many robots
-it is one alarm."""
+MANY = 5
+"""Failed commands to so many robots that were given together are one alarm."""
 
 
 def has_failed(record: CommandRecord) -> bool:
@@ -58,7 +58,7 @@ def failed_commands(state: FleetState) -> Iterator[Condition]:
     fresh = [record for record in state.commands if has_failed(record) and state.now - record.at < FAILED_FOR]
     if not fresh:
         return
-    given = _given_together(state.commands)
+    given = {record.id: len(batch) for batch in batches(state.commands) for record in batch}
     failed: dict[Key, list[CommandRecord]] = defaultdict(list)
     for record in fresh:
         robot = state.robots.get(record.command.robot)
@@ -85,16 +85,3 @@ def _failed(state: FleetState, key: Key, records: Sequence[CommandRecord]) -> Co
         # A failure that turns into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),
     )
-
-
-def _given_together(records: Sequence[CommandRecord]) -> dict[int, int]:
-    """By command id: how many of its kind were given with it."""
-    runs: list[list[CommandRecord]] = []
-    for record in records:
-        last = runs[-1][-1] if runs else None
-        alike = last is not None and type(last.command) is type(record.command)
-        if last is not None and alike and record.issued_at - last.issued_at < TOGETHER:
-            runs[-1].append(record)
-        else:
-            runs.append([record])
-    return {record.id: len(run) for run in runs for record in run}

@@ -1,5 +1,8 @@
 """The line that says where the last commands stand, in the words of the operator."""
 
+from collections.abc import Iterator, Sequence
+
+from fleet_tui.model.batches import TOGETHER, pauses, summary
 from fleet_tui.model.commands import (
     FAILURES,
     CancelOrder,
@@ -18,8 +21,8 @@ from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run, cut, width_of
 from fleet_tui.view.text import visible
 
-# Commands given within this many seconds were meant as one; so many of them fit in a line.
-TOGETHER, FEW = 0.3, 3
+# So many commands fit in a line one by one.
+FEW = 3
 # Seconds for which a command that did not end well stays in view.
 REMEMBERED = 30.0
 # Seconds for which the end of an order that ended well does.
@@ -81,19 +84,45 @@ def _worth_saying(state: FleetState) -> list[CommandRecord]:
     ]
 
 
-def message_line(state: FleetState, said: str, said_at: float, width: int) -> tuple[Run, ...]:
-    """The newest word to the operator: what the console says, how the last commands stand."""
+Part = tuple[Run, ...]
+
+
+def _parts(state: FleetState) -> Iterator[tuple[bool, float, Part, Part]]:
+    """What is worth saying: whether it is well, when it was given, its words, and the brief ones."""
+    worth = {record.id: record for record in _worth_saying(state)} if state.commands else {}
+    for batch in pauses(state.commands):
+        if any(record.id in worth for record in batch):
+            for record in batch:
+                worth.pop(record.id, None)
+            part = _batch_runs(state, batch)
+            yield not _is_trouble(batch), batch[-1].issued_at, part, part
     groups: dict[object, list[CommandRecord]] = {}
-    # What went wrong comes first, the newest before the others: it must not be cut at the right end.
-    records = sorted(
-        _worth_saying(state) if state.commands else [],
-        key=lambda record: (record.stage not in TROUBLE, -record.issued_at),
-    )
-    for record in records:
+    for record in sorted(worth.values(), key=lambda record: -record.issued_at):
         group = (type(record.command), record.stage, record.words)
-        groups.setdefault(group if len(records) > FEW else record.id, []).append(record)
-    parts = [_group_runs(state, together) for together in groups.values()]
-    briefs = [_group_runs(state, together, brief=True)[:2] for together in groups.values()]
+        groups.setdefault(group if len(worth) > FEW else record.id, []).append(record)
+    for together in groups.values():
+        brief = _group_runs(state, together, brief=True)[:2]
+        yield not _is_trouble(together), together[0].issued_at, _group_runs(state, together), brief
+
+
+def _is_trouble(records: Sequence[CommandRecord]) -> bool:
+    return any(record.stage in TROUBLE for record in records)
+
+
+def _batch_runs(state: FleetState, batch: Sequence[CommandRecord]) -> Part:
+    what, words = summary(state, batch)
+    if _is_trouble(batch):
+        ink = Ink.ALARM
+    else:
+        ink = Ink.GOOD if all(record.is_decided for record in batch) else Ink.DIM
+    return (what, Ink.TEXT), (f": {words}", ink)
+
+
+def message_line(state: FleetState, said: str, said_at: float, width: int) -> Part:
+    """The newest word to the operator: what the console says, how the last commands stand."""
+    # What went wrong comes first, the newest before the others: it must not be cut at the right end.
+    found = sorted(_parts(state), key=lambda part: (part[0], -part[1]))
+    parts, briefs = [part[2] for part in found], [part[3] for part in found]
     if said and _is_news(state, said_at):
         parts.insert(0, ((said, Ink.WARN),))
         briefs.insert(0, ((said, Ink.WARN),))

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from fleet_tui.model.batches import batch_name
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Problem
@@ -32,7 +33,7 @@ def wish_text(state: FleetState, wish: Wish) -> str:
     """A wish in one line."""
     first = command_text(state, wish.commands[0])
     if len({command.robot for command in wish.commands}) > 1:
-        return f"{first} and {len(wish.commands) - 1} more like it"
+        return batch_name(state, wish.commands)
     robot = wish.commands[0].robot
     rest = (command_text(state, command).removeprefix(f"{robot} order ") for command in wish.commands[1:])
     return ", ".join([first, *rest])

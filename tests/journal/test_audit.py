@@ -415,3 +415,13 @@ def test_a_record_reads_back_as_it_was() -> None:
 
     whole = record("w", id=1, start=2, end=3, start_label="é", order=4, floor=F0, priority="low", count=5)
     assert msgspec.json.decode(encode(whole), type=AuditRecord) == whole
+
+
+def test_what_was_asked_of_many_robots_is_summed_up_once_it_is_decided(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    give(store, 1, PauseRobot(R0), Stage.SENT)
+    give(store, 2, PauseRobot(R0), Stage.SENT, Stage.REFUSED, words="busy")
+    assert "summary" not in [one.change for one in read(tmp_path)]
+    store.tell(CommandAdvanced(1, Stage.REFUSED, T0 + 1, "busy"))
+    (found,) = [one for one in read(tmp_path) if one.change == "summary"]
+    assert (found.kind, found.what, found.words) == ("command", "pause all", "2 refused (robot_0): busy")

@@ -63,15 +63,15 @@ def pause(id_: int, at: float, *stages: Stage, robot: str = R0, words: str = "")
 def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -> None:
     assert message_line(fleet(), "", 0.0, WIDE) == ()
     assert text_of(message_line(fleet(), "no order here", T0, WIDE)) == " no order here"
-    together = [pause(2 + n, T0 + 10, robot=f"robot_{n}") for n in range(2)]
+    together = [pause(2 + n, T0 + 10, Stage.NOT_SENT, robot=f"robot_{n}") for n in range(2)]
     bad = pause(4, T0 + 10, Stage.SENT, Stage.REFUSED, robot="robot_2", words="no")
     state = told(fleet(3), *together[0], *together[1], *bad, tick(T0 + 10))
     text = text_of(message_line(state, "older", T0 + 9, WIDE))
-    assert text.count("pause") == 3 and "older" not in text
+    assert text == " pause all: 1 refused (robot_2): no, 2 not sent (robot_0, robot_1)"
     assert text.index("robot_2") < text.index("robot_0")  # what went wrong must not be cut off
     # A command that ended badly stays in view, whatever is said or given after it.
     newer = text_of(message_line(told(state, *pause(9, T0 + 12)), "newer", T0 + 11, WIDE))
-    assert "robot_2 pause: refused (no)" in newer and "newer" not in newer
+    assert "1 refused (robot_2): no" in newer and "newer" not in newer
     later = told(state, *pause(9, T0 + 12), tick(T0 + 41))
     assert "refused" not in text_of(message_line(later, "", 0.0, WIDE))
 
@@ -81,7 +81,7 @@ def test_pause_all_of_a_large_fleet_is_one_word() -> None:
         fact for n in range(9) for fact in pause(n, T0, Stage.NOT_SENT, robot=f"robot_{n}", words="no link")
     ]
     text = text_of(message_line(told(fleet(9), *facts), "", 0.0, WIDE))
-    assert text == " robot_0 pause and 8 more like it: not sent (no link)"
+    assert text == " pause all: 9 not sent (robot_0, robot_1, robot_2, …): no link"
 
 
 @pytest.mark.parametrize("width", [120, 80])
@@ -100,7 +100,7 @@ def test_how_each_command_stands_is_never_cut(width: int, said: str) -> None:
 
 def test_what_went_wrong_stays_where_there_is_no_room_for_all() -> None:
     facts = [fact for n in range(6) for fact in pause(n, T0, Stage.SENT, robot=f"robot_{n % 3}")]
-    facts += pause(8, T0, Stage.SENT, Stage.REFUSED, robot="robot_1", words="no " * 40)
+    facts += commanded(8, ClearOrders("robot_1"), Stage.SENT, Stage.REFUSED, words="no " * 40)
     facts += commanded(9, CancelOrder("robot_2", 3), Stage.SENT, Stage.ACCEPTED)
     text = text_of(message_line(told(fleet(3), *facts, tick(T0 + 1)), "", 0.0, 60))
-    assert text.startswith(" robot_1 pause: refused") and cell_width(text) <= 60
+    assert text.startswith(" robot_1 clear all orders: refused") and cell_width(text) <= 60

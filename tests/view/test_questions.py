@@ -54,9 +54,7 @@ def test_a_long_queue_is_cut_in_the_question_with_how_much_more_there_is() -> No
 
 def test_a_wish_in_one_line() -> None:
     assert wish_text(STATE, Wish(chain(R0, [1, 2, 3]))) == "robot_0 order Base -> Store, Store -> 3"
-    assert (
-        wish_text(STATE, Wish((PauseRobot(R0), PauseRobot("robot_1")))) == "robot_0 pause and 1 more like it"
-    )
+    assert wish_text(STATE, Wish((PauseRobot(R0), PauseRobot("robot_1")))) == "pause all"
 
 
 def at(wall: float) -> str:

@@ -1,0 +1,71 @@
+"""Commands given together: one request to many robots, and how it stands as a whole."""
+
+from collections import defaultdict
+from collections.abc import Sequence
+
+from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.fleet import FleetState
+
+TOGETHER = 0.3
+"""Commands of one kind with less than so many seconds in between are one request."""
+NAMED = 3
+"""Robots that a summary names for each thing that is not well."""
+
+_WORDS = {
+    Stage.CONFIRMED: "confirmed",
+    Stage.LATE: "confirmed",
+    Stage.TAKEN: "accepted",
+    Stage.REFUSED: "refused",
+    Stage.NOT_SENT: "not sent",
+}
+_WELL = ("confirmed", "accepted")
+
+
+def batches(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
+    """Divide commands into those that were given together, in the order in which they were given."""
+    found: list[list[CommandRecord]] = []
+    for record in records:
+        last = found[-1][-1] if found else None
+        alike = last is not None and type(last.command) is type(record.command)
+        if last is not None and alike and record.issued_at - last.issued_at < TOGETHER:
+            found[-1].append(record)
+        else:
+            found.append([record])
+    return found
+
+
+def pauses(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
+    """Keep the batches that paused or resumed several robots."""
+    return [
+        batch
+        for batch in batches(records)
+        if len(batch) > 1 and isinstance(batch[0].command, PauseRobot | ResumeRobot)
+    ]
+
+
+def batch_name(state: FleetState, commands: Sequence[Command]) -> str:
+    """Name pauses or resumes of several robots: `pause all`, `resume 3 robots`."""
+    robots = {command.robot for command in commands}
+    verb = "pause" if isinstance(commands[0], PauseRobot) else "resume"
+    return f"{verb} all" if robots == set(state.robots) else f"{verb} {len(robots)} robots"
+
+
+def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str]:
+    """Summarise a batch: `pause all` and `98 confirmed, 2 open (robot_5, robot_9)`. What is open may still
+    be carried out, or was, unseen."""
+    found: dict[str, list[CommandRecord]] = defaultdict(list)
+    for record in batch:
+        found[_WORDS.get(record.stage, "open")].append(record)
+    words = dict.fromkeys([*_WELL, *_WORDS.values(), "open"])
+    parts = [_part(word, found[word]) for word in words if word in found]
+    return batch_name(state, [record.command for record in batch]), ", ".join(parts)
+
+
+def _part(word: str, records: Sequence[CommandRecord]) -> str:
+    if word in _WELL:
+        return f"{len(records)} {word}"
+    robots = list(dict.fromkeys(record.command.robot for record in records))
+    some = ", ".join(robots[:NAMED]) + (", …" if len(robots) > NAMED else "")
+    reasons = {record.words for record in records}
+    reason = f": {reasons.pop()}" if len(reasons) == 1 and word != "open" else ""
+    return f"{len(records)} {word} ({some}){reason.rstrip(': ')}"
