@@ -3,7 +3,7 @@
 import asyncio
 import json
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import msgspec
@@ -15,6 +15,7 @@ from fleet_tui.config.schema import DEFAULT_LINK, Config, Link, RobotEntry
 from fleet_tui.errors import ConfigError, FleetError, LinkError
 from fleet_tui.headless.doctor.approach import Approach
 from fleet_tui.headless.doctor.causes import rosapi_remedy
+from fleet_tui.headless.doctor.facts import Rosapi
 from fleet_tui.headless.doctor.finding import Verdict
 from fleet_tui.headless.doctor.gather import asked_topics
 from fleet_tui.headless.doctor.listening import listen
@@ -65,14 +66,14 @@ async def _ask(config: Config, until: float) -> tuple[Site, dict[str, str]]:
         wire.close()
     published = {name: type_ for name, type_ in rosapi.topics.items() if rosapi.has(name)}
     site = site_of(published, {name: rosapi.services[name] or "" for name in services})
-    return site, await _frames(config.bridge(DEFAULT_LINK), site, published, until)
+    return site, await _frames(config.bridge(DEFAULT_LINK), site, rosapi, until)
 
 
-async def _frames(bridge: Link, site: Site, types: Mapping[str, str], until: float) -> dict[str, str]:
+async def _frames(bridge: Link, site: Site, rosapi: Rosapi, until: float) -> dict[str, str]:
     """The frame_id of each robot's poses, of those that speak."""
     config = Config(robots=[RobotEntry(robot) for robot in site.robots], profile=Profile(topics=site.topics))
     poses = [one for one in asked_topics(config, DEFAULT_LINK) if one.kind.fast]
-    heard, _ = await listen(bridge, poses, types, until)
+    heard, _ = await listen(bridge, poses, rosapi, until)
     events = [facts.event for facts in heard]
     return {one.robot: one.frame_id.lstrip("/") for one in events if isinstance(one, PoseReported)}
 

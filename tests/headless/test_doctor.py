@@ -154,7 +154,7 @@ async def test_one_robot_of_many(server: RosbridgeServer, tmp_path: Path) -> Non
     done = await run(tmp_path, "doctor", "--robot", "robot_0")
     assert done.code == 0 and "robot_0 pose:" in done.out and "robot_1" not in done.out
     asked = [operation["topic"] for operation in server.received if operation["op"] == "subscribe"]
-    assert asked and all(topic.startswith("/robot_0/") for topic in asked)
+    assert asked.pop(0) == "/rosout" and asked and all(topic.startswith("/robot_0/") for topic in asked)
     slip = await run(tmp_path, "doctor", "--robot", "robot_00")
     assert slip.code == 2 and "--robot robot_00: no such robot, did you mean robot_0?" in slip.err
 

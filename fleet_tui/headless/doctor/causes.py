@@ -130,13 +130,14 @@ def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:
     names = frozenset(one.topic for one in silent)
     nodes = sorted({node for name in names for node in rosapi.publishers.get(name, ())})
     by = f", published by {listed(nodes)}" if nodes else ""
+    said = next((f"; rosbridge says: {one.complaint}" for one in silent if one.complaint), "")
     yield Cause(
         Finding(
             facts.name,
             "messages",
             Verdict.FAIL,
             f"the bridge does not know {package}: nothing comes on {listed(sorted(names))}{by}; other topics"
-            " of the same robots come",
+            f" of the same robots come{said}",
             f"source the workspace that has {package} before starting rosbridge, and restart it so",
             {"package": package, "topics": len(names)},
         ),

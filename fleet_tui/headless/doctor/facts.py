@@ -50,7 +50,9 @@ class TopicFacts:
     """What came on one topic. Seconds: `waited` for it, `first_after` the subscribe, `age` of the last.
 
     `event` is the last message that could be read, `problem` why another could not. `lag`: the least
-    of arrival by our clock minus the robot's stamp.
+    of arrival by our clock minus the robot's stamp, `late`: the last of it beyond the least. `again`: it
+    was asked for once more, plainly; `fragmented`: bytes of a message that came in pieces; `held_by`: the
+    bridge's node, where it held the topic still when we had let go; `complaint`: what its log says of it.
     """
 
     wanted: Wanted
@@ -64,6 +66,11 @@ class TopicFacts:
     event: Event | None = None
     problem: str = ""
     lag: float | None = None
+    late: float | None = None
+    again: bool = False
+    fragmented: int = 0
+    held_by: str = ""
+    complaint: str = ""
 
     @property
     def topic(self) -> str:
@@ -78,8 +85,9 @@ class TopicFacts:
 
 @dataclass(frozen=True, slots=True)
 class BridgeFacts:
-    """Everything about one bridge that answers. `round_trips` in seconds; `ahead`: by how many seconds
-    its clock is ahead of ours, None where it does not say; `lost`: why the link ended meanwhile."""
+    """Everything about one bridge that answers. `round_trips` in seconds, `busy_trips` those while all
+    topics came; `ahead`: by how many seconds its clock is ahead of ours, None where it does not say;
+    `lost`: why the link ended meanwhile."""
 
     name: str
     rosapi: Rosapi
@@ -87,6 +95,7 @@ class BridgeFacts:
     round_trips: tuple[float, ...] = ()
     ahead: float | None = None
     lost: str = ""
+    busy_trips: tuple[float, ...] = ()
 
     def of(self, robot: str) -> list[TopicFacts]:
         """A robot's topics."""

@@ -2,6 +2,7 @@
 
 import asyncio
 import time
+from contextlib import suppress
 
 from fleet_tui.config.profile import SERVICES
 from fleet_tui.config.schema import Config
@@ -21,19 +22,21 @@ from fleet_tui.robots import KINDS
 from fleet_tui.rosbridge.type_names import same_type
 
 ROUND_TRIPS = 10
+BETWEEN = 0.1  # seconds between two of them while all topics come
 
 
-async def measure_calls(wire: Wire) -> tuple[float, ...]:
+async def measure_calls(wire: Wire, pause: float = 0.0) -> tuple[float, ...]:
     """Round trips to the bridge itself in seconds, one after the other."""
     trips = list[float]()
     until = time.monotonic() + ANSWER_WITHIN
     while len(trips) < ROUND_TRIPS and time.monotonic() < until:
         began = time.monotonic()
-        try:
+        with suppress(LinkError):
             await wire.beat(ANSWER_WITHIN)
-        except LinkError:
+        if wire.lost:
             break
         trips.append(time.monotonic() - began)
+        await asyncio.sleep(pause)
     return tuple(trips)
 
 
@@ -68,9 +71,10 @@ async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeF
     rosapi, ahead = await look_around(wire), None
     drawn = [floor.name for floor in config.floors if floor.map]
     wanted = asked_topics(config, name)
-    listening = asyncio.ensure_future(listen(config.bridge(name), wanted, rosapi.topics, until, drawn))
+    listening = asyncio.ensure_future(listen(config.bridge(name), wanted, rosapi, until, drawn))
     if not rosapi.problem:
         ahead = await clock_ahead(wire)
         rosapi = await _look_up(config, name, wire, rosapi, until)
+    busy = () if listening.done() else await measure_calls(wire, BETWEEN)
     topics, lost = await listening
-    return BridgeFacts(name, rosapi, tuple(topics), trips, ahead, wire.lost or lost)
+    return BridgeFacts(name, rosapi, tuple(topics), trips, ahead, wire.lost or lost, busy)

@@ -4,11 +4,14 @@ import asyncio
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
+from dataclasses import replace
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
-from fleet_tui.headless.doctor.facts import TopicFacts, is_hidden
+from fleet_tui.headless.doctor.facts import Rosapi, TopicFacts, is_hidden
+from fleet_tui.headless.doctor.rosapi import subscribers
 from fleet_tui.headless.doctor.wire import Wire
+from fleet_tui.link.reading import ROSOUT
 from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.rosbridge.type_names import same_type
 
@@ -20,27 +23,32 @@ BATCH = 20  # subscribes, of which a real bridge needs 20 ms for each
 SHARE = 150  # topics of one connection, 3 s of subscribing; the bridge works on several side by side
 ENOUGH = 3  # messages of a topic to tell its rate; poses are the fast ones
 ENOUGH_FAST = 10
+# Seconds for which a topic is let go, so that the bridge forgets how it was subscribed, and for which it is
+# listened to again; and for how many of them it is asked who holds them meanwhile.
+LET_GO, SECOND_TRY, MOST_HELD = 0.7, 2.0, 20
 
 Asked = list[tuple[Wanted, str]]
 
 
 async def listen(
-    bridge: Link, wanted: list[Wanted], types: Mapping[str, str], until: float, drawn: Iterable[str] = ()
+    bridge: Link, wanted: list[Wanted], rosapi: Rosapi, until: float, drawn: Iterable[str] = ()
 ) -> tuple[list[TopicFacts], str]:
     """Listen to all topics together until each has said enough, or the time is over; with them why a
     connection was lost meanwhile. `drawn`: floors whose live map nobody needs."""
-    asked = list(_worth_hearing(wanted, types, drawn))
+    asked = list(_worth_hearing(wanted, rosapi.topics, drawn))
     count = -(-len(asked) // SHARE)
     wires = [Wire(bridge) for _ in range(count)]
     try:
-        await asyncio.gather(*(_hear(wire, asked[n::count], until) for n, wire in enumerate(wires)))
+        await asyncio.gather(*(_hear(wire, asked[n::count], rosapi, until) for n, wire in enumerate(wires)))
         now = time.monotonic()
         heard = {topic: one.facts(now) for wire in wires for topic, one in wire.heard.items()}
+        complaints = {topic: words for wire in wires for topic, words in wire.complaints.items()}
         lost = next((wire.lost for wire in wires if wire.lost), "")
     finally:
         for wire in wires:
             wire.close()
-    return [heard.get(one.subscription.topic) or TopicFacts(one) for one in wanted], lost
+    found = (heard.get(one.subscription.topic) or TopicFacts(one) for one in wanted)
+    return [replace(one, complaint=complaints.get(one.topic, "")) for one in found], lost
 
 
 def _worth_hearing(
@@ -61,21 +69,28 @@ def _worth_hearing(
         yield one, types.get(topic, type_)
 
 
-async def _hear(wire: Wire, topics: Asked, until: float) -> None:
+async def _hear(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None:
     if await wire.connect(min(CONNECT_WITHIN, until - time.monotonic())):
         return
     with suppress(LinkError):
-        await _subscribe(wire, topics, until)
-        began = time.monotonic()
-        until = min(until, began + AT_MOST)
-        while time.monotonic() < until and not wire.lost:
-            await asyncio.sleep(0.05)
-            enough = all(heard.count >= _enough(heard.wanted) for heard in wire.heard.values())
-            if enough and time.monotonic() > began + AT_LEAST:
-                break
+        if ROSOUT in rosapi.topics:
+            wire.overhear(rosapi.topics[ROSOUT])
+        await _subscribe(wire, topics, rosapi.ros != 1, until)
+        await _wait(wire, [one for one, _ in topics], min(until, time.monotonic() + AT_MOST))
+        if rosapi.ros != 1:
+            await _ask_again(wire, topics, rosapi, until)
 
 
-async def _subscribe(wire: Wire, topics: Asked, until: float) -> None:
+async def _wait(wire: Wire, topics: list[Wanted], until: float) -> None:
+    least = time.monotonic() + AT_LEAST
+    while time.monotonic() < until and not wire.lost:
+        await asyncio.sleep(0.05)
+        enough = all(wire.heard[one.subscription.topic].count >= _enough(one) for one in topics)
+        if enough and time.monotonic() > least:
+            return
+
+
+async def _subscribe(wire: Wire, topics: Asked, latched: bool, until: float) -> None:
     """Subscribe, some at a time: a call is answered when the subscribes before it are done.
 
     Raises LinkError.
@@ -83,10 +98,36 @@ async def _subscribe(wire: Wire, topics: Asked, until: float) -> None:
     for first in range(0, len(topics), BATCH):
         batch = topics[first : first + BATCH]
         for one, type_ in batch:
-            wire.subscribe(one, type_)
+            wire.subscribe(one, type_, latched and one.kind.per_floor)
         await wire.beat(max(0.1, until - time.monotonic()))
         for one, _ in batch:
             wire.heard[one.subscription.topic].since = time.monotonic()
+
+
+async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None:
+    """Ask plainly for what a floor's topics did not bring, to tell why. Raises LinkError.
+
+    A bridge of ROS 2 chooses the quality of service once, for all its clients, and sends nothing binary
+    that is larger than its limit.
+    """
+    silent = [(one, type_) for one, type_ in topics if _is_silent(wire, one)]
+    if not silent or until - time.monotonic() < LET_GO + SECOND_TRY:
+        return
+    for one, _ in silent:
+        wire.let_go(one.subscription.topic)
+    await asyncio.sleep(LET_GO)
+    for one, _ in silent[:MOST_HELD] if not rosapi.problem else ():
+        topic = one.subscription.topic
+        holders = await subscribers(wire, topic)
+        wire.heard[topic].held_by = next((node for node in holders if "rosbridge" in node), "")
+    for one, type_ in silent:
+        wire.ask_plainly(one, type_)
+    await _wait(wire, [one for one, _ in silent], min(until, time.monotonic() + SECOND_TRY))
+
+
+def _is_silent(wire: Wire, wanted: Wanted) -> bool:
+    heard = wire.heard[wanted.subscription.topic]
+    return wanted.kind.per_floor and not heard.count and not heard.fragmented
 
 
 def _enough(wanted: Wanted) -> int:

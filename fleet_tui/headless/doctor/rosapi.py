@@ -85,6 +85,12 @@ async def ask_publishers(wire: Wire, rosapi: Rosapi, topics: Iterable[str], unti
     return replace(rosapi, publishers={**rosapi.publishers, **found})
 
 
+async def subscribers(wire: Wire, topic: str) -> list[str]:
+    """The nodes that are subscribed to a topic."""
+    nodes = await _ask(wire, "subscribers", {"topic": topic}, "subscribers")
+    return [str(node) for node in nodes] if isinstance(nodes, list) else []
+
+
 async def ask_services(wire: Wire, rosapi: Rosapi, services: Iterable[str], until: float) -> Rosapi:
     """Add the types of these services, then their nodes, as far as there is time."""
     there = [service for service in services if service in rosapi.services]

@@ -17,7 +17,7 @@ from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.headless.doctor.approach import Approach
 from fleet_tui.headless.doctor.causes import causes_of, rosapi_finding
 from fleet_tui.headless.doctor.charts import Chart, charts_of
-from fleet_tui.headless.doctor.clocks import clock_findings, round_trip_finding
+from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.floors import floor_findings, place_finding, placed_grid
@@ -73,6 +73,7 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
     """What one bridge that answers is judged by."""
     yield round_trip_finding(facts)
     yield rosapi_finding(facts)
+    yield load_finding(facts)
     if facts.lost:
         remedy = "see the log of rosbridge: the rest was measured on what came before"
         yield Finding(facts.name, "link", Verdict.FAIL, f"it broke while measuring: {facts.lost}", remedy)

@@ -156,14 +156,34 @@ def _what_came(config: Config, facts: TopicFacts, rosapi: Rosapi) -> Finding:
         "first_after_s": None if facts.first_after is None else round(facts.first_after, 3),
     }
     verdict, measured, remedy = _judged(config, facts) if facts.count else _nothing_came(facts, rosapi)
+    if facts.fragmented or (facts.again and facts.count):
+        verdict, measured, remedy = _asked_again(facts, rosapi)
     if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
         remedy += f" ({UNSEEN}: are [profile.topics] {facts.wanted.kind.key} and its type right?)"
     if verdict is Verdict.OK:
         measured = f"{measured}, {facts.wanted.subscription.type}"
-    by = f", by {listed(nodes)}" if nodes else ""
+    by = f", by {listed(nodes)}" if nodes and verdict is not Verdict.SKIPPED else ""
     if verdict is Verdict.OK and nodes and len(nodes) > 1:
         verdict, remedy = Verdict.WARN, f"{len(nodes)} nodes speak for one robot: stop all but one"
     return _finding(facts, verdict, f"{measured}{by}", remedy, **values)
+
+
+def _asked_again(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
+    """Why a floor's topic came only when it was asked for plainly, or in pieces."""
+    if facts.fragmented:
+        binary = "never as cbor, " if facts.wanted.kind.heavy else ""
+        return (
+            Verdict.WARN,
+            f"comes {binary}only in pieces of JSON ({facts.fragmented / 1e6:.1f} MB): it is larger than the"
+            " bridge's max_message_size",
+            "start rosbridge with a larger max_message_size (10 MB in its launch file, 1 MB with ros2 run)",
+        )
+    asked = "cbor, or quality of service" if facts.wanted.kind.heavy else "quality of service"
+    return (
+        Verdict.WARN,
+        f"came only when it was asked for without {asked}: its publisher is volatile",
+        f"who subscribes late must get it at once: publish it {named(LATCHED, rosapi.ros)}",
+    )
 
 
 def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
@@ -174,9 +194,18 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
         return Verdict.SKIPPED, "an action's: it is in no list, and nothing comes before the first goal", ""
     nodes = rosapi.publishers.get(facts.topic)
     nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
+    if facts.complaint:
+        nothing += f", rosbridge says: {facts.complaint}"
     if not facts.wanted.kind.per_floor:
         look = named(LOOK_FOR_NODE, rosapi.ros, nodes[0] if nodes else "")
         return Verdict.FAIL, nothing, f"does the node that publishes it run ({look})?"
+    if facts.held_by and nodes:
+        return (
+            Verdict.FAIL,
+            f"{nothing}: another client of the bridge took it before its publisher was found, and so nobody"
+            f" gets the last value; that is no fault of {nodes[0]}",
+            "restart rosbridge, or let all its clients go for a second",
+        )
     optional = key in ("map", "map_metadata") and nodes is None
     late = f"who subscribes late must get it: publish it {named(LATCHED, rosapi.ros)}"
     return (Verdict.WARN if optional else Verdict.FAIL), nothing, late
