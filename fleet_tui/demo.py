@@ -8,19 +8,23 @@ from contextlib import contextmanager
 
 import msgspec
 
-from fleet_tui.config.profile import Profile
+from fleet_tui.config.profile import SERVICES, TOPICS, Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.errors import FleetError
+from fleet_tui.simulator.ros.ros2 import ROS2
 
 # Seconds for the simulator to end by itself.
 PATIENCE = 1.0
 
 
 @contextmanager
-def simulated(robots: int, floors: int, faults: str = "") -> Iterator[str]:
+def simulated(
+    robots: int, floors: int, faults: str = "", speed: float = 1.0, ros: str = "1"
+) -> Iterator[str]:
     """Start the simulator on a free port; its URL. It ends with us, even if we are killed."""
     command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0", "--stop-with-stdin"]
     command += ["--robots", str(robots), "--floors", str(floors), "--fault", faults]
+    command += ["--speed", str(speed), "--ros", ros]
     with subprocess.Popen(
         command,
         stdin=subprocess.PIPE,
@@ -45,7 +49,7 @@ def simulated(robots: int, floors: int, faults: str = "") -> Iterator[str]:
                 child.kill()
 
 
-def demo_config(found: Config, url: str, robots: int, floors: int) -> Config:
+def demo_config(found: Config, url: str, robots: int, floors: int, ros: str = "1") -> Config:
     """Theme and keys of the config found; links, floors and robots of the simulator."""
     return msgspec.structs.replace(
         found,
@@ -53,6 +57,17 @@ def demo_config(found: Config, url: str, robots: int, floors: int) -> Config:
         links={},
         floors=[FloorEntry(f"floor_{n}") for n in range(floors)],
         robots=[RobotEntry(f"robot_{n}") for n in range(robots)],
-        # The simulated robots tell whether they are paused.
-        profile=Profile(topics={"paused": "/{robot}/paused"}),
+        profile=_profile(ros),
+    )
+
+
+def _profile(ros: str) -> Profile:
+    # The simulated robots tell whether they are paused.
+    topics = {"paused": "/{robot}/paused"}
+    if ros == "1":
+        return Profile(topics=topics)
+    return Profile(
+        topics=topics,
+        types={key: ROS2.message_type(type_) for key, (_, type_) in TOPICS.items()},
+        service_types={key: ROS2.service_type(type_) for key, (_, type_) in SERVICES.items()},
     )

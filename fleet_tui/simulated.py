@@ -25,6 +25,21 @@ def _faults(command: F) -> F:
     )(command)
 
 
+def _simulation(command: F) -> F:
+    """How the simulator behaves, faults aside."""
+    speed = click.option(
+        "--speed",
+        type=click.FloatRange(0.1, 100.0),
+        default=1.0,
+        show_default=True,
+        help="Seconds of the robots' time in a second; the rates on the wire stay.",
+    )
+    ros = click.option(
+        "--ros", type=click.Choice(["1", "2"]), default="1", show_default=True, help="Generation of ROS."
+    )
+    return speed(ros(_faults(command)))
+
+
 @click.group()
 def simulated() -> None:
     """Holds the commands; the command line shows them as its own."""
@@ -33,7 +48,7 @@ def simulated() -> None:
 @simulated.command(epilog=FAULT_LIST)
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
-@_faults
+@_simulation
 @screen
 @common
 @merged
@@ -43,6 +58,8 @@ def demo(
     robots: int,
     floors: int,
     fault: str,
+    speed: float,
+    ros: str,
     read_only: bool,
     drawing: str | None,
 ) -> None:
@@ -50,11 +67,11 @@ def demo(
     from fleet_tui.demo import simulated as running
 
     parse_faults(fault, [f"robot_{n}" for n in range(robots)])
-    with running(robots, floors, fault) as url:
+    with running(robots, floors, fault, speed, ros) as url:
         from fleet_tui.console import open_console
         from fleet_tui.demo import demo_config
 
-        config = demo_config(load(find(config_file)), url, robots, floors)
+        config = demo_config(load(find(config_file)), url, robots, floors, ros)
         open_console(config, read_only, drawing, debug, demo=True)
 
 
@@ -72,7 +89,7 @@ def demo(
 @click.option(
     "--first", type=click.IntRange(0, 9999), default=0, show_default=True, help="Number of the first robot."
 )
-@_faults
+@_simulation
 @common
 @merged
 def sim(
@@ -86,9 +103,11 @@ def sim(
     stop_with_stdin: bool,
     first: int,
     fault: str,
+    speed: float,
+    ros: str,
 ) -> None:
     """Serve a simulated fleet to several consoles, until Ctrl-C."""
     from fleet_tui.simulator.run import run
 
     announce = partial(click.echo, nl=True)
-    run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first)
+    run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros)

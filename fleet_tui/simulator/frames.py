@@ -5,7 +5,9 @@ Kept apart from the client's codec on purpose: two sides that share one agree on
 
 import base64
 import io
+import json
 import math
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any, Literal
 
@@ -17,13 +19,16 @@ from PIL import Image
 Frame = str | bytes
 """A text or a binary WebSocket message."""
 
-Compression = Literal["none", "png", "cbor"]
+Compression = Literal["none", "png", "cbor", "cbor-raw"]
 
-INT8_ARRAY = 72  # the CBOR tag of RFC 8746
+TAGS = {"int8": 72, "float32": 85, "float64": 86}  # the CBOR tags of RFC 8746 for little-endian arrays
 
 
 def _as_list(value: Any) -> Any:
     if isinstance(value, np.ndarray):
+        # An array of fixed length on ROS 2: its NaN and Infinity stand bare in the text.
+        if value.dtype.kind == "f":
+            return msgspec.Raw(json.dumps(value.tolist(), separators=(",", ":")).encode())
         return value.tolist()
     raise TypeError(f"{type(value)} has no place in a ROS message")
 
@@ -31,7 +36,7 @@ def _as_list(value: Any) -> Any:
 def _as_tag(encoder: cbor2.CBOREncoder, value: Any) -> None:
     if not isinstance(value, np.ndarray):
         raise TypeError(f"{type(value)} has no place in a ROS message")
-    encoder.encode(cbor2.CBORTag(INT8_ARRAY, value.tobytes()))
+    encoder.encode(cbor2.CBORTag(TAGS[value.dtype.name], value.tobytes()))
 
 
 _JSON = msgspec.json.Encoder(enc_hook=_as_list)
@@ -43,10 +48,13 @@ def to_json(value: Any) -> str:
 
 
 class Payload:
-    """A message, encoded at most once in each way however many topics and clients it goes to."""
+    """A message, encoded at most once in each way however many topics and clients it goes to.
 
-    def __init__(self, msg: Any) -> None:
-        self._msg = msg
+    `raw` makes of it what cbor-raw carries: the time and the message as ROS itself encodes it.
+    """
+
+    def __init__(self, msg: Any, raw: Callable[[Any], Any] | None = None) -> None:
+        self._msg, self._raw = msg, raw
 
     @cached_property
     def json(self) -> str:
@@ -57,6 +65,11 @@ class Payload:
     def cbor(self) -> bytes:
         """The message as CBOR, int8 arrays as typed arrays."""
         return cbor2.dumps(self._msg, default=_as_tag)
+
+    @cached_property
+    def cbor_raw(self) -> bytes:
+        """The time and ROS's own encoding as CBOR."""
+        return cbor2.dumps(self._raw(self._msg) if self._raw else self._msg, default=_as_tag)
 
 
 class Publication:
@@ -69,6 +82,8 @@ class Publication:
         """The frame for a client that asked for this compression."""
         if compression == "cbor":
             return self._cbor
+        if compression == "cbor-raw":
+            return self._cbor_raw
         return self._png if compression == "png" else self._text
 
     @cached_property
@@ -77,8 +92,15 @@ class Publication:
 
     @cached_property
     def _cbor(self) -> bytes:
+        return self._binary(self._payload.cbor)
+
+    @cached_property
+    def _cbor_raw(self) -> bytes:
+        return self._binary(self._payload.cbor_raw)
+
+    def _binary(self, msg: bytes) -> bytes:
         head = b"\xa3" + cbor2.dumps("op") + cbor2.dumps("publish") + cbor2.dumps("topic")
-        return head + cbor2.dumps(self._topic) + cbor2.dumps("msg") + self._payload.cbor
+        return head + cbor2.dumps(self._topic) + cbor2.dumps("msg") + msg
 
     @cached_property
     def _png(self) -> str:

@@ -2,7 +2,7 @@
 
 import math
 import struct
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from itertools import count
@@ -11,6 +11,9 @@ from typing import Any
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.robot import Robot
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.encoding import encode
+from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.warehouse import Floor
 from fleet_tui.simulator.world import World
 
@@ -22,7 +25,8 @@ class Topic:
     """A topic: `payload` makes what is published now from the wall time in seconds since 1970.
 
     `robot` is whose telemetry it is: published at the server's rate where `fast`, else twice a second.
-    Latched topics are said once to every subscriber.
+    Latched topics are said once to every subscriber:
+    what `history` has, or where that is None `payload`.
     """
 
     name: str
@@ -31,30 +35,38 @@ class Topic:
     robot: Robot | None = None
     fast: bool = False
     latched: bool = False
+    history: Callable[[], Iterable[Payload]] | None = None
 
 
-def topics_of(world: World, loaded_at: float) -> Iterator[Topic]:
+def topics_of(world: World, loaded_at: float, dialect: Dialect = ROS1) -> Iterator[Topic]:
     """Every topic of a world whose maps were loaded at this wall time."""
     for robot in world.robots.values():
-        yield Topic(f"/{robot.name}/pose", "geometry_msgs/PoseStamped", _poses(robot), robot, fast=True)
+        type_ = dialect.message_type("geometry_msgs/PoseStamped")
+        yield Topic(f"/{robot.name}/pose", type_, _poses(robot, dialect), robot, fast=True)
         for name, (type_, message) in _TELEMETRY.items():
-            yield Topic(f"/{robot.name}/{name}", type_, partial(_now, message, robot), robot)
+            payload = partial(_now, message, robot, dialect, type_)
+            yield Topic(f"/{robot.name}/{name}", dialect.message_type(type_), payload, robot)
     for floor in world.building.floors:
         for name, type_, value in (
-            ("map_metadata", "nav_msgs/MapMetaData", _metadata(loaded_at)),
+            ("map_metadata", "nav_msgs/MapMetaData", _metadata(loaded_at, dialect)),
             ("graph", "OH_ressources/Graph", _graph(floor)),
             ("labeled_vertices", "OH_ressources/LabeledVertices", _labels(floor)),
-            ("map", "nav_msgs/OccupancyGrid", _map(floor, loaded_at)),
+            ("map", "nav_msgs/OccupancyGrid", _map(floor, loaded_at, dialect)),
         ):
-            always = partial(_always, Payload(value))
+            always = partial(_always, raw_payload(dialect, type_, loaded_at, value))
             for robot in world.robots.values():
-                yield Topic(f"/{robot.name}/{floor.name}/{name}", type_, always, latched=True)
+                topic = f"/{robot.name}/{floor.name}/{name}"
+                yield Topic(topic, dialect.message_type(type_), always, latched=True)
 
 
-def stamp(seconds: float) -> Message:
-    """A ROS 1 time from seconds since 1970."""
-    whole = math.floor(seconds)
-    return {"secs": whole, "nsecs": int((seconds - whole) * 1e9)}
+def raw_payload(dialect: Dialect, type_: str, now: float, value: Message) -> Payload:
+    """A message that cbor-raw can carry too."""
+
+    def raw(msg: Message) -> Message:
+        told = dialect.short(dialect.message_type(type_))
+        return {**dialect.time(now), "bytes": encode(dialect, told, msg)}
+
+    return Payload(value, raw)
 
 
 def float32(value: float) -> float:
@@ -66,19 +78,22 @@ def _always(payload: Payload, _now: float) -> Payload:
     return payload
 
 
-def _now(message: Callable[[Robot], Message], robot: Robot, _now: float) -> Payload:
-    return Payload(message(robot))
+def _now(
+    message: Callable[[Robot], Message], robot: Robot, dialect: Dialect, type_: str, now: float
+) -> Payload:
+    return raw_payload(dialect, type_, now, message(robot))
 
 
-def _poses(robot: Robot) -> Callable[[float], Payload]:
+def _poses(robot: Robot, dialect: Dialect) -> Callable[[float], Payload]:
     said = count(1)
 
     def payload(now: float) -> Payload:
         half = robot.pose.yaw / 2.0
-        header = {"seq": next(said), "stamp": stamp(now), "frame_id": robot.floor.name}
+        header = dialect.header(next(said), now, robot.floor.name)
         position = {"x": robot.pose.x, "y": robot.pose.y, "z": 0.0}
         orientation = {"x": 0.0, "y": 0.0, "z": math.sin(half), "w": math.cos(half)}
-        return Payload({"header": header, "pose": {"position": position, "orientation": orientation}})
+        message = {"header": header, "pose": {"position": position, "orientation": orientation}}
+        return raw_payload(dialect, "geometry_msgs/PoseStamped", now, message)
 
     return payload
 
@@ -121,10 +136,10 @@ _TELEMETRY: Mapping[str, tuple[str, Callable[[Robot], Message]]] = {
 }
 
 
-def _metadata(loaded_at: float) -> Message:
+def _metadata(loaded_at: float, dialect: Dialect) -> Message:
     x, y = ORIGIN
     return {
-        "map_load_time": stamp(loaded_at),
+        "map_load_time": dialect.time(loaded_at),
         "resolution": float32(RESOLUTION),
         "width": WIDTH,
         "height": HEIGHT,
@@ -149,6 +164,6 @@ def _labels(floor: Floor) -> Message:
     return {"vertices": [{"label": label, "vertex_id": id_} for id_, label in floor.labels.items()]}
 
 
-def _map(floor: Floor, loaded_at: float) -> Message:
-    header = {"seq": 1, "stamp": stamp(loaded_at), "frame_id": floor.name}
-    return {"header": header, "info": _metadata(loaded_at), "data": floor.cells.ravel()}
+def _map(floor: Floor, loaded_at: float, dialect: Dialect) -> Message:
+    header = dialect.header(1, loaded_at, floor.name)
+    return {"header": header, "info": _metadata(loaded_at, dialect), "data": floor.cells.ravel()}

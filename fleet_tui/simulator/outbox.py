@@ -7,6 +7,7 @@ from itertools import count
 
 from fleet_tui.simulator.frames import Compression, Frame
 
+COMPRESSIONS: tuple[Compression, ...] = ("cbor-raw", "cbor", "png", "none")  # the first that is asked for
 UNBUFFERED = 1000  # the real bridge blocks everybody at queue_length 0; here a slow client loses the oldest
 SLACK = 0.005  # seconds a throttled message may come early, so that a 10 Hz topic fits a throttle of 100 ms
 
@@ -37,7 +38,7 @@ class Subscription:
         self.throttle = min(wish.throttle for wish in wishes)
         self.queue_length = min(wish.queue_length for wish in wishes)
         asked = {wish.compression for wish in wishes}
-        self.compression = "cbor" if "cbor" in asked else "png" if "png" in asked else "none"
+        self.compression = next(one for one in COMPRESSIONS if one in asked)
         self.waiting = deque(self.waiting, maxlen=self.queue_length or UNBUFFERED)
 
     def sent(self, now: float) -> None:

@@ -1,85 +1,186 @@
-"""rosapi: what topics, services and types there are. An unknown name gets an empty answer, no error."""
+"""rosapi: what topics, services, nodes and types there are. An unknown name gets an empty answer."""
 
-from collections.abc import Callable, Mapping
+import json
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from fleet_tui.simulator.messages import stamp
-from fleet_tui.simulator.ros_types import ServiceType, fill
+from fleet_tui.simulator.ros.definitions import MESSAGES
+from fleet_tui.simulator.ros.definitions import SERVICES as DEFINED_SERVICES
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.filling import fill
+from fleet_tui.simulator.ros.typedefs import message_typedefs, service_typedefs
+from fleet_tui.simulator.ros_types import NodeDiedError, ServiceType, service_type
 
 FLEET, BRIDGE, ROSAPI = "/fleet", "/rosbridge_websocket", "/rosapi"
+OF_THE_BRIDGE = ("/client_count", "/connected_clients", "/rosout")
 Values = dict[str, Any]
 
-_TOPIC, _SERVICE, _TYPE = {"topic": "string"}, {"service": "string"}, {"type": "string"}
-_NONE: Mapping[str, str] = {}
+_TYPES = {"get_ros_version": "GetROSVersion", "action_servers": "GetActionServers"}
 
-SERVICES: Mapping[str, ServiceType] = {
-    f"{ROSAPI}/{name}": ServiceType(type_, fields)
-    for name, type_, fields in (
-        ("topics", "rosapi/Topics", _NONE),
-        ("topics_for_type", "rosapi/TopicsForType", _TYPE),
-        ("services", "rosapi/Services", _NONE),
-        ("nodes", "rosapi/Nodes", _NONE),
-        ("topic_type", "rosapi/TopicType", _TOPIC),
-        ("service_type", "rosapi/ServiceType", _SERVICE),
-        ("service_node", "rosapi/ServiceNode", _SERVICE),
-        ("publishers", "rosapi/Publishers", _TOPIC),
-        ("subscribers", "rosapi/Subscribers", _TOPIC),
-        ("message_details", "rosapi/MessageDetails", _TYPE),
-        ("service_request_details", "rosapi/ServiceRequestDetails", _TYPE),
-        ("get_time", "rosapi/GetTime", _NONE),
-    )
-}
+
+def rosapi_services(dialect: Dialect) -> Mapping[str, ServiceType]:
+    """rosapi's services by name."""
+    return {f"{ROSAPI}/{verb}": service_type(dialect, _type(dialect, verb)) for verb in dialect.rosapi_verbs}
+
+
+def _type(dialect: Dialect, verb: str) -> str:
+    name = _TYPES.get(verb, "".join(map(str.capitalize, verb.split("_"))))
+    newer = f"rosapi_msgs/{name}"
+    return newer if dialect.version == 2 and newer in DEFINED_SERVICES else f"rosapi/{name}"
 
 
 class Rosapi:
-    """Answers about the topics and services given as name -> type; both may change later."""
+    """Answers about the topics and services given as name -> type; both may change later.
+
+    `subscribed`: the topics to which the bridge is subscribed, with the types it asked for; `clock`: the wall
+    time; `own`: whether a topic or service is a client's of the bridge.
+    """
 
     def __init__(
         self,
+        dialect: Dialect,
         topics: Mapping[str, str],
         services: Mapping[str, ServiceType],
-        subscribed: Callable[[str], bool],
+        subscribed: Callable[[], Mapping[str, str]],
         clock: Callable[[], float],
+        own: Callable[[str], bool],
     ) -> None:
-        self._topics, self._services = topics, services
-        self._subscribed, self._clock = subscribed, clock
+        self._dialect, self._topics, self._services = dialect, topics, services
+        self._subscribed, self._clock, self._own = subscribed, clock, own
+        self.services = rosapi_services(dialect)
+        self._params: Values = {"/rosdistro": f"{dialect.distro}\n", "/run_id": "fleet-tui-simulator"}
+        if dialect.version == 2:
+            self._params = {f"{BRIDGE}:port": 9090, f"{BRIDGE}:default_call_service_timeout": 5.0}
 
     def answer(self, service: str, args: object) -> Values:
-        """The answer of one of SERVICES. Raises ServiceError as every service does."""
-        request = fill(SERVICES[service], args)
+        """The answer of one of its services. Raises ServiceError as every service does."""
+        type_ = self.services[service]
+        name = self._dialect.request(type_.name)
+        request = fill(self._dialect, name, type_.fields, args, self._clock())
         verb = service.removeprefix(f"{ROSAPI}/")
+        if verb.endswith(("_param", "_param_names")):
+            return self._about_params(verb, request)
+        if verb.endswith("_details") and verb != "node_details":
+            return {"typedefs": self._typedefs(verb, request["type"])}
+        for field, about in (
+            ("topic", self._about_topic),
+            ("service", self._about_services),
+            ("type", self._for_type),
+        ):
+            if field in request:
+                return about(verb, request[field])
+        return self._about_nodes(verb, request) if "node" in verb else self._about_all(verb)
+
+    def _about_all(self, verb: str) -> Values:
         match verb:
             case "topics":
-                return {"topics": list(self._topics), "types": list(self._topics.values())}
-            case "topics_for_type":
-                return {"topics": [name for name, type_ in self._topics.items() if type_ == request["type"]]}
+                found = {**self._subscribed(), **self._topics}
+                return {"topics": list(found), "types": list(found.values())}
+            case "topics_and_raw_types":
+                found = self._about_all("topics")
+                texts = ["\n".join(self._fields(type_)) for type_ in found["types"]]
+                return found | {"typedefs_full_text": texts}
             case "services":
-                return {"services": [*self._services, *SERVICES]}
-            case "nodes":
-                return {"nodes": [ROSAPI, BRIDGE, FLEET]}
+                return {"services": [*self._services, *self.services]}
             case "get_time":
-                return {"time": stamp(self._clock())}
-            case "message_details" | "service_request_details":
-                return {"typedefs": []}
-            case "service_type" | "service_node":
-                return self._about_service(verb, request["service"])
-            case _:
-                return self._about_topic(verb, request["topic"])
+                return {"time": self._dialect.time(self._clock())}
+            case "get_ros_version":
+                return {"version": self._dialect.version, "distro": self._dialect.distro}
+            case "interfaces":
+                types = [self._dialect.message_type(name) for name in MESSAGES]
+                types += [self._dialect.service_type(name) for name in DEFINED_SERVICES]
+                return {"interfaces": sorted(set(types))}
+            case "action_servers":
+                return {"action_servers": []}
+        raise NodeDiedError  # action_type: the handler ends the whole of rosapi
 
-    def _about_service(self, verb: str, service: str) -> Values:
-        known = self._services.get(service) or SERVICES.get(service)
-        if verb == "service_type":
-            return {"type": known.name if known else ""}
-        owner = ROSAPI if service in SERVICES else FLEET
-        return {"node": owner if known else ""}
+    def _fields(self, type_: str) -> Iterable[str]:
+        for name, field in (self._dialect.fields(type_) or {}).items():
+            length = "" if field.length is None else f"[{field.length or ''}]"
+            yield f"{field.type}{length} {name}"
+
+    def _typedefs(self, verb: str, type_: str) -> list[Values]:
+        if verb == "message_details":
+            return message_typedefs(self._dialect, type_)
+        return service_typedefs(self._dialect, type_, response="response" in verb)
+
+    def _for_type(self, verb: str, type_: str) -> Values:
+        if verb == "topics_for_type":
+            return {"topics": [name for name, other in self._topics.items() if other == type_]}
+        return {"services": [name for name, other in self._services.items() if other.name == type_]}
+
+    def _about_services(self, verb: str, service: str) -> Values:
+        known = self._services.get(service) or self.services.get(service)
+        match verb:
+            case "service_type":
+                return {"type": known.name if known else ""}
+            case "service_host":
+                return {"host": "localhost" if known else ""}
+            case "service_providers":  # whatever its argument's name says, it asks for a type
+                named = self._for_type("services_for_type", service)["services"]
+                return {"providers": sorted({self._offering(name) for name in named})}
+        return {"node": self._offering(service) if known else ""}
 
     def _about_topic(self, verb: str, topic: str) -> Values:
         if verb == "topic_type":
-            return {"type": self._topics.get(topic, "")}
+            return {"type": self._topics.get(topic) or self._subscribed().get(topic, "")}
         if verb == "publishers":
-            return {"publishers": [_publisher(topic)] if topic in self._topics else []}
-        return {"subscribers": [BRIDGE] if self._subscribed(topic) else []}
+            return {"publishers": [self._publisher(topic)] if topic in self._topics else []}
+        return {"subscribers": [BRIDGE] if topic in self._subscribed() else []}
+
+    def _about_nodes(self, verb: str, request: Values) -> Values:
+        nodes = [ROSAPI, BRIDGE, FLEET]
+        if verb == "nodes":
+            return {"nodes": nodes}
+        node = request["node"]
+        if node not in nodes and self._dialect.version == 2:
+            raise NodeDiedError
+        return {
+            "subscribing": list(self._subscribed()) if node == BRIDGE else [],
+            "publishing": [name for name in self._topics if self._publisher(name) == node],
+            "services": [name for name in (*self._services, *self.services) if self._offering(name) == node],
+        }
+
+    def _offering(self, service: str) -> str:
+        return ROSAPI if service in self.services else BRIDGE if self._own(service) else FLEET
+
+    def _publisher(self, topic: str) -> str:
+        return BRIDGE if topic in OF_THE_BRIDGE or self._own(topic) else FLEET
+
+    def _about_params(self, verb: str, request: Values) -> Values:
+        if verb == "get_param_names":
+            return {"names": list(self._params)}
+        name = request["name"]
+        if self._dialect.version == 2 and verb == "has_param" and ":" not in name:
+            raise NodeDiedError
+        match verb:
+            case "set_param":
+                self._params[name] = _value(request["value"])
+                return {}
+            case "delete_param":
+                self._params.pop(name, None)
+                return {}
+            case "has_param":
+                return {"exists": name in self._params}
+            case "search_param":
+                return {"global_name": name if name in self._params else ""}
+        return self._get_param(name, request)
+
+    def _get_param(self, name: str, request: Values) -> Values:
+        default = request.get("default", request.get("default_value"))
+        found = json.dumps(self._params[name]) if name in self._params else default
+        if self._dialect.version == 1:
+            return {"value": found or "null"}
+        reason = (
+            ""
+            if name in self._params
+            else f"Service {name.partition(':')[0]}/get_parameters is not available"
+        )
+        return {"value": found or '""', "successful": not reason, "reason": reason}
 
 
-def _publisher(topic: str) -> str:
-    return BRIDGE if topic == "/client_count" else FLEET
+def _value(text: str) -> Any:
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text

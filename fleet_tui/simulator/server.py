@@ -5,31 +5,34 @@ import errno
 import logging
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any
 
 from websockets.asyncio.server import Server, ServerConnection, serve
 
 from fleet_tui.errors import FleetError
-from fleet_tui.simulator.frames import Frame, Payload, Publication
+from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic, topics_of
-from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.services import REMEMBERED
 from fleet_tui.simulator.session import Operation, Session
+from fleet_tui.simulator.topics import TopicDesk
 from fleet_tui.simulator.words import DIAGNOSTICS, ROSOUT, Talk, word_topics
 from fleet_tui.simulator.world import World
 
 LARGEST = 128 * 2**20  # bytes of a message from a client
 SLOW_RATE = 2.0  # Hz of everything but the poses
 MADE_UP = 1.0  # seconds of world time made up for after the process was held up
-COUNT = "/client_count"
+COUNT, CLIENTS = "/client_count", "/connected_clients"
 
 # Its own logger with a place to go: a port scan must not print websockets' tracebacks on a terminal.
 _LOG = logging.getLogger(__name__)
 _LOG.addHandler(logging.NullHandler())
 
 
-class RosbridgeServer(ServiceDesk):
+class RosbridgeServer(TopicDesk):
     """A rosbridge server in front of `world`, which it steps `rate` times a second.
 
     `speed`: seconds of world time in a second; the rates on the wire stay as they are. Port 0 takes a free
@@ -45,34 +48,27 @@ class RosbridgeServer(ServiceDesk):
         rate: float = 10.0,
         subscribe_delay: float = 0.0,
         speed: float = 1.0,
+        dialect: Dialect = ROS1,
     ) -> None:
-        found = (*topics_of(world, time.time()), *word_topics(world.robots))
-        self.topics = {topic.name: topic for topic in found}
-        """What is published, by name."""
-        self.topics[COUNT] = Topic(COUNT, "std_msgs/Int32", self._client_count, latched=True)
-        self.types = {topic.name: topic.type for topic in self.topics.values()}
-        """What rosapi tells of the topics."""
-        super().__init__(world, self.types, lambda topic: self.subscribers(topic) > 0)
+        self._talk = Talk(dialect)
+        topics = (*topics_of(world, time.time(), dialect), *word_topics(world.robots, dialect, self._talk))
+        super().__init__(world, dialect, (*topics, *self._own_topics(dialect)))
         self.subscribe_delay, self.speed = subscribe_delay, speed
         self.received: deque[Operation] = deque(maxlen=REMEMBERED)
         """Every operation that arrived; the newest last."""
-        self.muted: set[str] = set()
-        """Topics that are not published."""
-        self.deliveries: dict[str, Callable[[Session, Frame], None]] = {}
-        """How the answers of a service are brought to the client, where not at once."""
-        self.orphaned: set[str] = set()
-        """Topics that come no more, as after a restart of roscore, until nobody holds them."""
         self._host, self._port, self._rate = host, port, rate
         self._slow_ticks = max(1, round(rate / SLOW_RATE))
         self.report_period = self._slow_ticks / rate  # seconds between two reports of a queue
-        self._subscribed: dict[str, set[Session]] = {}
-        self._sessions: set[Session] = set()
+        self._sessions: dict[Session, float] = {}
         self._server: Server | None = None
         self._life: asyncio.Task[None] | None = None
-        self._talk = Talk()
 
     async def start(self) -> None:
         """Listen and let the world run. Raises FleetError where the port can't be had."""
+        await self._listen()
+        self._life = asyncio.create_task(self._live())
+
+    async def _listen(self) -> None:
         try:
             self._server = await serve(
                 self._attend,
@@ -88,7 +84,7 @@ class RosbridgeServer(ServiceDesk):
         except OSError as error:
             raise FleetError(_refusal(self._host, self._port, error)) from error
         self._port = next(iter(self._server.sockets)).getsockname()[1]
-        self._life = asyncio.create_task(self._live())
+        self.started = time.monotonic()
 
     async def stop(self) -> None:
         """Close every connection and stop the world."""
@@ -105,13 +101,14 @@ class RosbridgeServer(ServiceDesk):
         """Where to connect to, once started."""
         return f"ws://{self._host}:{self._port}"
 
-    def subscribed(self) -> set[str]:
-        """The topics that somebody is subscribed to."""
-        return set(self._subscribed)
-
-    def subscribers(self, topic: str) -> int:
-        """How many clients are subscribed to a topic."""
-        return len(self._subscribed.get(topic, ()))
+    async def restart_bridge(self) -> None:
+        """End the bridge with all its connections and start it again on the same port; the robots live on."""
+        assert self._server is not None
+        self._server.close()
+        await self.drop_clients()
+        await self._server.wait_closed()
+        self.forget_subscriptions()
+        await self._listen()
 
     async def drop_clients(self) -> None:
         """Abort every connection, as a bridge does that is killed, and wait until all are gone."""
@@ -124,64 +121,26 @@ class RosbridgeServer(ServiceDesk):
         for session in self._sessions:
             session.connection.transport.abort()
 
-    def call(self, session: Session, operation: Operation) -> None:
-        """Answer a service call, once its node is awake."""
-        delay = self.frozen.get(operation["service"])
-        if delay is None:
-            self._answer(session, operation)
-        else:
-            asyncio.get_running_loop().call_later(delay, self._answer, session, operation)
-
-    def _answer(self, session: Session, operation: Operation) -> None:
-        answer = self.answer(operation)
-        if answer is not None:
-            self.deliveries.get(operation["service"], Session.reply)(session, answer)
-
-    def publish_raw(self, topic: str, msg: dict[str, Any] | str | bytes) -> int:
-        """Send a message, or as it is a text or binary frame, to the topic's subscribers, past throttle
-        and queue. Returns how many there are."""
-        publication = Publication(topic, Payload(msg))
-        for session in self._subscribed.get(topic, ()):
-            compression = session.subscriptions[topic].compression
-            session.reply(publication.frame(compression) if isinstance(msg, dict) else msg)
-        return self.subscribers(topic)
-
     def note(self, operation: Operation) -> None:
         """Take note of an operation that arrived."""
         self.received.append(operation)
 
-    def admit(self, topic: str, type_: str | None) -> bool:
-        """Whether a topic may be subscribed to: with its type or none; one that is to come, with a type."""
-        known = self.topics.get(topic)
-        if known is not None and known.type.partition("/")[0] in self.unsourced:
-            return False
-        return type_ is not None if known is None else type_ in (None, known.type)
-
-    def welcome(self, session: Session, topic: str) -> None:
-        """Tell a subscriber the topic's latched value."""
-        self._subscribed.setdefault(topic, set()).add(session)
-        known = self.topics.get(topic)
-        if known is not None and known.latched and topic not in self.muted:
-            session.offer(topic, Publication(topic, known.payload(time.time())))
-
-    def leave(self, session: Session, topic: str) -> None:
-        """Forget a subscriber."""
-        self._subscribed[topic].discard(session)
-        if not self._subscribed[topic]:
-            del self._subscribed[topic]
-            self.orphaned.discard(topic)
-
     async def _attend(self, connection: ServerConnection) -> None:
         session = Session(connection, self)
-        self._sessions.add(session)
-        self._publish(COUNT)
+        self._sessions[session] = time.time()
+        self._announce()
         try:
             await session.run()
         finally:
-            self._sessions.discard(session)
+            del self._sessions[session]
+            self.guests.gone(session)
             for topic in session.subscriptions:
                 self.leave(session, topic)
-            self._publish(COUNT)
+            self._announce()
+
+    def _announce(self) -> None:
+        for name in (COUNT, CLIENTS):
+            self.publish(name)
 
     async def _live(self) -> None:
         clock = asyncio.get_running_loop().time
@@ -196,27 +155,28 @@ class RosbridgeServer(ServiceDesk):
 
     def _publish_telemetry(self, tick: int) -> None:
         for line in self._talk.lines(self.world.robots, time.time()):
-            self._publish(ROSOUT, Payload(line))
+            self.publish(ROSOUT, Payload(line))
         if tick % max(1, round(self._rate)) == 0:
-            self._publish(DIAGNOSTICS)
-        for name in self._subscribed:
+            self.publish(DIAGNOSTICS)
+        for name in self.subscribed():
             topic = self.topics.get(name)
             if topic is None or topic.robot is None or topic.robot.silence > 0.0:
                 continue
             # Robots take turns, so that their slow topics do not all fall into one tick.
             if topic.fast or (tick + topic.robot.index) % self._slow_ticks == 0:
-                self._publish(name)
+                self.publish(name)
 
-    def _publish(self, name: str, payload: Payload | None = None) -> None:
-        sessions = self._subscribed.get(name)
-        if not sessions or name in self.muted or name in self.orphaned:
-            return
-        publication = Publication(name, payload or self.topics[name].payload(time.time()))
-        for session in sessions:
-            session.offer(name, publication)
+    def _own_topics(self, dialect: Dialect) -> Iterator[Topic]:
+        """What the bridge itself publishes."""
+        count, clients = map(dialect.message_type, ("std_msgs/Int32", "rosbridge_msgs/ConnectedClients"))
+        yield Topic(COUNT, count, lambda _now: Payload({"data": len(self._sessions)}), latched=True)
+        yield Topic(CLIENTS, clients, lambda _now: Payload({"clients": self._clients()}), latched=True)
 
-    def _client_count(self, _now: float) -> Payload:
-        return Payload({"data": len(self._sessions)})
+    def _clients(self) -> list[dict[str, Any]]:
+        return [
+            {"ip_address": session.address, "connection_time": self.dialect.time(since)}
+            for session, since in self._sessions.items()
+        ]
 
 
 def _refusal(host: str, port: int, error: OSError) -> str:

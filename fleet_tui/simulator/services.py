@@ -1,15 +1,23 @@
 """Answers service calls as the bridge words them, with doors through which tests make them fail."""
 
+import asyncio
 import time
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from fleet_tui.simulator.frames import Frame, to_json
-from fleet_tui.simulator.ros_types import ROBOT_SERVICES, ServiceError, fill
-from fleet_tui.simulator.rosapi import SERVICES as ROSAPI_SERVICES
+from fleet_tui.simulator.calls import Call, response
+from fleet_tui.simulator.channels import resolve
+from fleet_tui.simulator.frames import Frame
+from fleet_tui.simulator.guests import Guests
+from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.filling import fill
+from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError, robot_services
 from fleet_tui.simulator.rosapi import Rosapi
+from fleet_tui.simulator.session import Operation, Session
 from fleet_tui.simulator.world import World
 
+DESK = "Application_layout"
 REMEMBERED = 10_000  # calls and operations kept for tests
 
 Values = dict[str, Any]
@@ -18,8 +26,16 @@ Values = dict[str, Any]
 class ServiceDesk:
     """The services of a world's robots and rosapi's. Its attributes are for tests to read and change."""
 
-    def __init__(self, world: World, topics: Mapping[str, str], subscribed: Callable[[str], bool]) -> None:
-        self.world = world
+    def __init__(
+        self,
+        world: World,
+        dialect: Dialect,
+        topics: dict[str, Topic],
+        subscribed: Callable[[], Mapping[str, str]],
+    ) -> None:
+        self.world, self.dialect, self.topics = world, dialect, topics
+        self.types = {topic.name: topic.type for topic in topics.values()}
+        """What rosapi tells of the topics."""
         self.calls: list[tuple[str, Values]] = []
         """Every call that arrived with its args, rosapi's left out; the newest last."""
         self.silent_services: set[str] = set()
@@ -28,46 +44,81 @@ class ServiceDesk:
         """Services whose node wakes only so many seconds after a call."""
         self.answers: dict[str, Callable[[Values], Values]] = {}
         """Answers instead of the world's, made from the args; a ServiceError makes the call fail."""
+        self.deliveries: dict[str, Callable[[Call, Frame], None]] = {}
+        """How the answers of a service are brought to the client, where not at once."""
         self.master_alive = True
         """False: every call fails while topics go on."""
         self.rosapi_alive = True
         """False: rosapi's services do not exist."""
         self.unsourced: set[str] = set()
         """Packages that the bridge doesn't have: it can handle none of their messages and services."""
-        robots = [f"/{robot}/Application_layout/" for robot in world.robots]
-        self.services = {robot + verb: type_ for robot in robots for verb, type_ in ROBOT_SERVICES.items()}
-        self._rosapi = Rosapi(topics, self.services, subscribed, time.time)
+        types = robot_services(dialect).items()
+        self.services = {f"/{robot}/{DESK}/{verb}": type_ for robot in world.robots for verb, type_ in types}
+        self.guests = Guests(dialect, topics, self.types, self.services)
+        self.rosapi = Rosapi(dialect, self.types, self.services, subscribed, time.time, self.guests.owns)
+
+    def call(self, session: Session, operation: Operation) -> None:
+        """Answer a call once its node is awake, unless the bridge has given it up before."""
+        service, limit = resolve(operation["service"]), self.dialect.call_timeout
+        if limit is not None and operation.get("timeout") is not None:
+            if not isinstance(operation["timeout"], (int, float)):
+                given = type(operation["timeout"]).__name__
+                text = f"'>' not supported between instances of '{given}' and 'int'"
+                session.reply(response(operation, text, False))
+                return
+            limit = operation["timeout"]
+        call = Call(session, operation, limit)
+        delay = self.frozen.get(service)
+        if delay is None:
+            self._reply(call, service)
+        else:
+            asyncio.get_running_loop().call_later(delay, self._reply, call, service)
 
     def answer(self, operation: Mapping[str, Any]) -> Frame | None:
         """The frame that answers a call_service operation, None where nothing is ever said."""
-        service, args = operation["service"], operation.get("args")
+        service, args = resolve(operation["service"]), operation.get("args")
         if not service.startswith("/rosapi/"):
             self.calls.append((service, args if isinstance(args, dict) else {}))
             del self.calls[:-REMEMBERED]
         if service in self.silent_services:
             return None
-        values: Values | str
         try:
-            values = self._values(service, args)
+            return response(dict(operation), self._values(service, args), True)
         except ServiceError as error:
-            values = str(error)
-        answer = {
-            "op": "service_response",
-            "service": service,
-            "values": values,
-            "result": not isinstance(values, str),
-        }
-        if operation.get("id") is not None:
-            answer["id"] = operation["id"]
-        return to_json(answer)
+            failure = self._failure(service, error)
+        return None if failure is None else response(dict(operation), failure, False)
 
     def carry_out(self, service: str, args: object) -> Values:
         """Let a robot's service do what it is there for, and return its answer. Raises ServiceError."""
         type_ = self.services[service]
         package = type_.name.partition("/")[0]
         if package in self.unsourced:
-            raise ServiceError(f"Unable to load the manifest for package {package}. Caused by: {package}")
-        return self.world.answer(service, fill(type_, args))
+            raise ServiceError(self.dialect.unknown_package(package, "srv"))
+        request = fill(self.dialect, self.dialect.request(type_.name), type_.fields, args, time.time())
+        return self.world.answer(service, request)
+
+    def _reply(self, call: Call, service: str) -> None:
+        if call.given_up:
+            return
+        if self.guests.offers(service):
+            try:
+                self.guests.forward(service, call)
+            except ServiceError as error:
+                call.answer(str(error), False)
+            return
+        answer = self.answer(call.operation)
+        if answer is not None:
+            self.deliveries.get(service, Call.reply)(call, answer)
+
+    def _failure(self, service: str, error: ServiceError) -> str | None:
+        match error:
+            case NodeDiedError():
+                if service.startswith("/rosapi/"):
+                    self.rosapi_alive = False
+                return self.dialect.died()
+            case HandlerError():
+                return self.dialect.thrown(service, str(error))
+        return str(error)
 
     def _values(self, service: str, args: object) -> Values:
         if not self.master_alive:
@@ -76,6 +127,6 @@ class ServiceDesk:
             return self.answers[service](args if isinstance(args, dict) else {})
         if service in self.services:
             return self.carry_out(service, args)
-        if service in ROSAPI_SERVICES and self.rosapi_alive:
-            return self._rosapi.answer(service, args)
+        if service in self.rosapi.services and self.rosapi_alive:
+            return self.rosapi.answer(service, args)
         raise ServiceError(f"Service {service} does not exist")

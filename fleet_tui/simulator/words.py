@@ -1,19 +1,23 @@
 """What robots say in words: a line of /rosout when something happens to one, /diagnostics once a second."""
 
+from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
 
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.messages import Topic, stamp
+from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.robot import EMPTY, LOW, Robot
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.ros1 import ROS1
 
 Message = dict[str, Any]
 
 ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
 DEBUG, INFO, WARN, ERROR = 1, 2, 4, 8  # rosgraph_msgs/Log
 HEALTHY, DOUBTFUL, BROKEN = 0, 1, 2  # diagnostic_msgs/DiagnosticStatus
+KEPT = 100  # lines of the log
 
 Line = tuple[int, str, str]
 """Level, node and words."""
@@ -51,8 +55,10 @@ def _seen(robot: Robot) -> _Seen:
 class Talk:
     """Notices what happens to robots from one look to the next."""
 
-    def __init__(self) -> None:
+    def __init__(self, dialect: Dialect = ROS1) -> None:
         self._seen: dict[str, _Seen] = {}
+        self._dialect = dialect
+        self._kept: deque[Message] = deque(maxlen=KEPT)
         self._said = count(1)
 
     def lines(self, robots: dict[str, Robot], now: float) -> list[Message]:
@@ -66,18 +72,20 @@ class Talk:
                 said += [self._log(robot, line, now) for line in _changes(before, seen, robot)]
         return said
 
+    def say(self, now: float, level: int, node: str, text: str) -> Message:
+        """A line as a message of /rosout; it is kept for those who subscribe later."""
+        line = self._dialect.log(next(self._said), now, level, node, text)
+        self._kept.append(line)
+        return line
+
+    def latched(self) -> Iterator[Payload]:
+        """The lines for a new subscriber: the last of each node, on ROS 2 all that are kept."""
+        newest = {line["name"]: line for line in self._kept}.values()
+        yield from map(Payload, self._kept if self._dialect.version == 2 else newest)
+
     def _log(self, robot: Robot, line: Line, now: float) -> Message:
         level, node, words = line
-        return {
-            "header": {"seq": next(self._said), "stamp": stamp(now), "frame_id": ""},
-            "level": level,
-            "name": f"/{robot.name}/{node}",
-            "msg": words,
-            "file": f"{node}.cpp",
-            "function": "spin",
-            "line": 42,
-            "topics": [ROSOUT, f"/{robot.name}/queue"],
-        }
+        return self.say(now, level, f"/{robot.name}/{node}", words)
 
 
 def _changes(before: _Seen, now: _Seen, robot: Robot) -> Iterator[Line]:
@@ -111,16 +119,18 @@ def _order_changes(before: _Seen, now: _Seen, robot: Robot) -> Iterator[Line]:
         yield DEBUG, "planner", f"working on order {now.current}"
 
 
-def word_topics(robots: dict[str, Robot]) -> Iterator[Topic]:
+def word_topics(robots: dict[str, Robot], dialect: Dialect, talk: Talk) -> Iterator[Topic]:
     """The topics; a line of the log is only there at the moment at which it is said."""
-    yield Topic(ROSOUT, "rosgraph_msgs/Log", lambda _now: Payload({}))
-    yield Topic(DIAGNOSTICS, "diagnostic_msgs/DiagnosticArray", lambda now: Payload(health(robots, now)))
+    log = dialect.message_type("rosgraph_msgs/Log")
+    yield Topic(ROSOUT, log, lambda _now: Payload({}), latched=True, history=talk.latched)
+    diagnostics = dialect.message_type("diagnostic_msgs/DiagnosticArray")
+    yield Topic(DIAGNOSTICS, diagnostics, lambda now: Payload(health(robots, now, dialect)))
 
 
-def health(robots: dict[str, Robot], now: float) -> Message:
+def health(robots: dict[str, Robot], now: float, dialect: Dialect = ROS1) -> Message:
     """A message of /diagnostics about every robot that can be heard."""
     parts = [part for robot in robots.values() if not robot.silence for part in _parts(robot)]
-    return {"header": {"seq": 0, "stamp": stamp(now), "frame_id": ""}, "status": parts}
+    return {"header": dialect.header(0, now, ""), "status": parts}
 
 
 def _parts(robot: Robot) -> Iterator[Message]:

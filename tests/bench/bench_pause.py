@@ -10,9 +10,9 @@ import tempfile
 import time
 from pathlib import Path
 
+from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.session import Session
 from fleet_tui.simulator.world import World
 from tests.bench.rows import Row, row
 from tests.headless.running import config_file, started
@@ -35,9 +35,9 @@ async def pausing(robots: int, folder: Path) -> float:
     server = RosbridgeServer(World(robots=robots, floors=2, seed=1, quiet=True))
     called: list[float] = []
 
-    def deliver(session: Session, frame: Frame) -> None:
+    def deliver(call: Call, frame: Frame) -> None:
         called.append(time.monotonic())
-        session.reply(frame)
+        call.reply(frame)
 
     for robot in server.world.robots:
         server.deliveries[f"/{robot}/Application_layout/Pause"] = deliver

@@ -9,9 +9,9 @@ import tempfile
 import time
 from pathlib import Path
 
+from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.session import Session
 from fleet_tui.simulator.world import World
 from tests.bench.bench_pause import importing
 from tests.bench.rows import Row, row
@@ -27,9 +27,9 @@ async def asking(folder: Path) -> tuple[float, float]:
     server = RosbridgeServer(World(robots=ROBOTS, floors=2, seed=1, quiet=True))
     asked: list[float] = []
 
-    def deliver(session: Session, frame: Frame) -> None:
+    def deliver(call: Call, frame: Frame) -> None:
         asked.append(time.monotonic())
-        session.reply(frame)
+        call.reply(frame)
 
     server.deliveries["/rosapi/topics"] = deliver
     await server.start()

@@ -11,7 +11,7 @@ import time
 import numpy as np
 
 from fleet_tui.simulator.frames import Payload, Publication
-from fleet_tui.simulator.messages import stamp
+from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
 
@@ -25,7 +25,7 @@ def big_map() -> dict[str, object]:
     cells[:20] = cells[-20:] = cells[:, :20] = cells[:, -20:] = 100
     for row in range(200, SIDE - 200, 200):
         cells[row : row + 60, 300:-300] = 100
-    now = stamp(time.time())
+    now = ROS1.time(time.time())
     position = {"x": -20.0, "y": -20.0, "z": 0.0}
     origin = {"position": position, "orientation": {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}}
     info = {"map_load_time": now, "resolution": 0.05, "width": SIDE, "height": SIDE, "origin": origin}

@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.headless.outcome import exit_code
+from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.frames import Frame, Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.session import Session
 from tests.headless.running import Ended, asked, audited, config_file, run, started
 
 STAGES = ("checked", "sent", "accepted", "confirmed")
@@ -25,10 +25,10 @@ def carried_out(server: RosbridgeServer, service: str, answers: bool = False) ->
     """Told when a service was called; its answer is lost on the way, or not."""
     called = asyncio.Event()
 
-    def deliver(session: Session, frame: Frame) -> None:
+    def deliver(call: Call, frame: Frame) -> None:
         called.set()
         if answers:
-            session.reply(frame)
+            call.reply(frame)
 
     server.deliveries[service] = deliver
     return called

@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.model.commands import Stage
-from fleet_tui.simulator import wire_faults
+from fleet_tui.simulator.faults import wire
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import console
 from tests.scenarios.stage import (
@@ -38,7 +38,7 @@ async def test_refused(server: RosbridgeServer) -> None:
 
 async def test_late_and_seen_before(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch) -> None:
     """The queue shows the order while its answer is on the way: that ends it, the answer adds nothing."""
-    monkeypatch.setattr(wire_faults, "LATE", 4 * NO_ANSWER_AFTER)
+    monkeypatch.setattr(wire, "LATE", 4 * NO_ANSWER_AFTER)
     plant(server, "late")
     async with console(hasty(server.url)) as it:
         await order(it)
@@ -53,7 +53,7 @@ async def test_late_and_seen_before(server: RosbridgeServer, monkeypatch: pytest
 
 async def test_late_and_refused(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch) -> None:
     """After its deadline an answer is still the robot's word."""
-    monkeypatch.setattr(wire_faults, "LATE", 2 * NO_ANSWER_AFTER)
+    monkeypatch.setattr(wire, "LATE", 2 * NO_ANSWER_AFTER)
     plant(server, "refuse,late")
     async with console(hasty(server.url)) as it:
         await order(it)

@@ -11,12 +11,11 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 from fleet_tui.errors import ConfigError
-from fleet_tui.simulator import wire_faults
-from fleet_tui.simulator.faults import FAULTS, parse_faults, play
+from fleet_tui.simulator.faults import FAULTS, parse_faults, play, wire
+from fleet_tui.simulator.faults.world import FLAT, FOREIGN, FOREIGN_PAUSE, JUMP
 from fleet_tui.simulator.messages import topics_of
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
-from fleet_tui.simulator.world_faults import FLAT, FOREIGN, FOREIGN_PAUSE, JUMP
 
 NAMES = ["robot_0", "robot_1"]
 ORDER = "/robot_0/Application_layout/Execute_order"
@@ -196,7 +195,7 @@ async def test_faults_of_the_answer(name: str, ids: list[str], carried_out: int)
 
 
 async def test_a_late_answer_comes_in_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire_faults, "LATE", 0.2)
+    monkeypatch.setattr(wire, "LATE", 0.2)
     async with served("late") as (_, client):
         assert await answers(client) == []
         async with asyncio.timeout(10):
@@ -204,7 +203,7 @@ async def test_a_late_answer_comes_in_the_end(monkeypatch: pytest.MonkeyPatch) -
 
 
 async def test_a_frozen_node_takes_the_order_when_it_wakes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire_faults, "LATE", 0.2)
+    monkeypatch.setattr(wire, "LATE", 0.2)
     async with served("late-call") as (server, client):
         assert await answers(client) == []
         assert server.world.robots["robot_0"].orders == []
@@ -214,7 +213,7 @@ async def test_a_frozen_node_takes_the_order_when_it_wakes(monkeypatch: pytest.M
 
 
 async def test_a_command_is_obeyed_long_after_its_answer(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire_faults, "OBEYS", 0.2)
+    monkeypatch.setattr(wire, "OBEYS", 0.2)
     async with served("obeys-late") as (server, client):
         robot = server.world.robots["robot_0"]
         (answer,) = await answers(client)
@@ -235,7 +234,7 @@ async def test_a_command_is_obeyed_long_after_its_answer(monkeypatch: pytest.Mon
 
 
 async def test_services_that_are_no_longer_registered(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire_faults, "GONE", 0.0)
+    monkeypatch.setattr(wire, "GONE", 0.0)
     async with served("unregistered") as (server, client):
         await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/pose"}))
         async with asyncio.timeout(10):

@@ -3,23 +3,26 @@
 import asyncio
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from fleet_tui.simulator.ros_types import NodeDiedError, ServiceError
+from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
+    from fleet_tui.simulator.calls import Call
     from fleet_tui.simulator.frames import Frame
     from fleet_tui.simulator.server import RosbridgeServer
-    from fleet_tui.simulator.session import Session
 
 Play = Callable[["RosbridgeServer", str], None]
 Values = dict[str, Any]
 
 ORDERS = "Execute_order"
 LATE = 8.0  # seconds after which `late` answers, and `late-call` begins
+SLOW = 6.0  # seconds after which `slow-answer` answers: the bridge of ROS 2 gives a call up after 5
 OBEYS = 12.0  # seconds between the answer of `obeys-late` and the deed
+AGAIN = 3.0  # seconds after which `volatile-maps` are published again
 GONE = 5.0  # seconds after which `unregistered` has no services
 
 
@@ -57,8 +60,8 @@ def _died(server: "RosbridgeServer", service: str, args: Values) -> Values:
     raise NodeDiedError
 
 
-def _thrown(_server: "RosbridgeServer", service: str, _args: Values) -> Values:
-    raise ServiceError(f"service [{service}] responded with an error: b'error processing request: no route'")
+def _thrown(_server: "RosbridgeServer", _service: str, _args: Values) -> Values:
+    raise HandlerError("no route")
 
 
 refuse, dies, throws = (_answered(answer, ORDERS) for answer in (_refused, _died, _thrown))
@@ -75,35 +78,39 @@ def late_call(server: "RosbridgeServer", robot: str) -> None:
     server.frozen.update(dict.fromkeys(_services(server, robot, ORDERS), LATE))
 
 
-def _delivered(deliver: Callable[["RosbridgeServer", "Session", "Frame"], None]) -> Play:
+def _delivered(deliver: Callable[["RosbridgeServer", "Call", "Frame"], None]) -> Play:
     """A fault of the way on which answers are brought back; the service itself does what it should."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         for service in _services(server, robot):
-            server.deliveries[service] = lambda session, frame: deliver(server, session, frame)
+            server.deliveries[service] = lambda call, frame: deliver(server, call, frame)
 
     return play
 
 
-def _late(_server: "RosbridgeServer", session: "Session", frame: "Frame") -> None:
-    session.reply_in(LATE, frame)
+def _late(_server: "RosbridgeServer", call: "Call", frame: "Frame") -> None:
+    call.reply_in(LATE, frame)
 
 
-def _twice(_server: "RosbridgeServer", session: "Session", frame: "Frame") -> None:
-    session.reply(frame)
-    session.reply(frame)
+def _twice(_server: "RosbridgeServer", call: "Call", frame: "Frame") -> None:
+    call.reply(frame)
+    call.reply(frame)
 
 
-def _wrong_id(_server: "RosbridgeServer", session: "Session", frame: "Frame") -> None:
+def _wrong_id(_server: "RosbridgeServer", call: "Call", frame: "Frame") -> None:
     answer = json.loads(frame)
-    session.reply(json.dumps(answer | {"id": f"not-{answer.get('id')}"}))
+    call.reply(json.dumps(answer | {"id": f"not-{answer.get('id')}"}))
 
 
-def _drop(server: "RosbridgeServer", _session: "Session", _frame: "Frame") -> None:
+def _drop(server: "RosbridgeServer", _call: "Call", _frame: "Frame") -> None:
     server.abort_clients()
 
 
-late, twice, wrong_id, drop = map(_delivered, (_late, _twice, _wrong_id, _drop))
+def _slow(_server: "RosbridgeServer", call: "Call", frame: "Frame") -> None:
+    call.reply_in(SLOW, frame)
+
+
+late, slow_answer, twice, wrong_id, drop = map(_delivered, (_late, _slow, _twice, _wrong_id, _drop))
 
 
 def stale(server: "RosbridgeServer", robot: str) -> None:
@@ -127,11 +134,32 @@ def unregistered(server: "RosbridgeServer", robot: str) -> None:
 
 def frozen_rosapi(server: "RosbridgeServer", _robot: str) -> None:
     """Freeze rosapi's node."""
-    from fleet_tui.simulator.rosapi import SERVICES
-
-    server.silent_services.update(SERVICES)
+    server.silent_services.update(server.rosapi.services)
 
 
 def unsourced(server: "RosbridgeServer", _robot: str) -> None:
     """Let the bridge run without the package of the robots' messages."""
-    server.unsourced.add("OH_ressources")
+    package = server.dialect.short(server.dialect.message_type("OH_ressources/Graph")).partition("/")[0]
+    server.unsourced.add(package)
+
+
+def dead_rosapi(server: "RosbridgeServer", _robot: str) -> None:
+    """End rosapi's node."""
+    server.rosapi_alive = False
+
+
+def volatile_maps(server: "RosbridgeServer", robot: str) -> None:
+    """Publish maps, graphs and labels again and again instead of latched."""
+    names = [name for name, topic in server.topics.items() if topic.latched and name.startswith(f"/{robot}/")]
+    server.topics |= {name: replace(server.topics[name], latched=False) for name in names}
+    age = 0.0
+
+    def step(dt: float) -> None:
+        nonlocal age
+        age += dt / server.speed
+        if age > AGAIN:
+            age = 0.0
+            for name in names:
+                server.publish(name)
+
+    server.world.troubles.append(step)

@@ -4,8 +4,7 @@ from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.simulator import wire_faults as wire
-from fleet_tui.simulator import world_faults as world
+from fleet_tui.simulator.faults import wire, world
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
@@ -14,6 +13,10 @@ if TYPE_CHECKING:
 FAULTS: Mapping[str, tuple[str, wire.Play]] = {
     "refuse": ("every order is refused", wire.refuse),
     "late": (f"answers come after {wire.LATE:g} s", wire.late),
+    "slow-answer": (
+        f"answers come after {wire.SLOW:g} s: on ROS 2 the bridge gives up before",
+        wire.slow_answer,
+    ),
     "late-call": (f"a frozen node takes orders after {wire.LATE:g} s and answers then", wire.late_call),
     "obeys-late": (f"commands are answered at once and obeyed after {wire.OBEYS:g} s", wire.obeys_late),
     "twice": ("every answer comes twice", wire.twice),
@@ -24,6 +27,11 @@ FAULTS: Mapping[str, tuple[str, wire.Play]] = {
     "throws": ("orders end in an exception of the node and are not taken", wire.throws),
     "unregistered": (f"after {wire.GONE:g} s its services do not exist, telemetry flows", wire.unregistered),
     "frozen-rosapi": ("rosapi never answers, everything else does", wire.frozen_rosapi),
+    "dead-rosapi": ("rosapi is not there, everything else is", wire.dead_rosapi),
+    "volatile-maps": (
+        f"maps, graphs and labels are not latched but come every {wire.AGAIN:g} s",
+        wire.volatile_maps,
+    ),
     "unsourced": ("the bridge lacks the package of the robots' messages", wire.unsourced),
     "stale": ("its pose stays away, everything else comes", wire.stale),
     "restart": (

@@ -1,0 +1,50 @@
+"""Service calls under way."""
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+from fleet_tui.simulator.frames import Frame, to_json
+
+if TYPE_CHECKING:
+    from fleet_tui.simulator.session import Operation, Session
+
+GIVEN_UP = "Timeout exceeded while waiting for service response"
+
+
+def response(operation: "Operation", values: Any, result: bool) -> Frame:
+    """The frame that answers a call."""
+    answer = {"op": "service_response", "service": operation["service"], "values": values, "result": result}
+    if operation.get("id") is not None:
+        answer["id"] = operation["id"]
+    return to_json(answer)
+
+
+class Call:
+    """A client's call: answers are sent until the bridge gives it up after `limit` seconds (None: never)."""
+
+    def __init__(self, session: "Session", operation: "Operation", limit: float | None) -> None:
+        self.operation = operation
+        self.given_up = False
+        self._session = session
+        self._timer: asyncio.TimerHandle | None = None
+        if limit is not None:
+            self._timer = asyncio.get_running_loop().call_later(limit, self._give_up)
+
+    def reply(self, frame: Frame) -> None:
+        """Send a frame as the answer."""
+        if self._timer is not None:
+            self._timer.cancel()
+        if not self.given_up:
+            self._session.reply(frame)
+
+    def reply_in(self, seconds: float, frame: Frame) -> None:
+        """The same, after so many seconds."""
+        asyncio.get_running_loop().call_later(seconds, self.reply, frame)
+
+    def answer(self, values: Any, result: bool = True) -> None:
+        """Send an answer made of these values."""
+        self.reply(response(self.operation, values, result))
+
+    def _give_up(self) -> None:
+        self._session.reply(response(self.operation, GIVEN_UP, False))
+        self.given_up = True

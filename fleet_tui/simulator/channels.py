@@ -1,0 +1,132 @@
+"""The bridge's own subscriptions: one for each topic, shared by all clients that asked for it."""
+
+import zlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.ros.definitions import MESSAGES
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.errors import BridgeError
+from fleet_tui.simulator.rosapi import OF_THE_BRIDGE
+
+if TYPE_CHECKING:
+    from fleet_tui.simulator.session import Operation, Session
+
+FIRST, LAST = 0.3, 0.95  # seconds after the bridge's start between which it discovers publishers on ROS 2
+KNOWN_PACKAGES = {name.partition("/")[0] for name in MESSAGES}
+
+
+def resolve(name: str) -> str:
+    """The full name of a topic or service that a client may have named without the first slash."""
+    return name if name.startswith("/") else f"/{name}"
+
+
+@dataclass(eq=False)
+class Channel:
+    """One subscription of the bridge; type and quality of service stay what they were at first.
+
+    `durable`: latched values are asked for; `demanding`: by a client, so that a publisher without them
+    does not match at all.
+    """
+
+    type: str
+    durable: bool
+    demanding: bool = False
+    sessions: set["Session"] = field(default_factory=set)
+
+    def hears(self, topic: Topic, dialect: Dialect) -> bool:
+        """Whether anything that is published there comes through."""
+        return self.type == dialect.short(topic.type) and (topic.latched or not self.demanding)
+
+
+class Channels:
+    """All subscriptions of one life of the bridge, by the topic's name as it was asked for.
+
+    `topics` holds what is published and may change; `unsourced` names packages that the bridge doesn't have.
+    """
+
+    def __init__(self, dialect: Dialect, topics: Mapping[str, Topic], unsourced: set[str]) -> None:
+        self._dialect, self._topics, self._unsourced = dialect, topics, unsourced
+        self._channels: dict[str, Channel] = {}
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._channels)
+
+    def sessions(self, name: str) -> set["Session"]:
+        """The clients that hold a topic under this name."""
+        channel = self._channels.get(name)
+        return channel.sessions if channel else set()
+
+    def types(self) -> Mapping[str, str]:
+        """The topics that are subscribed to, with the types that were asked for."""
+        message = self._dialect.message_type
+        return {resolve(name): message(channel.type) for name, channel in self._channels.items()}
+
+    def join(self, session: "Session", operation: "Operation", age: float) -> None:
+        """Subscribe a client, `age` seconds after the bridge's start. Raises BridgeError."""
+        name = operation["topic"]
+        wanted = operation.get("type")
+        topic = self._topics.get(resolve(name))
+        if topic is not None and age < self.delay(topic):
+            topic = None
+        type_ = self._type(name, wanted, topic)
+        channel = self._channels.get(name)
+        if channel is None:
+            channel = self._channels[name] = self._open(type_, topic, operation.get("qos"))
+        channel.sessions.add(session)
+
+    def leave(self, session: "Session", name: str) -> bool:
+        """Unsubscribe a client, and say whether it was the last."""
+        channel = self._channels[name]
+        channel.sessions.discard(session)
+        if not channel.sessions:
+            del self._channels[name]
+        return not channel.sessions
+
+    def delay(self, topic: Topic) -> float:
+        """Seconds after the bridge's start at which it discovers the topic's publisher."""
+        if not self._dialect.discovers or topic.name in OF_THE_BRIDGE:
+            return 0.0
+        return FIRST + (LAST - FIRST) * (zlib.crc32(topic.name.encode()) % 100) / 100
+
+    def hears(self, name: str, topic: Topic) -> bool:
+        """Whether what is published on a topic comes through to those who hold it under this name."""
+        return self._channels[name].hears(topic, self._dialect)
+
+    def durable(self, name: str) -> bool:
+        """Whether latched values come through."""
+        return self._channels[name].durable
+
+    def _type(self, name: str, wanted: str | None, topic: Topic | None) -> str:
+        published = None if topic is None else self._dialect.short(topic.type)
+        asked = published if wanted is None else self._dialect.short(wanted)
+        if asked is None:
+            raise BridgeError(f"Cannot infer topic type for topic {name} as it is not yet advertised")
+        package = asked.partition("/")[0]
+        known = {one.lower() for one in KNOWN_PACKAGES} if self._dialect.version == 2 else KNOWN_PACKAGES
+        missing = package in self._unsourced or (self._dialect.version == 2 and package != package.lower())
+        undefined = package in known and self._dialect.fields(asked) is None and asked != published
+        if missing or undefined:
+            raise BridgeError(self._dialect.unknown_package(package, "msg"))
+        channel = self._channels.get(name)
+        established = channel.type if channel is not None and self._settled(channel, topic) else published
+        if established is not None and asked != established:
+            raise BridgeError(
+                f"Tried to subscribe to topic {name} with type {wanted}, established is {established}"
+            )
+        return asked
+
+    def _settled(self, channel: Channel, topic: Topic | None) -> bool:
+        """On ROS 2 clients who ask rightly join a subscription of a wrong type, and hang on it too."""
+        published = None if topic is None else self._dialect.short(topic.type)
+        return self._dialect.version == 1 or published in (None, channel.type)
+
+    def _open(self, type_: str, topic: Topic | None, qos: object) -> Channel:
+        if not self._dialect.discovers:
+            return Channel(type_, durable=True)
+        if isinstance(qos, dict):
+            durable = qos.get("durability") == "transient_local"
+            return Channel(type_, durable, demanding=durable)
+        return Channel(type_, durable=topic is not None and topic.latched)

@@ -1,0 +1,132 @@
+"""Topics that clients publish and services that clients offer, through the bridge."""
+
+import time
+from collections.abc import MutableMapping
+from dataclasses import dataclass, field
+from itertools import count
+from typing import TYPE_CHECKING
+
+from fleet_tui.simulator.channels import resolve
+from fleet_tui.simulator.frames import Payload, to_json
+from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.ros.definitions import SERVICES
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.filling import fill
+from fleet_tui.simulator.ros_types import ServiceError, ServiceType
+
+if TYPE_CHECKING:
+    from fleet_tui.simulator.calls import Call
+    from fleet_tui.simulator.session import Operation, Session
+
+
+@dataclass(eq=False)
+class _Offer:
+    """A service that a client offers, and the calls that it has not answered yet."""
+
+    session: "Session"
+    type: str
+    waiting: dict[str, "Call"] = field(default_factory=dict)
+    number: "count[int]" = field(default_factory=lambda: count(1))
+
+
+class Guests:
+    """Keeps what clients publish and offer in `topics`, `types` and `services` while they are there."""
+
+    def __init__(
+        self,
+        dialect: Dialect,
+        topics: MutableMapping[str, Topic],
+        types: MutableMapping[str, str],
+        services: MutableMapping[str, ServiceType],
+    ) -> None:
+        self._dialect = dialect
+        self._topics, self._types, self._services = topics, types, services
+        self._offers: dict[str, _Offer] = {}
+        self._advertised: dict[str, set[Session]] = {}
+
+    def owns(self, name: str) -> bool:
+        """Whether a topic or a service is a client's."""
+        return name in self._advertised or name in self._offers
+
+    def offers(self, service: str) -> bool:
+        """Whether a client offers the service."""
+        return service in self._offers
+
+    def advertise(self, session: "Session", name: str, type_: str, latched: bool) -> None:
+        """Let a client publish a topic. Raises ServiceError."""
+        name = resolve(name)
+        short = self._dialect.short(type_)
+        if self._dialect.fields(short) is None:
+            raise ServiceError(self._dialect.unknown_package(short.partition("/")[0], "msg"))
+        known = self._topics.get(name)
+        if known is None:
+            told = self._dialect.message_type(short)
+            empty = Payload({})
+            self._topics[name] = Topic(name, told, lambda _now: empty, latched=latched)
+            self._types[name] = told
+        elif self._dialect.short(known.type) != short:
+            raise ServiceError(f"Tried to advertise {name} with type {type_}, established is {known.type}")
+        self._advertised.setdefault(name, set()).add(session)
+
+    def unadvertise(self, session: "Session", name: str) -> None:
+        """End what `advertise` began."""
+        name = resolve(name)
+        sessions = self._advertised.get(name, set())
+        sessions.discard(session)
+        if name in self._advertised and not sessions:
+            del self._advertised[name]
+            del self._topics[name], self._types[name]
+
+    def published(self, session: "Session", operation: "Operation") -> tuple[str, Payload]:
+        """The topic and the message that a client publishes, completed. Raises ServiceError."""
+        name = resolve(operation["topic"])
+        known = self._topics.get(name)
+        if known is None or operation.get("type"):
+            self.advertise(session, name, operation.get("type") or "", bool(operation.get("latch")))
+            known = self._topics[name]
+        short, now = self._dialect.short(known.type), time.time()
+        msg = fill(self._dialect, short, self._dialect.fields(short) or {}, operation["msg"], now)
+        payload = Payload(msg)
+        if known.latched and name in self._advertised:
+            self._topics[name] = Topic(name, known.type, lambda _now: payload, latched=True)
+        return name, payload
+
+    def offer(self, session: "Session", name: str, type_: str) -> None:
+        """Let a client offer a service. Raises ServiceError."""
+        for defined, (request, _) in SERVICES.items():
+            told = self._dialect.service_type(defined)
+            if type_ in (told, self._dialect.short(told)):
+                self._offers[resolve(name)] = _Offer(session, self._dialect.short(told))
+                self._services[resolve(name)] = ServiceType(told, request)
+                return
+        raise ServiceError(self._dialect.unknown_package(type_.partition("/")[0], "srv"))
+
+    def withdraw(self, session: "Session", name: str) -> None:
+        """End what `offer` began."""
+        offer = self._offers.get(resolve(name))
+        if offer is not None and offer.session is session:
+            del self._offers[resolve(name)], self._services[resolve(name)]
+
+    def forward(self, service: str, call: "Call") -> None:
+        """Bring a call to the client that offers the service. Raises ServiceError."""
+        offer = self._offers[service]
+        type_ = self._services[service]
+        args = call.operation.get("args")
+        request = fill(self._dialect, self._dialect.request(type_.name), type_.fields, args, time.time())
+        id_ = f"service_request:{service}:{next(offer.number)}"
+        offer.waiting[id_] = call
+        offer.session.reply(to_json({"op": "call_service", "id": id_, "service": service, "args": request}))
+
+    def answered(self, operation: "Operation") -> None:
+        """Bring a client's answer to the one who called."""
+        offer = self._offers.get(resolve(operation["service"]))
+        call = offer.waiting.pop(str(operation.get("id")), None) if offer else None
+        if call is not None:
+            call.answer(operation.get("values", {}), bool(operation.get("result", True)))
+
+    def gone(self, session: "Session") -> None:
+        """End everything that a client published and offered."""
+        for name in [name for name, sessions in self._advertised.items() if session in sessions]:
+            self.unadvertise(session, name)
+        for name in [name for name, offer in self._offers.items() if offer.session is session]:
+            self.withdraw(session, name)

@@ -1,0 +1,74 @@
+"""The differences between the bridges of ROS 1 and ROS 2, one protocol for both."""
+
+from collections.abc import Collection, Mapping
+from typing import Any, Protocol
+
+from fleet_tui.simulator.ros.definitions import Fields
+
+Message = dict[str, Any]
+
+
+class Dialect(Protocol):
+    """One generation of ROS. Types are asked for by their ROS 1 name, `package/Name`."""
+
+    version: int
+    distro: str
+    rosapi_verbs: Collection[str]
+    """The services of rosapi."""
+    call_timeout: float | None
+    """Seconds after which the bridge gives a call up where the call names no limit, None = never."""
+    max_message_size: int | None
+    """Bytes of a message to a client; text above it comes in fragments, binary never. None = any."""
+    reads_binary: bool
+    """Whether a binary frame from a client is read as text."""
+    never_cbor: Collection[str]
+    """Types that never come as CBOR, in the short spelling."""
+    logs_complaints: bool
+    """Whether operations without effect are lines of /rosout."""
+    discovers: bool
+    """Publishers are discovered bit by bit, and quality of service is fixed at the first subscription."""
+
+    defaults: Mapping[tuple[str, str], float]
+    """Type and field -> the value of a field that is left out, where it is not zero."""
+
+    def message_type(self, name: str) -> str:
+        """The message type as rosapi tells it."""
+
+    def service_type(self, name: str) -> str:
+        """The service type as rosapi tells it."""
+
+    def short(self, type_: str) -> str:
+        """The type as typedefs and error texts have it; both spellings are read."""
+
+    def request(self, type_: str) -> str:
+        """The name of a service's request in error texts."""
+
+    def fields(self, type_: str) -> Fields | None:
+        """The fields of a message type in either spelling, None where the bridge doesn't know it."""
+
+    def primitive(self, rostype: str) -> str:
+        """A primitive type as typedefs name it."""
+
+    def time(self, seconds: float) -> Message:
+        """A time from seconds since 1970."""
+
+    def header(self, seq: int, seconds: float, frame_id: str) -> Message:
+        """A header; seq counts a topic's messages from 1."""
+
+    def integer(self, name: str, value: int, bits: int, signed: bool) -> int:
+        """An integer that was sent for a field, as the bridge passes it on. Raises ServiceError."""
+
+    def wrong(self, message: str, name: str, rostype: str, value: object) -> str:
+        """The text that refuses a value of another type."""
+
+    def unknown_package(self, package: str, kind: str) -> str:
+        """The text for a type of a package that the bridge doesn't have; kind is `msg` or `srv`."""
+
+    def thrown(self, service: str, error: str) -> str | None:
+        """The answer where a service's handler throws, None where there is none."""
+
+    def died(self) -> str | None:
+        """The answer where the node dies during the call, None where there is none."""
+
+    def log(self, seq: int, seconds: float, level: int, node: str, text: str) -> Message:
+        """A line of /rosout, its level as ROS 1 counts."""

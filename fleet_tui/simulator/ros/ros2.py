@@ -1,0 +1,132 @@
+"""ROS 2 behind rosbridge_server 2.7 (Jazzy)."""
+
+import math
+from collections.abc import Collection, Mapping
+from types import MappingProxyType
+
+from fleet_tui.simulator.ros.definitions import MESSAGES, Fields, RosField
+from fleet_tui.simulator.ros.dialect import Dialect, Message
+from fleet_tui.simulator.ros.ros1 import COMMON_VERBS
+
+_RENAMED = {"rosgraph_msgs/Log": "rcl_interfaces/Log", "rosapi": "rosapi_msgs"}
+_PRIMITIVES = {"bool": "boolean", "float32": "float", "float64": "double", "byte": "octet"}
+_TIME = RosField("builtin_interfaces/Time")
+
+
+def _named(name: str, kind: str) -> str:
+    """A name as ROS 2 allows it: packages in lower case, types in CamelCase."""
+    package, _, type_ = _RENAMED.get(name, name).partition("/")
+    camel = "".join(part[:1].upper() + part[1:] for part in type_.split("_"))
+    return f"{_RENAMED.get(package, package).lower()}/{kind}/{camel}"
+
+
+def _short(type_: str) -> str:
+    return type_.replace("/msg/", "/").replace("/srv/", "/")
+
+
+def _translated(field: RosField) -> RosField:
+    if field.type == "time":
+        return _TIME
+    type_ = _short(_named(field.type, "msg")) if "/" in field.type else field.type
+    return RosField(type_, field.length)
+
+
+def _messages() -> Mapping[str, Fields]:
+    found: dict[str, Fields] = {
+        _short(_named(name, "msg")): {key: _translated(field) for key, field in fields.items()}
+        for name, fields in MESSAGES.items()
+        if not name.startswith("rosgraph_msgs/")
+    }
+    header = {key: field for key, field in found["std_msgs/Header"].items() if key != "seq"}
+    time = {"sec": RosField("int32"), "nanosec": RosField("uint32")}
+    return found | {"std_msgs/Header": header, _TIME.type: time}
+
+
+_MESSAGES_BY_SHORT_NAME = _messages()
+
+
+class Ros2:
+    """What is told as `package/msg/Name`, with sec and nanosec in times and no seq."""
+
+    version, distro = 2, "jazzy"
+    rosapi_verbs: Collection[str] = (*COMMON_VERBS, "action_type", "get_ros_version", "interfaces")
+    call_timeout: float | None = 5.0
+    max_message_size: int | None = 10_000_000
+    reads_binary = True
+    never_cbor: Collection[str] = ("diagnostic_msgs/DiagnosticArray",)
+    logs_complaints = True
+    discovers = True
+    defaults: Mapping[tuple[str, str], float] = MappingProxyType({("geometry_msgs/Quaternion", "w"): 1.0})
+    log_levels: Mapping[int, int] = MappingProxyType({1: 10, 2: 20, 4: 30, 8: 40, 16: 50})
+
+    def message_type(self, name: str) -> str:
+        """`package/msg/Name`."""
+        return _named(name, "msg")
+
+    def service_type(self, name: str) -> str:
+        """`package/srv/Name`."""
+        return _named(name, "srv")
+
+    def short(self, type_: str) -> str:
+        """`package/Name`."""
+        return _short(type_)
+
+    def request(self, type_: str) -> str:
+        """`package/Name_Request`."""
+        return f"{_short(type_)}_Request"
+
+    def fields(self, type_: str) -> Fields | None:
+        """The fields of a message type, `package/Name` or `package/msg/Name`."""
+        return _MESSAGES_BY_SHORT_NAME.get(_short(type_))
+
+    def primitive(self, rostype: str) -> str:
+        """The name in the interface definition language."""
+        return _PRIMITIVES.get(rostype, rostype)
+
+    def time(self, seconds: float) -> Message:
+        """Seconds and nanoseconds."""
+        whole = math.floor(seconds)
+        return {"sec": whole, "nanosec": int((seconds - whole) * 1e9)}
+
+    def header(self, seq: int, seconds: float, frame_id: str) -> Message:
+        """A header without a count."""
+        return {"stamp": self.time(seconds), "frame_id": frame_id}
+
+    def integer(self, name: str, value: int, bits: int, signed: bool) -> int:
+        """The value, wrapped around where it does not fit."""
+        lowest = -(1 << bits - 1) if signed else 0
+        return (value - lowest) % (1 << bits) + lowest
+
+    def wrong(self, message: str, name: str, rostype: str, value: object) -> str:
+        """Message, field and both types; null is told in other words."""
+        if value is None:
+            return "msg is not a primitive type, but a <class 'NoneType'>"
+        return f"{message} message requires a {rostype} for field {name}, but got a {type(value)}"
+
+    def unknown_package(self, package: str, kind: str) -> str:
+        """Python can't import it."""
+        missing = f"No module named '{package}'"
+        return f"Unable to import {package}.{kind} from package {package}. Caused by: {missing}"
+
+    def thrown(self, service: str, error: str) -> str | None:
+        """The whole node dies."""
+        return None
+
+    def died(self) -> str | None:
+        """Nothing tells it: the call runs into its time limit."""
+        return None
+
+    def log(self, seq: int, seconds: float, level: int, node: str, text: str) -> Message:
+        """rcl_interfaces/msg/Log."""
+        return {
+            "stamp": self.time(seconds),
+            "level": self.log_levels[level],
+            "name": node.strip("/").replace("/", "."),
+            "msg": text,
+            "file": f"{node.rpartition('/')[2]}.py",
+            "function": "log",
+            "line": 42,
+        }
+
+
+ROS2: Dialect = Ros2()

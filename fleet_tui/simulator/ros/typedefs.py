@@ -1,0 +1,62 @@
+"""rosapi's description of types, field by field."""
+
+from collections.abc import Mapping
+
+from fleet_tui.simulator.ros.definitions import SERVICES, Fields, RosField
+from fleet_tui.simulator.ros.dialect import Dialect, Message
+from fleet_tui.simulator.ros.filling import ZEROS
+
+_CONSTANTS: Mapping[str, Mapping[str, int]] = {
+    "rosgraph_msgs/Log": {"DEBUG": 1, "ERROR": 8, "FATAL": 16, "INFO": 2, "WARN": 4},
+    "diagnostic_msgs/DiagnosticStatus": {"ERROR": 2, "OK": 0, "STALE": 3, "WARN": 1},
+}
+_TIME = {"secs": RosField("int32"), "nsecs": RosField("int32")}
+
+
+def message_typedefs(dialect: Dialect, type_: str) -> list[Message]:
+    """A message type and every type in it; none where the bridge doesn't know it."""
+    return _recursive(dialect, dialect.short(type_), set())
+
+
+def service_typedefs(dialect: Dialect, type_: str, response: bool) -> list[Message]:
+    """The request or the response of a service type and every type in it."""
+    for name, both in SERVICES.items():
+        told = dialect.service_type(name)
+        if type_ in (told, dialect.short(told)):
+            part = ("_" if dialect.version == 2 else "") + ("Response" if response else "Request")
+            return _with_parts(dialect, dialect.short(told) + part, both[response], set())
+    return []
+
+
+def _recursive(dialect: Dialect, type_: str, seen: set[str]) -> list[Message]:
+    fields = _TIME if type_ == "time" else dialect.fields(type_)
+    if type_ in seen or fields is None:
+        return []
+    seen.add(type_)
+    return _with_parts(dialect, type_, fields, seen)
+
+
+def _with_parts(dialect: Dialect, name: str, fields: Fields, seen: set[str]) -> list[Message]:
+    found = [_typedef(dialect, name, fields)]
+    for field in fields.values():
+        found += _recursive(dialect, field.type, seen)
+    return found
+
+
+def _typedef(dialect: Dialect, name: str, fields: Fields) -> Message:
+    constants = _CONSTANTS.get(name, {})
+    return {
+        "type": name,
+        "fieldnames": list(fields),
+        "fieldtypes": [dialect.primitive(field.type) for field in fields.values()],
+        "fieldarraylen": [-1 if field.length is None else field.length for field in fields.values()],
+        "examples": [_example(dialect, name, key, field) for key, field in fields.items()],
+        "constnames": list(constants),
+        "constvalues": [str(value) for value in constants.values()],
+    }
+
+
+def _example(dialect: Dialect, name: str, key: str, field: RosField) -> str:
+    if field.length is not None:
+        return "[]"
+    return str(dialect.defaults.get((name, key), ZEROS.get(field.type, {})))

@@ -1,0 +1,122 @@
+"""Publishes topics to those who subscribed, with doors through which tests make them fail."""
+
+import asyncio
+import time
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from fleet_tui.simulator.channels import Channels, resolve
+from fleet_tui.simulator.frames import Payload, Publication
+from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.services import ServiceDesk
+from fleet_tui.simulator.session import Operation, Session
+from fleet_tui.simulator.words import ERROR, ROSOUT, Talk
+from fleet_tui.simulator.world import World
+
+
+class TopicDesk(ServiceDesk):
+    """The topics of a bridge, beside its services. Its attributes are for tests to read and change."""
+
+    _talk: Talk
+
+    def __init__(self, world: World, dialect: Dialect, topics: Iterable[Topic]) -> None:
+        super().__init__(world, dialect, {topic.name: topic for topic in topics}, self._asked)
+        self.max_message_size = dialect.max_message_size
+        """Bytes of a message to a client, None = any number."""
+        self.muted: set[str] = set()
+        """Topics that are not published."""
+        self.orphaned: set[str] = set()
+        """Topics that come no more, as after a restart of roscore, until nobody holds them."""
+        self.started = time.monotonic()
+        """When the bridge was started."""
+        self.forget_subscriptions()
+
+    def forget_subscriptions(self) -> None:
+        """Begin as a bridge to which nobody has subscribed yet."""
+        self.channels = Channels(self.dialect, self.topics, self.unsourced)
+
+    def subscribed(self) -> set[str]:
+        """The topics that somebody is subscribed to."""
+        return set(self._asked())
+
+    def subscribers(self, topic: str) -> int:
+        """How many clients are subscribed to a topic."""
+        return sum(len(self.channels.sessions(name)) for name in _spellings(topic))
+
+    def publish_raw(self, topic: str, msg: dict[str, Any] | str | bytes) -> int:
+        """Send a message, or as it is a text or binary frame, to the topic's subscribers, past throttle
+        and queue. Returns how many there are."""
+        publication = Publication(topic, Payload(msg))
+        for session in self.channels.sessions(topic):
+            compression = session.subscriptions[topic].compression
+            session.reply(publication.frame(compression) if isinstance(msg, dict) else msg)
+        return self.subscribers(topic)
+
+    def publish(self, name: str, payload: Payload | None = None) -> None:
+        """Publish a message of a topic, its present one where none is given."""
+        topic = self.topics[name]
+        for asked in _spellings(name):
+            if self.channels.sessions(asked) and self._flows(asked, topic):
+                payload = payload or topic.payload(time.time())
+                publication = Publication(asked, payload)
+                for session in self._recipients(asked, topic):
+                    session.offer(asked, publication)
+
+    def complain(self, session: Session, operation: Operation, text: str) -> None:
+        """Log an operation that has no effect."""
+        if self.dialect.logs_complaints:
+            id_ = f"[id: {operation['id']}] " if "id" in operation else ""
+            words = f"[Client {session.id}] {id_}{operation.get('op')}: {text}"
+            self.publish(ROSOUT, Payload(self._talk.say(time.time(), ERROR, "/rosbridge_websocket", words)))
+
+    def join(self, session: Session, operation: Operation) -> None:
+        """Bring a topic to a client, who may have it already. Raises ServiceError."""
+        self.channels.join(session, operation, self._age)
+
+    def welcome(self, session: Session, topic: str) -> None:
+        """Tell a subscriber the topic's latched value, as soon as the bridge has discovered it."""
+        known = self.topics.get(resolve(topic))
+        if known is None or not known.latched:
+            return
+        wait = self.channels.delay(known) - self._age
+        if wait <= 0.0:
+            self._tell(session, topic, self.channels)
+        else:
+            asyncio.get_running_loop().call_later(wait, self._tell, session, topic, self.channels)
+
+    def leave(self, session: Session, topic: str) -> None:
+        """Forget a subscriber."""
+        if self.channels.leave(session, topic):
+            self.orphaned.discard(topic)
+
+    @property
+    def _age(self) -> float:
+        return time.monotonic() - self.started
+
+    def _asked(self) -> Mapping[str, str]:
+        return self.channels.types()
+
+    def _recipients(self, asked: str, topic: Topic) -> Iterator[Session]:
+        never = self.dialect.short(topic.type) in self.dialect.never_cbor
+        for session in self.channels.sessions(asked):
+            if not (never and session.subscriptions[asked].compression == "cbor"):
+                yield session
+
+    def _flows(self, asked: str, topic: Topic) -> bool:
+        if topic.name in self.muted or topic.name in self.orphaned:
+            return False
+        return self.channels.hears(asked, topic) and self._age >= self.channels.delay(topic)
+
+    def _tell(self, session: Session, asked: str, channels: Channels) -> None:
+        topic = self.topics.get(resolve(asked))
+        if topic is None or channels is not self.channels or session not in channels.sessions(asked):
+            return
+        if channels.durable(asked) and channels.hears(asked, topic) and topic.name not in self.muted:
+            now = time.time()
+            for payload in topic.history() if topic.history else (topic.payload(now),):
+                session.offer(asked, Publication(asked, payload))
+
+
+def _spellings(topic: str) -> tuple[str, ...]:
+    return topic, topic.removeprefix("/")
