@@ -15,7 +15,6 @@ from websockets.asyncio.server import ServerConnection, serve
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.ros_types import ServiceError, ServiceType
-from fleet_tui.simulator.rosapi import SERVICES as ROSAPI
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.faults.certificates import sign
 
@@ -152,7 +151,7 @@ def _unregistered(server: RosbridgeServer) -> None:
 
 
 def _frozen_rosapi(server: RosbridgeServer) -> None:
-    server.silent_services.update(ROSAPI)
+    server.silent_services.update(server.rosapi.services)
 
 
 def _failing_rosapi(server: RosbridgeServer) -> None:

@@ -1,5 +1,6 @@
 """`fleet-tui config init`: what a bridge has, as a configuration that works."""
 
+import gzip
 import json
 import tomllib
 from pathlib import Path
@@ -102,7 +103,7 @@ def test_what_a_real_bridge_said() -> None:
 
 
 def test_what_a_real_bridge_of_ros_2_said() -> None:
-    lines = (Path(__file__).parents[1] / "wire" / "ros2-rosapi.jsonl").read_text().splitlines()
+    lines = gzip.open(Path(__file__).parents[1] / "wire" / "ros2-rosapi.jsonl.gz", "rt").readlines()
     answers = [json.loads(json.loads(line)["text"]) for line in lines if '"in"' in line]
     told = {answer["service"]: answer["values"] for answer in answers if isinstance(answer["values"], dict)}
     listed = told["/rosapi/topics"]

@@ -15,7 +15,6 @@ import pytest
 from PIL import Image
 
 from fleet_tui.config.schema import Config
-from fleet_tui.simulator.rosapi import SERVICES as ROSAPI
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
 from tests.headless.plants import PLANTS, renamed, retyped
@@ -138,8 +137,8 @@ async def test_a_short_timeout_is_a_word_not_a_wrong_verdict(
 async def test_a_hundred_robots_fit_into_the_default_time(tmp_path: Path) -> None:
     """As slow as a real bridge: 20 ms for a subscribe, and for an answer of rosapi."""
     server = RosbridgeServer(World(robots=100, floors=1, seed=1, quiet=True), subscribe_delay=0.02)
-    for question in ROSAPI:
-        server.deliveries[question] = lambda session, frame: session.reply_in(0.02, frame)
+    for question in server.rosapi.services:
+        server.deliveries[question] = lambda call, frame: call.reply_in(0.02, frame)
     await server.start()
     config_file(tmp_path, server.url, 100, 1)
     done = await run(tmp_path, "doctor")
