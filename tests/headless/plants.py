@@ -2,6 +2,7 @@
 
 import asyncio
 import ssl
+import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import replace
@@ -242,6 +243,55 @@ PLANTS: dict[str, Plant] = {
     "a clock two hours behind": on_the_server(partial(says, topic="/robot_1/pose", change=_hours_late)),
 }
 """What is planted behind (or before) a rosbridge."""
+
+
+def _later_and_later(server: RosbridgeServer) -> None:
+    """Poses come later by nearly what has passed, as behind a bridge that has more to do than it can."""
+    began = time.time()
+
+    def late(pose: Message) -> Message:
+        stamp = began + (time.time() - began) / 10
+        now = {"sec": int(stamp), "nanosec": int(stamp % 1 * 1e9)}
+        return {**pose, "header": {**pose["header"], "stamp": now}}
+
+    for robot in server.world.robots:
+        says(server, f"/{robot}/pose", late)
+
+
+def _volatile(server: RosbridgeServer) -> None:
+    """What floors need is not latched, and published every half a second."""
+    names = [name for name, topic in server.topics.items() if "/floor_" in name]
+    server.topics |= {name: replace(server.topics[name], latched=False) for name in names}
+    age = 0.0
+
+    def step(dt: float) -> None:
+        nonlocal age
+        age += dt
+        if age > 0.5:
+            age = 0.0
+            for name in names:
+                server.publish(name)
+
+    server.world.troubles.append(step)
+
+
+def _small_messages(server: RosbridgeServer) -> None:
+    server.max_message_size = 100_000
+
+
+def _unsourced_on_ros_2(server: RosbridgeServer) -> None:
+    server.unsourced.add("oh_ressources")
+
+
+ROS_2_PLANTS: dict[str, Plant] = {
+    "on ROS 2 messages the bridge was started without": on_the_server(_unsourced_on_ros_2),
+    "on ROS 2 floors published volatile, again and again": on_the_server(_volatile),
+    "on ROS 2 a map larger than the bridge's messages": on_the_server(_small_messages),
+    "on ROS 2 a bridge that falls behind": on_the_server(_later_and_later),
+    "on ROS 2 a frozen rosapi": on_the_server(_frozen_rosapi),
+    "on ROS 2 a silent robot": on_the_server(_silent),
+}
+"""The same for a server that speaks as ROS 2."""
 
 
 async def _web(_reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:

@@ -103,7 +103,8 @@ def test_what_a_real_bridge_said() -> None:
 
 
 def test_what_a_real_bridge_of_ros_2_said() -> None:
-    lines = gzip.open(Path(__file__).parents[1] / "wire" / "ros2-rosapi.jsonl.gz", "rt").readlines()
+    packed = (Path(__file__).parents[1] / "wire" / "ros2-rosapi.jsonl.gz").read_bytes()
+    lines = gzip.decompress(packed).decode().splitlines()
     answers = [json.loads(json.loads(line)["text"]) for line in lines if '"in"' in line]
     told = {answer["service"]: answer["values"] for answer in answers if isinstance(answer["values"], dict)}
     listed = told["/rosapi/topics"]

@@ -3,7 +3,7 @@
 import asyncio
 import json
 import re
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager
 from functools import partial
 from pathlib import Path
@@ -11,11 +11,15 @@ from typing import Any
 
 import msgspec
 import pytest
+from websockets.asyncio.client import connect
 
 from fleet_tui.config.schema import Config, Link
+from fleet_tui.demo import demo_config
 from fleet_tui.headless.doctor.run import doctor
+from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import PLANTS, mute_server, other_websocket, tls_server, web_server
+from fleet_tui.simulator.world import World
+from tests.headless.plants import PLANTS, ROS_2_PLANTS, mute_server, other_websocket, tls_server, web_server
 from tests.watched import config_of
 
 TIMEOUT = 9.0
@@ -70,6 +74,52 @@ async def test_the_first_complaint_is_the_cause(server: RosbridgeServer, plant: 
     assert all(server.types.get(one["topic"]) == one["type"] for one in asked)
 
 
+@pytest.fixture
+async def ros_2() -> AsyncIterator[RosbridgeServer]:
+    """Two quiet simulated robots on two floors behind a bridge of ROS 2."""
+    running = RosbridgeServer(World(robots=2, floors=2, seed=1, quiet=True), dialect=ROS2)
+    await running.start()
+    yield running
+    await running.stop()
+
+
+@pytest.mark.parametrize("plant", ROS_2_PLANTS)
+async def test_the_first_complaint_is_the_cause_on_ros_2(ros_2: RosbridgeServer, plant: str) -> None:
+    config = ROS_2_PLANTS[plant](ros_2, demo_config(Config(), ros_2.url, 2, 2, "2"))
+    assert_as_promised(plant, *await complaint(config))
+    assert_harmless(ros_2)
+
+
+async def test_nothing_is_wrong_with_a_fleet_of_ros_2(ros_2: RosbridgeServer) -> None:
+    said = list[str]()
+    config = demo_config(Config(), ros_2.url, 2, 2, "2")
+    code = await asyncio.to_thread(doctor, config, TIMEOUT, False, said.append)
+    assert (code, said[-1]) == (0, f"{len(said) - 1} ok")
+    assert_harmless(ros_2)
+
+
+async def test_a_topic_that_another_client_took_too_early(ros_2: RosbridgeServer) -> None:
+    graph = "/robot_0/floor_0/graph"
+    asked = {"op": "subscribe", "topic": graph, "type": ros_2.types[graph]}
+    async with connect(ros_2.url) as early:
+        await early.send(json.dumps(asked))
+        line, code = await complaint(demo_config(Config(), ros_2.url, 2, 2, "2"))
+    assert code == 1 and line.startswith(f"FAIL robot_0 graph of floor_0: nothing came on {graph}")
+    assert "another client of the bridge took it before its publisher was found" in line
+    assert "no fault of /fleet" in line
+
+
+def assert_harmless(server: RosbridgeServer) -> None:
+    """No robot was commanded, no topic spoiled for others, and rosapi not asked what kills it."""
+    assert not server.calls and server.rosapi_alive
+    asked = [one["service"] for one in server.received if one["op"] == "call_service"]
+    lists = ("topics", "services", "nodes", "get_ros_version", "get_time", "fleet_tui_heartbeat")
+    of_names = ("publishers", "subscribers", "service_type", "service_node")
+    assert set(asked) <= {f"/rosapi/{verb}" for verb in (*lists, *of_names)}
+    subscribed = [one for one in server.received if one["op"] == "subscribe"]
+    assert all(server.types.get(one["topic"]) == one["type"] for one in subscribed)
+
+
 @pytest.mark.parametrize("plant", OTHER_SERVERS)
 async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
     async with OTHER_SERVERS[plant](tmp_path) as url:
@@ -78,4 +128,4 @@ async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
 
 
 def test_every_promise_is_planted() -> None:
-    assert set(promised()) == {*PLANTS, *OTHER_SERVERS}
+    assert set(promised()) == {*PLANTS, *OTHER_SERVERS, *ROS_2_PLANTS}

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
-from fleet_tui.config.profile import FLOOR_TOPICS, SERVICES
+from fleet_tui.config.profile import FLOOR_TOPICS, SERVICES, Profile
 from fleet_tui.config.schema import Config
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
@@ -41,7 +41,8 @@ def rosapi_remedy(rosapi: Rosapi) -> str:
     """Say how to have a rosapi that answers."""
     start = named(START_ROSAPI, rosapi.ros)
     if rosapi.is_absent:
-        return f"start rosapi beside rosbridge ({start})"
+        renew = "if it runs, a restarted ROS master knows neither it nor the robots' nodes: restart them"
+        return f"start rosapi beside rosbridge ({start})" + f"; {renew}" * (rosapi.ros != 2)
     if rosapi.is_silent:
         return f"restart rosapi ({start}), not rosbridge: that answers, and carries commands"
     return "those are rosapi's own words: see its log"
@@ -56,15 +57,14 @@ def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
 
 def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
     """After a restart of the ROS master topics go on between nodes that know each other already."""
+    if facts.rosapi.problem:
+        return
     heard = {one.wanted.robot for one in facts.topics if one.count}
-    there = {service.split("/")[1] for service in facts.rosapi.services if service.startswith("/")}
-    robots = [robot.name for robot in config.robots if robot.name in heard - there]
-    if facts.rosapi.problem or not robots:
+    robots = [robot.name for robot in config.robots if robot.name in heard]
+    robots = [robot for robot in robots if not _has_services(config.profile, robot, facts.rosapi)]
+    if not robots:
         return
-    services = [config.profile.service(key, robot) for robot in robots for key in SERVICES]
-    lost = [service for service in services if service not in facts.rosapi.services]
-    if lost != services:
-        return
+    services = (config.profile.service(key, robot) for robot in robots for key in SERVICES)
     yield Cause(
         Finding(
             facts.name,
@@ -77,6 +77,12 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
         "the robots' nodes are not registered",
         services=frozenset(services),
     )
+
+
+def _has_services(profile: Profile, robot: str, rosapi: Rosapi) -> bool:
+    """Whether a robot has services by the names of the profile, or others: those are told one by one."""
+    known = {profile.service(key, robot) for key in SERVICES}
+    return any(service in known or service.startswith(f"/{robot}/") for service in rosapi.services)
 
 
 def _silent_nodes(facts: BridgeFacts, explained: Collection[str]) -> Iterator[Cause]:

@@ -7,7 +7,7 @@ from fleet_tui.headless.doctor.facts import BridgeFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
 
 SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
-LATE = 1.0  # seconds by which poses get older while they are listened to
+LATE = 0.5  # seconds by which poses get older while they are listened to
 MOST_MESSAGES = {1: 4000, 2: 500}  # a second of one bridge, as measured
 WRONG = 1.0  # seconds by which a clock may be off
 LONG_AGO = 1e8  # a robot that says 1973 or earlier counts from the start of a simulation

@@ -23,9 +23,9 @@ BATCH = 20  # subscribes, of which a real bridge needs 20 ms for each
 SHARE = 150  # topics of one connection, 3 s of subscribing; the bridge works on several side by side
 ENOUGH = 3  # messages of a topic to tell its rate; poses are the fast ones
 ENOUGH_FAST = 10
-# Seconds for which a topic is let go, so that the bridge forgets how it was subscribed, and for which it is
-# listened to again; and for how many of them it is asked who holds them meanwhile.
-LET_GO, SECOND_TRY, MOST_HELD = 0.7, 2.0, 20
+# Seconds after which a floor's topic is let go, and for how long, so that the bridge forgets how it was
+# subscribed; and of how many of them it is asked who holds them meanwhile.
+FIRST_TRY, LET_GO, MOST_HELD = 2.0, 0.7, 20
 
 Asked = list[tuple[Wanted, str]]
 
@@ -76,9 +76,10 @@ async def _hear(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None
         if ROSOUT in rosapi.topics:
             wire.overhear(rosapi.topics[ROSOUT])
         await _subscribe(wire, topics, rosapi.ros != 1, until)
-        await _wait(wire, [one for one, _ in topics], min(until, time.monotonic() + AT_MOST))
-        if rosapi.ros != 1:
-            await _ask_again(wire, topics, rosapi, until)
+        ours = min(until, time.monotonic() + AT_MOST)
+        again = asyncio.ensure_future(_ask_again(wire, topics, rosapi, ours))
+        await _wait(wire, [one for one, _ in topics], ours)
+        await again
 
 
 async def _wait(wire: Wire, topics: list[Wanted], until: float) -> None:
@@ -110,8 +111,12 @@ async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) ->
     A bridge of ROS 2 chooses the quality of service once, for all its clients, and sends nothing binary
     that is larger than its limit.
     """
-    silent = [(one, type_) for one, type_ in topics if _is_silent(wire, one)]
-    if not silent or until - time.monotonic() < LET_GO + SECOND_TRY:
+    if rosapi.ros == 1 or until - time.monotonic() < 2 * FIRST_TRY:
+        return
+    floors = [(one, type_) for one, type_ in topics if one.kind.per_floor]
+    await _wait(wire, [one for one, _ in floors], time.monotonic() + FIRST_TRY)
+    silent = [(one, type_) for one, type_ in floors if _is_silent(wire, one)]
+    if not silent:
         return
     for one, _ in silent:
         wire.let_go(one.subscription.topic)
@@ -122,12 +127,12 @@ async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) ->
         wire.heard[topic].held_by = next((node for node in holders if "rosbridge" in node), "")
     for one, type_ in silent:
         wire.ask_plainly(one, type_)
-    await _wait(wire, [one for one, _ in silent], min(until, time.monotonic() + SECOND_TRY))
+    await _wait(wire, [one for one, _ in silent], until)
 
 
 def _is_silent(wire: Wire, wanted: Wanted) -> bool:
     heard = wire.heard[wanted.subscription.topic]
-    return wanted.kind.per_floor and not heard.count and not heard.fragmented
+    return not heard.count and not heard.fragmented
 
 
 def _enough(wanted: Wanted) -> int:
