@@ -13,6 +13,7 @@ from typing import Any
 import msgspec
 from websockets.asyncio.server import ServerConnection, serve
 
+from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.ros_types import ServiceError, ServiceType
@@ -289,6 +290,9 @@ ROS_2_PLANTS: dict[str, Plant] = {
     "on ROS 2 a map larger than the bridge's messages": on_the_server(_small_messages),
     "on ROS 2 a bridge that falls behind": on_the_server(_later_and_later),
     "on ROS 2 a frozen rosapi": on_the_server(_frozen_rosapi),
+    "on ROS 2 no rosapi, and types as in ROS 1": lambda server, config: msgspec.structs.replace(
+        on_the_server(_no_rosapi)(server, config), profile=Profile()
+    ),
     "on ROS 2 a silent robot": on_the_server(_silent),
 }
 """The same for a server that speaks as ROS 2."""

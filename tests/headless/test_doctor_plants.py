@@ -86,8 +86,10 @@ async def ros_2() -> AsyncIterator[RosbridgeServer]:
 @pytest.mark.parametrize("plant", ROS_2_PLANTS)
 async def test_the_first_complaint_is_the_cause_on_ros_2(ros_2: RosbridgeServer, plant: str) -> None:
     config = ROS_2_PLANTS[plant](ros_2, demo_config(Config(), ros_2.url, 2, 2, "2"))
+    has_rosapi = ros_2.rosapi_alive
     assert_as_promised(plant, *await complaint(config))
-    assert_harmless(ros_2)
+    if has_rosapi:
+        assert_harmless(ros_2)
 
 
 async def test_nothing_is_wrong_with_a_fleet_of_ros_2(ros_2: RosbridgeServer) -> None:

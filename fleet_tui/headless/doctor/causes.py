@@ -136,6 +136,9 @@ def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:
     names = frozenset(one.topic for one in silent)
     nodes = sorted({node for name in names for node in rosapi.publishers.get(name, ())})
     by = f", published by {listed(nodes)}" if nodes else ""
+    remedy = f"source the workspace that has {package} before starting rosbridge, and restart it so"
+    if rosapi.problem and package != package.lower():
+        remedy += f"; or it is ROS 2, where the package is {package.lower()}: [profile.types]"
     said = next((f"; rosbridge says: {one.complaint}" for one in silent if one.complaint), "")
     yield Cause(
         Finding(
@@ -144,7 +147,7 @@ def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:
             Verdict.FAIL,
             f"the bridge does not know {package}: nothing comes on {listed(sorted(names))}{by}; other topics"
             f" of the same robots come{said}",
-            f"source the workspace that has {package} before starting rosbridge, and restart it so",
+            remedy,
             {"package": package, "topics": len(names)},
         ),
         f"the bridge does not know {package}",
