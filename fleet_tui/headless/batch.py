@@ -75,7 +75,7 @@ def _give_all(
     codes = list[int]()
     for done, (number, wish) in enumerate(wishes, 1):
         given.begin()
-        codes.append(said(given.give(wish), as_json, say))
+        codes.append(said(given.give(wish), as_json, say, given))
         if codes[-1] != DONE and not keep_going:
             left = len(wishes) - done
             say(f"stopped at line {number}, {left} line{'s' * (left != 1)} left", err=True)

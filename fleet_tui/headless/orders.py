@@ -1,6 +1,7 @@
 """`fleet-tui order`, `cancel`, `clear`, `pause`, `resume` and `run`: commands without a screen."""
 
 import signal
+import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 
@@ -9,18 +10,20 @@ import click
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import CommandError
-from fleet_tui.headless.outcome import NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, tell
+from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, tell
 from fleet_tui.headless.sending import LINK_WITHIN, How, Sending, reaches, unreported
 from fleet_tui.headless.session import session
 from fleet_tui.journal.audit import auditing
 from fleet_tui.log_file import state_folder
+from fleet_tui.model.batches import pauses, summary
 from fleet_tui.model.checks import no_link
-from fleet_tui.model.commands import ResumeRobot
+from fleet_tui.model.commands import ResumeRobot, Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import ALL, find_robot, parse_words
 from fleet_tui.model.problem import Rights
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.command_line import command_text
+from fleet_tui.view.questions import question
 from fleet_tui.view.text import visible
 
 LABELS_WITHIN = 1.0
@@ -155,20 +158,34 @@ def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say
             if absent:
                 return unsent(f"{wrong}; never came: {', '.join(absent)}", NOT_DONE)
             raise click.UsageError(visible(str(wrong))) from None
-        return said(given.give(wish), as_json, say)
+        if not as_json and sys.stdin.isatty():
+            _ask(given, wish)
+        return said(given.give(wish), as_json, say, given)
+
+
+def _ask(given: Sending, wish: Wish) -> None:
+    """Ask a person at a terminal what others answer with --yes."""
+    found = given.warnings(wish)
+    shown = [problem for problem in found if problem.check != "losses"]
+    if found and click.confirm(question(given.state, wish, shown), err=True):
+        given.override()
 
 
 def pause(config: Config, word: str, asked: How, as_json: bool, say: Say) -> int:
     """Pause a robot, or all, on each bridge as soon as there is a connection; the exit code."""
     robots = robots_of(config, word)
     with sending(config, asked, say) as given:
-        return said(given.pause(robots), as_json, say)
+        return said(given.pause(robots), as_json, say, given)
 
 
-def said(outcomes: Iterable[Outcome], as_json: bool, say: Say) -> int:
-    """Say each outcome when it is there; the exit code of all."""
+def said(outcomes: Iterable[Outcome], as_json: bool, say: Say, given: Sending | None = None) -> int:
+    """Say each outcome when it is there, and how many robots as a whole; the exit code of all."""
     codes = list[int]()
     for outcome in outcomes:
         tell(outcome, as_json, say)
         codes.append(outcome.code)
+    if given is not None and len(codes) > 1 and not as_json:
+        for batch in pauses(given.records)[-1:]:
+            what, words = summary(given.state, batch)
+            say(visible(f"{what}: {words}"), err=exit_code(codes) != DONE)
     return exit_code(codes)

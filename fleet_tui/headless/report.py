@@ -80,7 +80,7 @@ def _robot(state: FleetState, robot: Robot) -> Values:
         "battery_percent": _value(robot.battery),
         "cargo": _value(robot.cargo),
         "obstacle_s": _value(robot.obstacle),
-        "paused": state.is_paused(robot),
+        "paused": state.pause(robot),
         "orders": _orders(robot) if robot.queue else None,
         "bad_messages": robot.faults,
         "never_came": missing(robot),

@@ -10,7 +10,7 @@ from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, 
 from fleet_tui.headless.session import WaitingStore
 from fleet_tui.link.fleet_link import FleetLink
 from fleet_tui.model.checks import problems
-from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Wish
+from fleet_tui.model.commands import ClearOrders, Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.problem import Problem, Rights
@@ -49,6 +49,16 @@ def reaches(state: FleetState, robot: Robot) -> bool:
     return link.phase is Phase.UP and link.command_path in (CommandPath.ALIVE, CommandPath.UNREGISTERED)
 
 
+def _losses(state: FleetState, wish: Wish) -> Iterator[Problem]:
+    """Warn of a clear: whoever types it sees no queue."""
+    for command in wish.commands:
+        robot = state.robots.get(command.robot)
+        if isinstance(command, ClearOrders) and robot is not None and robot.orders.open:
+            count = len(robot.orders.open)
+            text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
+            yield Problem("losses", text, blocks=False)
+
+
 class Sending:
     """Gives commands on a session, and keeps the record of each: the state forgets old ones."""
 
@@ -72,6 +82,11 @@ class Sending:
     def state(self) -> FleetState:
         """The newest picture of the fleet."""
         return self.store.state
+
+    @property
+    def records(self) -> list[CommandRecord]:
+        """Every command that was given."""
+        return list(self._records.values())
 
     @property
     def left(self) -> float:
@@ -101,8 +116,18 @@ class Sending:
         wrong = self._problems(wish)
         return list(self._hold_back(wish.commands, wrong)) if wrong else []
 
+    def warnings(self, wish: Wish) -> list[Problem]:
+        """What a person may override, nothing where the wish is never sent."""
+        found = self._problems(wish)
+        return [] if any(problem.blocks for problem in found) else found
+
+    def override(self) -> None:
+        """Send in spite of warnings from now on."""
+        self._how = replace(self._how, yes=True)
+        self.begin()
+
     def _problems(self, wish: Wish) -> list[Problem]:
-        found = problems(self.state, wish, self._how.rights)
+        found = [*problems(self.state, wish, self._how.rights), *_losses(self.state, wish)]
         asked = [command for command in wish.commands if not isinstance(command, PauseRobot | ResumeRobot)]
         for name in dict.fromkeys(command.robot for command in asked):
             absent = unreported(self.state.robots[name])
@@ -112,7 +137,7 @@ class Sending:
 
     def _hold_back(self, commands: Sequence[Command], wrong: list[Problem]) -> Iterator[Outcome]:
         words = ", ".join(problem.text for problem in wrong)
-        words += "" if wrong[0].blocks else ": --yes sends it anyway"
+        words += "" if wrong[0].blocks else ": --yes sends it all the same"
         code = CODES.get(wrong[0].check, NOT_DONE) if wrong[0].blocks else NOT_DONE
         yield from (unsent(self.state, command, words, code) for command in commands)
 

@@ -7,10 +7,11 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 
 from fleet_tui.config.schema import Config
+from fleet_tui.link.backlog import Backlog, Frame
 from fleet_tui.link.calls import Calls
-from fleet_tui.link.map_process import WORTH_A_PROCESS
+from fleet_tui.link.map_process import WORTH_A_PROCESS, topic_of
 from fleet_tui.link.memory import give_back
-from fleet_tui.link.reading import Reading
+from fleet_tui.link.reading import DIAGNOSTICS, ROSOUT, Reading
 from fleet_tui.link.services import Services
 from fleet_tui.link.subscriber import Subscriber
 from fleet_tui.link.subscriptions import wanted_services, wanted_topics
@@ -32,6 +33,8 @@ HEAVY_BYTES = 100_000
 TIDY_AFTER = 1.0
 # Bytes of frames that wait to be decoded: what comes on top of more is passed over.
 MOST_WAITING = 64 * 2**20
+# Topics of which every message counts, not only the newest.
+LOGS = frozenset({ROSOUT, DIAGNOSTICS})
 # Seconds between looks for robots that stay away.
 LOOK_EVERY = 0.2
 
@@ -62,7 +65,14 @@ class Telemetry:
         self.show_map = self._subscriber.show_map
         self.overhear = self._subscriber.overhearing.listen
         self.counter = self._reading.counter
+        self._backlog = Backlog(
+            self.connection.progress,
+            lambda: self.connection.factory.fed_at,
+            lambda: self._reading.counter,
+            self._read_frame,
+        )
         writer.before_tick.append(self._look)
+        writer.backlogs.append(self._backlog.age)
 
     def _look(self, now: float) -> None:
         if self._heard > self._told_heard:
@@ -93,6 +103,7 @@ class Telemetry:
         """Say so, and stop what was under way."""
         self._subscriber.stop()
         self.services.stop()
+        self._backlog.clear()
         self._calls.on_lost()
         now = time.monotonic()
         self.counter.lost(reason, now)
@@ -102,9 +113,12 @@ class Telemetry:
         """Decode here, or beside the loop if that takes long."""
         self._heard = self._spoke = time.monotonic()
         if len(payload) < HEAVY_BYTES:
-            self._take_frame(
-                payload, is_binary, self._heard, self._reading.read(payload, is_binary, self._heard)
-            )
+            frame = payload, is_binary, self._heard
+            topic = "" if is_binary else topic_of(payload)
+            if topic in self._reading.counter.topics and topic not in LOGS:
+                self._backlog.put(topic, frame)
+            else:
+                self._read_frame(frame)
             return
         if self._waiting > MOST_WAITING:
             self.counter.dropped += 1
@@ -117,6 +131,9 @@ class Telemetry:
         work.add_done_callback(partial(self._take_late, payload, is_binary, self._heard))
         if len(payload) > WORTH_A_PROCESS:
             work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, give_back))
+
+    def _read_frame(self, frame: Frame) -> None:
+        self._take_frame(*frame, self._reading.read(*frame))
 
     def _take_late(self, payload: bytes, is_binary: bool, at: float, done: "asyncio.Future[Read]") -> None:
         self._waiting -= len(payload)

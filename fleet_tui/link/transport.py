@@ -1,7 +1,7 @@
 """roslibpy with its gaps closed. The only module that imports it; pinned to 2.1.0.
 
-Left alone it queues what is sent while the link is down and fires it on reconnect, backs off to an
-hour, never notices a frozen server, can't read binary frames and complains on stderr.
+Left alone it sends on reconnect what was sent while the link was down, backs off to an hour, never
+notices a frozen server, can't read binary frames and complains on stderr.
 """
 
 import asyncio
@@ -27,7 +27,7 @@ from fleet_tui.link.tls import tls_context
 LOG = logging.getLogger(__name__)
 
 FIRST_DELAY, LONGEST_DELAY, JITTER = 1.0, 5.0, 0.25
-# A connection that lived this long was a good one: the next loss is tried again quickly.
+# After so long a life the next loss is tried again quickly.
 SETTLED_AFTER = 5.0
 CONNECT_TIMEOUT = 5.0
 PING_INTERVAL = PING_TIMEOUT = 3.0
@@ -50,15 +50,15 @@ class _Protocol(AsyncioRosBridgeProtocol):  # type: ignore[misc]  # roslibpy has
     lost_by: Exception | None = None
     message_data: list[bytes]
     frame_data: list[bytes]
-    _fed = 0.0
 
     def data_received(self, data: bytes) -> None:
-        self._fed = self.factory.manager.loop.time()
+        self.factory.fed_at = self.factory.manager.loop.time()
+        self.factory.read_bytes += len(data)
         super().data_received(data)
 
     def onAutoPingTimeout(self) -> None:  # noqa: N802  # autobahn's name
         # The answer to a ping waits behind a long message: what still arrives is alive.
-        if self.factory.manager.loop.time() - self._fed > PING_TIMEOUT:
+        if self.factory.manager.loop.time() - self.factory.fed_at > PING_TIMEOUT:
             super().onAutoPingTimeout()
             return
         later = self.factory._batched_timer.call_later
@@ -122,10 +122,11 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
         self.listener = listener
         self.limit = int(bridge.max_message_mb * 1e6)
         self.reason = ""
+        self.read_bytes, self.fed_at = 0, 0.0
         self._opened_at = 0.0
         self._reconnect_delay: float = FIRST_DELAY
         self._timer: asyncio.TimerHandle | None = None
-        self._trying: asyncio.Task[None] | None = None
+        self._trying: asyncio.Task[None] | None = None  # held, or it may be collected in the middle
         self.setProtocolOptions(
             autoPingInterval=PING_INTERVAL,
             autoPingTimeout=PING_TIMEOUT,
@@ -142,10 +143,9 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
         if self._stop:
             proto.transport.abort()
             return
-        # A server that accepts and drops at once must not be asked ever faster.
         delay = self._reconnect_delay
         super().ready(proto)
-        self._reconnect_delay = delay
+        self._reconnect_delay = delay  # a server that drops at once must not be asked ever faster
         self._opened_at = self.manager.loop.time()
         if first := self.credentials.frame(self.host):
             proto.sendMessage(first)
@@ -175,7 +175,6 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
                 pending.cancel()
 
     def _open_connection(self) -> None:
-        # A task that nobody holds may be collected in the middle.
         self._trying = asyncio.ensure_future(self._connect_async())
 
     async def _connect_async(self) -> None:
@@ -199,9 +198,8 @@ class _Factory(AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy
     def _schedule_reconnect(self) -> None:
         if self._stop:
             return
-        delay = self._reconnect_delay
-        self._reconnect_delay = min(delay * 1.7, LONGEST_DELAY / (1 + JITTER))
-        wait = delay * (1 + random.random() * JITTER)
+        wait = self._reconnect_delay * (1 + random.random() * JITTER)
+        self._reconnect_delay = min(self._reconnect_delay * 1.7, LONGEST_DELAY / (1 + JITTER))
         self.listener.on_lost(self.reason, wait)
         self._timer = self.manager.loop.call_later(wait, self._open_connection)
 
@@ -214,6 +212,12 @@ class Connection(roslibpy.Ros):  # type: ignore[misc]  # roslibpy has no types
         self._id_counter = 0
         self.factory = _Factory(bridge, listener)
         self.is_connecting = False
+
+    def progress(self) -> tuple[int, int]:
+        """Bytes ever read, and the socket's file descriptor, -1 without one."""
+        transport = self.factory._proto.transport if self.is_connected else None
+        found = transport.get_extra_info("socket") if transport is not None else None
+        return self.factory.read_bytes, -1 if found is None else found.fileno()
 
     def send(self, payload: bytes) -> None:
         """Send a frame. On the loop. Raises LinkError without a connection."""

@@ -28,6 +28,8 @@ class Writer:
         self.store, self.tap = store, tap
         self.loop = network_loop()
         self.before_tick: list[Callable[[float], None]] = []
+        self.backlogs: list[Callable[[float], float]] = []
+        """Each tells how many seconds the oldest message of a connection has waited to be read."""
         self._ticker: asyncio.Future[None] | None = None
         self._tidied = time.monotonic()
         self._tidy = settle
@@ -42,12 +44,14 @@ class Writer:
         self._ticker = asyncio.ensure_future(self._tick())
 
     async def _tick(self) -> None:
+        due = time.monotonic()
         while True:
             try:
                 now = time.monotonic()
                 for look in self.before_tick:
                     look(now)
-                self.take(TimePassed(now, time.time()))
+                behind = max([now - due, *(age(now) for age in self.backlogs)])
+                self.take(TimePassed(now, time.time(), behind if behind > TICK else 0.0))
                 if now - self._tidied > TIDY_EVERY:
                     self._tidied = now
                     self._tidy()
@@ -55,6 +59,7 @@ class Writer:
             except Exception:
                 # Without the time nothing would age: one bad tick must not be the last.
                 LOG.exception("tick")
+            due = time.monotonic() + TICK
             await asyncio.sleep(TICK)
 
     def take(self, event: Event) -> None:

@@ -13,6 +13,7 @@ from fleet_tui.model.confirmation import before, confirm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.floods import without_floods
 from fleet_tui.model.follow_up import follow_up
+from fleet_tui.model.lag import with_lags
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.reports import apply_chart, apply_report
 from fleet_tui.model.robot import Robot, with_fault
@@ -23,7 +24,8 @@ LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
 
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
-    state = _confirm_commands(replace(state, now=event.at, wall=event.wall))
+    state = with_lags(replace(state, now=event.at, wall=event.wall), event.at, event.behind)
+    state = _confirm_commands(state)
     held = {alarm.key: alarm.condition for alarm in state.alarms if alarm.holds}
     found = list(conditions(state, held))
     began = {one.key: state.began.get(one.key, event.at) for one in found}

@@ -18,7 +18,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.model.order import OPEN_STATUSES
+from fleet_tui.model.order import OPEN_STATUSES, STATUS_WORDS
 from fleet_tui.model.problem import Problem, Rights
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.route_checks import (
@@ -85,15 +85,20 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
     if command.order_id <= 0:
         text = f"order id {command.order_id} would mean all orders to the robot: use clear for that"
         yield Problem("id means all", text)
-    elif all(order.id != command.order_id for order in robot.orders.orders):
-        old = robot.queue is None or state.is_old(robot.queue)
+        return
+    old = robot.queue is None or state.is_old(robot.queue)
+    order = next((order for order in robot.orders.orders if order.id == command.order_id), None)
+    if order is None:
         text = f"order {command.order_id} is not in the queue of {robot.name}"
         yield Problem("not in the queue", text + (" as last heard" if old else ""), blocks=not old)
+    elif order.is_over:
+        text = f"order {command.order_id} of {robot.name} is {STATUS_WORDS[order.status]} already"
+        yield Problem("not in the queue", text, blocks=not old)
 
 
 def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """There is an order to lose."""
-    if isinstance(command, ClearOrders) and not robot.orders.orders:
+    if isinstance(command, ClearOrders) and not robot.orders.open:
         old = robot.queue is None or state.is_old(robot.queue)
         text = f"{robot.name} had no orders when last heard" if old else f"{robot.name} has no orders"
         yield Problem("nothing to clear", text, blocks=not old)

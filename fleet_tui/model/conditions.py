@@ -8,14 +8,18 @@ from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.failures import failed_commands
-from fleet_tui.model.fleet import FleetState, age, obstacle_text
+from fleet_tui.model.fleet import FleetState, age, behind_text, obstacle_text
 from fleet_tui.model.floods import Held, is_held
+from fleet_tui.model.lag import BEHIND
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.robot import Robot
 
 BAD_AFTER, BAD_FOR = 1.0, 10.0
 """Seconds from bad data to its alarm (other robots may send some, too), and without any until it
 counts as good."""
+BEHIND_FOR = 2.0
+"""Seconds for which the console or a bridge must be behind: a map may take a moment."""
+OVERLOADED = "the bridge is overloaded: fewer topics, lower rates at the robots, or a second bridge"
 STILL = 2.0
 """Seconds without a step after which a robot counts as standing."""
 
@@ -79,9 +83,14 @@ def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
 
 
+def is_news(state: FleetState, fault_at: float | None) -> bool:
+    """Tell whether bad data came a short while ago; `fault_at` is when it came last."""
+    return fault_at is not None and state.now - fault_at < BAD_FOR
+
+
 def bad_data(state: FleetState, source: Robot | LinkState, _held: Held) -> Condition | None:
     """Something came from a robot or over a link that can't be read, a short while ago."""
-    if source.fault_at is None or state.now - source.fault_at >= BAD_FOR:
+    if not is_news(state, source.fault_at):
         return None
     text = f"bad data x{source.faults}: {source.last_fault}"
     kind = "data" if isinstance(source, Robot) else "frames"
@@ -112,7 +121,7 @@ def offline(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     While the link is down its own alarm stands for its robots; what was raised before goes on. A new
     link begins everybody's silence anew.
     """
-    limit = state.limits.offline_after
+    limit = state.patience
     if robot.heard is not None and state.now - robot.heard <= limit / 2:
         return None
     link = state.links[robot.link]
@@ -124,12 +133,33 @@ def offline(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     return Condition(robot.name, "offline", Priority.MEDIUM, text, "is back", due)
 
 
+def behind(state: FleetState) -> Condition | None:
+    """Raise where this console does not keep up with what comes: no robot is to blame for it."""
+    if state.behind < BEHIND:
+        return None
+    due = state.began.get(("console", "behind"), state.now) + BEHIND_FOR
+    text = behind_text(state)
+    return Condition("console", "behind", Priority.MEDIUM, text, "this console keeps up again", due)
+
+
+def late(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
+    """Raise where messages come late while this console keeps up: the bridge carries too much."""
+    if link.phase is not Phase.UP or link.late < BEHIND:
+        return None
+    due = state.began.get((link.name, "late"), state.now) + BEHIND_FOR
+    text = f"messages come {link.late:.1f} s late: {OVERLOADED}"
+    return Condition(link.name, "late", Priority.MEDIUM, text, "messages come in time again", due)
+
+
 ROBOT_RULES = (offline, obstacle, battery, pause, stuck, bad_data)
-LINK_RULES = (dead_commands, no_link, bad_data)
+LINK_RULES = (dead_commands, no_link, bad_data, late)
 
 
 def conditions(state: FleetState, held: Held) -> Iterator[Condition]:
     """Everything that needs a person now, or soon: see `due`."""
+    own = behind(state)
+    if own is not None:
+        yield own
     for link in state.links.values():
         for link_rule in LINK_RULES:
             found = link_rule(state, link, held)

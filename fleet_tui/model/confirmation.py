@@ -193,7 +193,7 @@ def _deadline(state: FleetState, robot: Robot, record: CommandRecord) -> float |
     link = state.links[robot.link]
     if link.phase is not Phase.UP:
         return None
-    return max(record.at, link.since) + state.limits.confirm_after
+    return max(record.at, link.since) + state.limits.confirm_after + state.behind
 
 
 def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:

@@ -3,6 +3,7 @@ the network loop writes, the screen reads what it finds, and neither waits for t
 
 from collections import deque
 from collections.abc import Iterable
+from functools import partial
 from itertools import pairwise
 from math import inf
 from typing import TypeVar
@@ -155,6 +156,10 @@ class RoundTrips:
         return sum(abs(b - a) for a, b in pairwise(took)) / max(1, len(took) - 1)
 
 
+def _is_same_line(one: LogLine, other: LogLine) -> bool:
+    return one.stamp == other.stamp and one.node == other.node and one.text == other.text
+
+
 class LinkCounter:
     """One bridge."""
 
@@ -170,6 +175,8 @@ class LinkCounter:
         self.lost_why = ""
         self.dropped = 0
         """Frames that were passed over, being too large or too many."""
+        self.overtaken = 0
+        """Frames that were not decoded: a newer one of their topic had come while this console was behind."""
         self.unreadable = 0
         """Frames of which not even the topic could be read."""
         self.bad: BadMessage | None = None
@@ -202,7 +209,9 @@ class LinkCounter:
         self.bad = BadMessage(text, Raw(payload[:HEAD], is_binary, at, len(payload)))
 
     def take_log(self, line: LogLine) -> None:
-        """A line of the robots' log came."""
+        """Keep a line of the robots' log, once: /rosout is latched, and sends its last ones again."""
+        if line.stamp is not None and any(map(partial(_is_same_line, line), self.log)):
+            return
         self.logged += 1
         self.log.append(line)
 

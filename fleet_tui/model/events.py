@@ -199,10 +199,12 @@ class AlarmUnshelved(Struct, frozen=True, tag=True):
 
 
 class TimePassed(Struct, frozen=True, tag=True):
-    """The writer's clock: deadlines, offline and alarms ripen on it."""
+    """The writer's clock: deadlines, offline and alarms advance with it. `behind`: seconds that the oldest
+    message has waited for this console to read it."""
 
     at: float
     wall: float
+    behind: float = 0.0
 
 
 Event = (

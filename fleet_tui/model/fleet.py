@@ -45,7 +45,8 @@ class Floor(Struct, frozen=True, eq=False):
 
 class FleetState(Struct, frozen=True, eq=False):
     """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick;
-    `began` is since when each condition holds, alarm or not yet."""
+    `began` is since when each condition holds, alarm or not yet; `behind`: seconds by which this console
+    is late in reading what has come, for which it blames no robot."""
 
     floors: Mapping[str, Floor]
     robots: Mapping[str, Robot]
@@ -56,10 +57,17 @@ class FleetState(Struct, frozen=True, eq=False):
     commands: tuple[CommandRecord, ...] = ()
     now: float = 0.0
     wall: float = 0.0
+    behind: float = 0.0
+
+    @property
+    def patience(self) -> float:
+        """Seconds of silence after which a robot counts as offline. What this console has not read yet is not
+        held against it."""
+        return self.limits.offline_after + self.behind
 
     def is_online(self, robot: Robot) -> bool:
         """Whether it spoke within the limit."""
-        return robot.heard is not None and self.now - robot.heard <= self.limits.offline_after
+        return robot.heard is not None and self.now - robot.heard <= self.patience
 
     def was_obstructed(self, robot: Robot) -> bool:
         """Whether by its last word it was in contact with an obstacle for longer than the limit."""
@@ -69,15 +77,20 @@ class FleetState(Struct, frozen=True, eq=False):
         """The same, where that word is fresh."""
         return self.was_obstructed(robot) and not (robot.obstacle and self.is_old(robot.obstacle))
 
+    def pause(self, robot: Robot) -> bool | None:
+        """Whether it is paused, None where nothing tells: the robot's own fresh word where it gives one,
+        else our accepted pause."""
+        if robot.paused is not None:
+            return None if self.is_old(robot.paused) else robot.paused.value
+        return True if robot.paused_by_us else None
+
     def is_paused(self, robot: Robot) -> bool:
-        """The robot's own fresh word where it gives one, else our accepted pause."""
-        if robot.paused is None:
-            return robot.paused_by_us
-        return robot.paused.value and not self.is_old(robot.paused)
+        """Whether it is known to be paused."""
+        return self.pause(robot) is True
 
     def is_old(self, reading: Reading[Any]) -> bool:
         """Whether a value is older than the silence after which a robot counts as offline."""
-        return self.now - reading.at > self.limits.offline_after
+        return self.now - reading.at > self.patience
 
     @property
     def unacknowledged(self) -> int:
@@ -95,6 +108,11 @@ def obstacle_text(state: FleetState, contact: Reading[float]) -> str:
     if state.is_old(contact):
         return f"contact for {contact.value:.1f} s, {age(state.now - contact.at)} ago"
     return f"obstacle {contact.value:.1f} s"
+
+
+def behind_text(state: FleetState) -> str:
+    """Say how far this console is behind."""
+    return f"this console is {state.behind:.1f} s behind"
 
 
 def age(seconds: float) -> str:

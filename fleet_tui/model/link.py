@@ -33,7 +33,8 @@ OF_BAG = "rosbag://"
 class LinkState(Struct, frozen=True):
     """A bridge: `since` is when the phase began, `next_try` when it is tried again, both
     monotonic seconds; `reason` says in plain words why there is no link; `commands_connected`: there is
-    a connection for commands, tried or not; `fault_at` is when a bad frame came last."""
+    a connection for commands, tried or not; `fault_at` is when a bad frame came last; `late` are the
+    seconds by which the poses that come over it are late."""
 
     name: str
     url: str
@@ -48,6 +49,7 @@ class LinkState(Struct, frozen=True):
     faults: int = 0
     last_fault: str = ""
     fault_at: float | None = None
+    late: float = 0.0
 
     @property
     def is_starting(self) -> bool:

@@ -16,6 +16,11 @@ class Order(Struct, frozen=True):
     end: int
     status: str
 
+    @property
+    def is_over(self) -> bool:
+        """Whether it is only still listed."""
+        return self.status in ("D", "C")
+
 
 class OrderQueue(Struct, frozen=True):
     """A robot's orders. `current_order_id` means none where no order of the list has it; `request_id` is
@@ -30,6 +35,11 @@ class OrderQueue(Struct, frozen=True):
     def current(self) -> Order | None:
         """The order being driven."""
         return next((order for order in self.orders if order.id == self.current_order_id), None)
+
+    @property
+    def open(self) -> tuple[Order, ...]:
+        """The orders that will still be driven, as far as their letters tell."""
+        return tuple(order for order in self.in_sequence() if not order.is_over)
 
     def in_sequence(self) -> tuple[Order, ...]:
         """The orders as they will be driven: the current one first."""

@@ -71,9 +71,7 @@ def trace_queue(
         if _is_over(trace, listed.get(id_))
     ]
     still = {
-        id_: _traced(traces.get(id_), order, queue)
-        for id_, order in listed.items()
-        if order.status not in "DC"
+        id_: _traced(traces.get(id_), order, queue) for id_, order in listed.items() if not order.is_over
     }
     return trace_movement(still, queue.current_order_id, away), gone
 
@@ -90,7 +88,7 @@ def _is_same(one: Order, other: Order) -> bool:
 
 
 def _is_over(trace: OrderTrace, listed: Order | None) -> bool:
-    return listed is None or listed.status in "DC" or not _is_same(trace.order, listed)
+    return listed is None or listed.is_over or not _is_same(trace.order, listed)
 
 
 def _end_of(

@@ -22,12 +22,14 @@ _SEVERITIES = dict(zip((1, 2, 4, 8, 16), Severity, strict=True)) | dict(
 
 
 class LogLine(Struct, frozen=True):
-    """A line of /rosout that came at `at` (monotonic seconds); `level` is ROS 1's or ROS 2's number."""
+    """A line of /rosout that came at `at` (monotonic seconds); `level` is ROS 1's or ROS 2's number,
+    `stamp` the Unix second at which it was written, by its node's clock."""
 
     at: float
     level: int
     node: str
     text: str
+    stamp: float | None = None
 
     @property
     def severity(self) -> Severity | None:

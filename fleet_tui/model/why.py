@@ -32,6 +32,7 @@ from fleet_tui.model.why_robot import (
     moves,
     no_link,
     obstacle,
+    own_late_pause,
     paused,
     stale_pose,
     unheard,
@@ -43,6 +44,7 @@ DEAF: tuple[Rule, ...] = (no_link, unheard)
 RULES: tuple[Rule, ...] = (
     paused,
     obstacle,
+    own_late_pause,
     stale_pose,
     jumps,
     command,

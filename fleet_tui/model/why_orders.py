@@ -10,15 +10,9 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.order import Order
 from fleet_tui.model.reason import RECENT, Reason, Strength, last_command, mission, name_of, stands_since
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.traffic import in_the_way, next_stop, vertex_here
-
-
-def open_orders(robot: Robot) -> tuple[Order, ...]:
-    """The orders that will still be driven, as far as their letters tell."""
-    return tuple(order for order in robot.orders.in_sequence() if order.status not in ("D", "C"))
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:
@@ -32,14 +26,14 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
         return None
     verb = "resume" if isinstance(record.command, ResumeRobot) else "order"
     evidence = record.words or f"given {age(state.now - record.issued_at)} ago"
-    strength = Strength.LIKELY if open_orders(robot) else Strength.CERTAIN
+    strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
     return Reason(f"{verb}: {record.stage.value}", evidence, strength, since=record.at, keys=keys)
 
 
 def cargo(state: FleetState, robot: Robot) -> Reason | None:
     """Loaded, and nobody said where to."""
-    if not robot.has_cargo or robot.queue is None or open_orders(robot):
+    if not robot.has_cargo or robot.queue is None or robot.orders.open:
         return None
     strength = Strength.POSSIBLE if state.is_old(robot.queue) else Strength.CERTAIN
     evidence = "it carries cargo and has no order: say where to bring it"
@@ -50,7 +44,7 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
     """Nothing to drive."""
     if robot.queue is None:
         return Reason("queue unknown", "its queue has not been heard", Strength.POSSIBLE)
-    if open_orders(robot) or robot.has_cargo:
+    if robot.orders.open or robot.has_cargo:
         return None
     record = last_command(state, robot, PlaceOrder, PlaceOrderWithCargo, ClearOrders, CancelOrder)
     taken = record is not None and isinstance(record.command, ClearOrders | CancelOrder)
@@ -91,7 +85,7 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
 
 def none_current(_state: FleetState, robot: Robot) -> Reason | None:
     """It has orders and has begun none."""
-    waiting = open_orders(robot)
+    waiting = robot.orders.open
     if robot.queue is None or not waiting or robot.orders.current is not None:
         return None
     evidence = f"it has begun none of them; the first is {mission(robot, waiting[0])}"

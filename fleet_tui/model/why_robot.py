@@ -1,11 +1,11 @@
 """Reasons to stand still that lie in the robot: what it says of itself, and whether it is heard at all."""
 
-from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.confirmation import STANDS_AFTER
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.graph import Role
 from fleet_tui.model.link import Phase
-from fleet_tui.model.reason import Reason, Strength, last_command, name_of, stands_since
+from fleet_tui.model.reason import Reason, Strength, name_of, own_pause, stands_since
 from fleet_tui.model.reports import JUMPS_WITHIN
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.traffic import graph_here, vertex_here
@@ -13,11 +13,14 @@ from fleet_tui.model.traffic import graph_here, vertex_here
 JUMPS = 2
 """So many leaps within JUMPS_WITHIN seconds are no correction any more."""
 
-UNDONE = frozenset({Stage.CHECKED, Stage.NOT_SENT, Stage.REFUSED})
-"""Where a command did nothing."""
-
 FULL = 95.0
 """Per cent below which a robot at a charger may be charging."""
+
+
+_UNRESOLVED = frozenset(
+    {Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED, Stage.LATE}
+)
+"""Where a pause may hold the robot though nothing shows it."""
 
 
 def moves(state: FleetState, robot: Robot) -> Reason | None:
@@ -51,13 +54,26 @@ def paused(state: FleetState, robot: Robot) -> Reason | None:
     """By its own word, or by our accepted pause where it gives none."""
     if not state.is_paused(robot):
         return None
-    record = last_command(state, robot, PauseRobot, ResumeRobot)
-    ours = record is not None and isinstance(record.command, PauseRobot) and record.stage not in UNDONE
-    since = record.time_of(Stage.SENT) if record is not None and ours else None
+    record = own_pause(state, robot)
+    since = record.time_of(Stage.SENT) if record is not None else None
     if robot.paused is None:
         return Reason("paused (by us)", "it accepted our pause", since=since, keys=("resume",))
     by = "it says so; the pause came from here" if since is not None else "it says so; it came from elsewhere"
     return Reason("paused", by, since=since, seen=robot.paused.at, keys=("resume",))
+
+
+def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
+    """A pause from here that may still take effect, or took it late, where no topic tells."""
+    record = own_pause(state, robot)
+    if record is None or state.is_paused(robot) or record.stage not in _UNRESOLVED:
+        return None
+    return Reason(
+        f"pause from here: {record.stage.value}",
+        record.words or f"given {age(state.now - record.issued_at)} ago",
+        Strength.LIKELY,
+        since=record.issued_at,
+        keys=("resume",),
+    )
 
 
 def obstacle(state: FleetState, robot: Robot) -> Reason | None:
@@ -84,7 +100,7 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     if robot.pose is None:
         return Reason("no pose", "no pose has come, though other reports do: nobody knows where it is")
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
-    if clock is not None and state.now - clock.at <= state.limits.offline_after:
+    if clock is not None and state.now - clock.at <= state.patience:
         return Reason(name, "poses come, but late: its stamps lag behind", seen=robot.pose.at)
     return Reason(name, "other reports come: it may have moved since", since=robot.pose.at)
 

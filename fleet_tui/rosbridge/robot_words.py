@@ -8,7 +8,7 @@ import msgspec
 from fleet_tui.errors import WireError
 from fleet_tui.model.bounds import LONGEST_NAME, brief
 from fleet_tui.model.robot_words import Diagnosis, LogLine
-from fleet_tui.rosbridge.messages import reader
+from fleet_tui.rosbridge.messages import Stamp, reader
 
 LONGEST_TEXT = 2000
 """Characters of a line of the log."""
@@ -21,12 +21,20 @@ LOG_TYPES = ("rosgraph_msgs/Log", "rcl_interfaces/msg/Log")
 HEALTH_TYPES = ("diagnostic_msgs/DiagnosticArray", "diagnostic_msgs/msg/DiagnosticArray")
 
 
+class LogHeader(msgspec.Struct, frozen=True):
+    """What is read of a log line's std_msgs/Header."""
+
+    stamp: Stamp = Stamp()
+
+
 class Log(msgspec.Struct, frozen=True):
     """rosgraph_msgs/Log, and rcl_interfaces/msg/Log: what both have."""
 
     level: int
     name: str
     msg: str
+    stamp: Stamp = Stamp()
+    header: LogHeader = LogHeader()
 
 
 class KeyValue(msgspec.Struct, frozen=True):
@@ -59,7 +67,8 @@ _read_log, _read_array = reader(Log), reader(DiagnosticArray)
 def log_line(msg: object, at: float) -> LogLine:
     """A message of /rosout that came at `at`. Raises WireError."""
     log = _read_log(msg)
-    return LogLine(at, log.level, brief(log.name, LONGEST_NAME), brief(log.msg, LONGEST_TEXT))
+    stamp = log.header.stamp.seconds or log.stamp.seconds
+    return LogLine(at, log.level, brief(log.name, LONGEST_NAME), brief(log.msg, LONGEST_TEXT), stamp)
 
 
 def byte(value: int | str | list[int]) -> int:

@@ -51,7 +51,7 @@ class PlaybackActions(RecordingActions, AuditActions, Dispatch):
         if self.player is not None:
             self._show_recording(state)
             return
-        notes = console_notes(self.read_only, self.armed, time.monotonic() - state.now)
+        notes = console_notes(state, self.read_only, self.armed, time.monotonic() - state.now)
         notes += [*self.audit_notes(), *self.recording_notes()]
         right = status_right(self.clock(state.wall), self.operator)
         self.status.show(status_line(state, self.selection.robot, notes), right)

@@ -39,7 +39,7 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
             ),
             (fit(alarm.condition.source, sources) + " ", Ink.TEXT),
             (visible(alarm.text), ink),
-            (f" {clock(alarm.first_wall)}{count}", Ink.DIM),
+            (f" {clock(alarm.first_wall if alarm.holds else alarm.last_wall)}{count}", Ink.DIM),
         ),
     )
 

@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator
 
+from fleet_tui.model.conditions import is_news
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.order import Order
+from fleet_tui.model.reason import own_pause
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Run, Table, column, width_of
@@ -45,6 +47,12 @@ def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
             yield f"{name} {age(state.now - reading.at)} old", Ink.WARN
 
 
+def _paused(state: FleetState, robot: Robot) -> str:
+    if robot.paused is None:
+        return "paused (by us)"
+    return "paused" if own_pause(state, robot) else "paused (elsewhere)"
+
+
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """What a person should know about a robot, the most urgent first."""
     online = state.is_online(robot)
@@ -56,12 +64,12 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     if contact is not None and not state.is_old(contact):
         yield obstacle_text(state, contact), Ink.ALARM
     if state.is_paused(robot):
-        yield ("paused" if robot.paused is not None else "paused (by us)"), Ink.WARN
+        yield _paused(state, robot), Ink.WARN
     if contact is not None and state.is_old(contact):
         yield obstacle_text(state, contact), Ink.DIM
     if online:
         yield from _old(state, robot)
-    if robot.faults:
+    if is_news(state, robot.fault_at):
         yield f"bad data x{robot.faults}", Ink.WARN
 
 
@@ -96,8 +104,12 @@ def _doing(state: FleetState, robot: Robot, ink: Ink) -> Run:
     current = robot.orders.current
     if current is not None:
         return mission(robot, current), ink
-    waiting = len(robot.orders.orders)
-    return (f"{waiting} waiting" if waiting else "idle") if state.is_online(robot) else "", Ink.DIM
+    if not state.is_online(robot):
+        return "", Ink.DIM
+    if robot.queue is None:
+        return "queue missing", Ink.DIM
+    waiting = len(robot.orders.open)
+    return f"{waiting} waiting" if waiting else "idle", Ink.DIM
 
 
 def _row(state: FleetState, robot: Robot, head: list[Run], floors: int, width: int) -> Row:

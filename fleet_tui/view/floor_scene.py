@@ -120,7 +120,7 @@ def _robot(
         pose=pose,
         cargo=robot.has_cargo,
         selected=robot.name == selection.robot,
-        online=state.is_online(robot) and state.now - robot.pose.at <= state.limits.offline_after,
+        online=state.is_online(robot) and not state.is_old(robot.pose),
         paused=state.is_paused(robot),
         obstacle=state.is_obstructed(robot),
         other_map=other_map,

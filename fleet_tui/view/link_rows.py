@@ -49,6 +49,10 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     yield "last message", ((ago(heard, now), Ink.WARN if silent else Ink.TEXT),)
     yield "connections", tuple(_connections(counter, now))
     yield "passed over", (_count(counter.dropped, "frames that were too large, or too many to wait for"),)
+    yield (
+        "overtaken",
+        (_count(counter.overtaken, "frames, not read since newer ones had come"),),
+    )
     why = f"frames, the last {ago(counter.bad.raw.at, now)}: {counter.bad.text}" if counter.bad else "frames"
     yield "unreadable", (_count(counter.unreadable, why),)
     errors = sum(topic.errors for topic in counter.topics.values())

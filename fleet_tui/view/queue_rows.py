@@ -73,12 +73,15 @@ def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving:
         (f"{position:{places}d} {order.id:{ids}d} ", Ink.DIM),
         (fit(mission(robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
     ]
-    room = width - len(CANCEL) - 1
+    room = width - (0 if order.is_over else len(CANCEL) + 1)
     runs.append((_status(order, room - width_of(runs)), ink))
     runs.append((f"  cancel {leaving}" if leaving else "", Ink.WARN))
     runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
+    key = (robot.name, order.id, position)
+    if order.is_over:
+        return Row(key, tuple(cut(runs, room)))
     button = Button(room, room + len(CANCEL), "cancel")
-    return Row((robot.name, order.id, position), (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
+    return Row(key, (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
 
 
 def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:
@@ -88,10 +91,8 @@ def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots:
         runs.append((f" +{placed} not seen here yet", Ink.WARN))
     if not all_robots and robot.has_cargo:
         runs.append((" cargo on board", Ink.CARGO))
-    if not all_robots and robot.queue is not None:
-        behind = state.now - robot.queue.at
-        if behind > state.limits.offline_after:
-            runs.append((f" {age(behind)} old", Ink.WARN))
+    if not all_robots and robot.queue is not None and state.is_old(robot.queue):
+        runs.append((f" {age(state.now - robot.queue.at)} old", Ink.WARN))
     return runs
 
 

@@ -37,6 +37,10 @@ def wanted_lines(lines: tuple[LogLine, ...], least: Severity, wanted: str) -> li
     ]
 
 
+def _wall(line: LogLine, offset: float) -> float:
+    return line.stamp if line.stamp is not None else line.at + offset
+
+
 def _row(line: LogLine, nodes: int, time: str) -> Row:
     word, ink = _LOOKS[line.severity] if line.severity else (f"level {line.level}", Ink.WARN)
     runs = (
@@ -56,17 +60,18 @@ def robot_log_table(
     least: Severity,
     wanted: str,
 ) -> Table:
-    """A row for each line; `clock` writes Unix seconds as the time of day at which it came."""
+    """Make a row for each line. `clock` writes Unix seconds as the time of day: the line's own, or that at
+    which it came."""
     found = wanted_lines(lines, least, wanted)
     nodes = column((line.node for line in found), 4, 24)
     offset = state.wall - state.now
     rows = LateRows(
-        [id(line) for line in found], lambda n: _row(found[n], nodes, clock(found[n].at + offset))
+        [id(line) for line in found], lambda n: _row(found[n], nodes, clock(_wall(found[n], offset)))
     )
     note = f" /rosout  {len(found)} of {len(lines)} lines, {least.name}"
     note += "" if least is Severity.FATAL else " and worse"
     note += f", with {visible(wanted)}" if wanted else ""
-    note += f", last {ago(lines[-1].at, state.now)}" if lines else ""
+    note += f", last {ago(_wall(lines[-1], offset), state.wall)}" if lines else ""
     title = ("Log of the robots", Ink.TITLE), (note, Ink.DIM), *down(links)
     empty = (
         "no such line" if lines else "nothing came on /rosout, which is heard only while this screen is open"

@@ -2,7 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 
-from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.conditions import OVERLOADED
+from fleet_tui.model.fleet import FleetState, age, behind_text
+from fleet_tui.model.lag import BEHIND
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run
@@ -14,11 +16,13 @@ SILENT_AFTER = 2.0
 BLIND_AFTER = 2.0
 
 
-def console_notes(read_only: bool, armed: bool, standstill: float) -> list[str]:
-    """What holds for this console, and that it has gone blind: the state is `standstill` seconds old."""
+def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: float) -> list[str]:
+    """What holds for this console: also that it is late in reading, or has gone blind, where the state is
+    `standstill` seconds old."""
     notes = {
         "read-only": read_only,
         "not armed": not armed,
+        behind_text(state): state.behind >= BEHIND,
         f"nothing is updated for {age(standstill)}: restart this console": standstill > BLIND_AFTER,
     }
     return [note for note, holds in notes.items() if holds]
@@ -47,6 +51,8 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         yield f" commands dead: {visible(link.command_reason)}", Ink.ALARM
     elif link.command_path is CommandPath.UNREGISTERED:
         yield f" {visible(link.command_reason)}", Ink.ALARM
+    if link.late >= BEHIND:
+        yield f" {link.late:.1f} s late: {OVERLOADED}", Ink.WARN
     if link.faults:
         yield f" {link.faults} bad frames", Ink.WARN
 

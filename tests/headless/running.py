@@ -67,5 +67,7 @@ def audited(folder: Path) -> list[str]:
     lines = (folder / "fleet-tui" / "audit.jsonl").read_text().splitlines()
     records = [json.loads(line) for line in lines]
     return [
-        f"{one['robot']} {one['what']} {one['change']}" for one in records if one.get("kind") == "command"
+        f"{one.get('robot', '')} {one['what']} {one['change']}".strip()
+        for one in records
+        if one.get("kind") == "command"
     ]

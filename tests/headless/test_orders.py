@@ -75,8 +75,11 @@ async def test_cancel_and_clear(server: RosbridgeServer, folder: Path) -> None:
     assert done == Ended(0, "robot_0 cancel order 2: confirmed (gone from the queue)\n", "")
     assert [order.id for order in robot.orders] == [1, 3]
     done = await run(folder, "clear", "robot_0")
+    assert done.code == 1 and len(robot.orders) == 2
+    assert "not sent (robot_0 would lose 2 orders: --yes sends it all the same)" in done.err
+    done = await run(folder, "clear", "robot_0", "--yes")
     assert done.code == 0 and not robot.orders
-    for words in (("cancel", "robot_0", "2"), ("clear", "robot_0"), ("cancel", "robot_0", "0")):
+    for words in (("cancel", "robot_0", "2"), ("clear", "robot_0", "--yes"), ("cancel", "robot_0", "0")):
         assert (await run(folder, *words)).code == 1
     assert asked(server) == ["robot_0 Cancel_order", "robot_0 Clear_orders"]
 
@@ -85,6 +88,7 @@ async def test_pause_and_resume_one_or_all(server: RosbridgeServer, folder: Path
     done = await run(folder, "pause", "--all")
     assert done.code == 0 and done.out.count("pause: confirmed (it told so itself)\n") == 2
     assert sorted(asked(server)) == ["robot_0 Pause", "robot_1 Pause"]
+    assert done.out.endswith("\npause all: 2 confirmed\n") and "pause all summary" in audited(folder)
     done = await run(folder, "resume", "robot_1")
     assert done == Ended(0, "robot_1 resume: confirmed (it told so itself)\n", "")
     assert (await run(folder, "resume", "--all")).code == 0
@@ -149,7 +153,7 @@ async def test_no_link_is_3_with_its_reason(tmp_path: Path, words: tuple[str, ..
 async def test_warnings_hold_it_back_unless_yes(server: RosbridgeServer, folder: Path) -> None:
     server.world.robots["robot_0"].paused = True
     done = await run(folder, *ORDER)
-    assert done.code == 1 and "not sent (robot_0 is paused: --yes sends it anyway)" in done.err
+    assert done.code == 1 and "not sent (robot_0 is paused: --yes sends it all the same)" in done.err
     assert not server.calls
     assert (await run(folder, *ORDER, "--yes")).code == 0
     same = await run(folder, "order", "robot_0", "Base", "Base", "--yes")
@@ -160,7 +164,7 @@ async def test_warnings_hold_it_back_unless_yes(server: RosbridgeServer, folder:
 async def test_what_never_came_is_a_warning(server: RosbridgeServer, folder: Path) -> None:
     server.muted.add("/robot_0/cargo")
     done = await run(folder, *ORDER, "--timeout", "1")
-    assert done.code == 1 and "robot_0: never came: cargo: --yes sends it anyway" in done.err
+    assert done.code == 1 and "robot_0: never came: cargo: --yes sends it all the same" in done.err
     server.muted.add("/robot_0/floor_0/labeled_vertices")
     server.muted.add("/robot_0/floor_0/graph")
     done = await run(folder, *ORDER, "--timeout", "1")
@@ -188,7 +192,7 @@ async def test_the_config_may_forbid_it(
         assert (paused.code, len(server.calls)) == (0, 2)
     else:
         assert paused.code == 1 and "not sent (this console is read-only)" in paused.err and not server.calls
-        assert audited(folder)[-1] == "robot_1 pause not sent"
+        assert audited(folder)[-2:] == ["robot_1 pause not sent", "pause all summary"]
 
 
 @pytest.mark.parametrize(

@@ -49,11 +49,14 @@ async def test_what_needs_attention_is_1_and_named(
 
 
 async def test_what_never_came_is_named(server: RosbridgeServer, tmp_path: Path) -> None:
-    server.muted.add("/robot_0/queue")
+    server.muted.update(["/robot_0/queue", "/robot_0/paused"])
     config_file(tmp_path, server.url, 1)
     done = await run(tmp_path, "status", "--timeout", "1")
     assert done.code == 1
     assert "robot_0: never came: queue" in done.out
+    assert "queue missing" in done.out and "idle" not in done.out
+    robot = json.loads((await run(tmp_path, "status", "--json", "--timeout", "1")).out)["robots"][0]
+    assert (robot["paused"], robot["orders"]) == (None, None)
 
 
 async def test_no_link_is_3_with_its_reason_within_the_timeout(tmp_path: Path) -> None:

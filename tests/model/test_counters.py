@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from fleet_tui.model.counters import (
     BEATS,
@@ -124,3 +125,16 @@ def test_log_and_health_are_bounded_and_the_newest_word_counts() -> None:
     link.take_health([Diagnosis(T0 + 1, "part 0", 2, "broken"), Diagnosis(T0 + 1, "one too many", 2, "")])
     assert len(link.health) == MOST_DIAGNOSES and "one too many" not in link.health
     assert link.health["part 0"].message == "broken"
+
+
+def test_lines_of_a_latched_log_are_kept_once() -> None:
+    link = LinkCounter("site", [])
+    lines = [LogLine(T0, 2, "/node", "up", stamp=5.0), LogLine(T0, 2, "/node", "up", stamp=6.0)]
+    lines += [LogLine(T0, 2, "/other", "up", stamp=5.0), LogLine(T0, 2, "/node", "down", stamp=5.0)]
+    for at in (0.0, 9.0):
+        for line in lines:
+            link.take_log(replace(line, at=T0 + at))
+    assert list(link.log) == lines and link.logged == len(lines)
+    for _ in range(2):
+        link.take_log(LogLine(T0, 2, "/node", "without a stamp"))
+    assert link.logged == len(lines) + 2

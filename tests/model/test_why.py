@@ -315,3 +315,28 @@ def test_whatever_was_heard_there_is_a_reason_and_every_key_exists(facts: list[E
     assert ("paused" in names or "paused (by us)" in names) is (
         state.is_paused(state.robots[R0]) and names != ["it moves"]
     )
+
+
+@pytest.mark.parametrize(
+    ("stages", "name"),
+    [
+        ([Stage.SENT], "pause from here: sent"),
+        ([Stage.SENT, Stage.NO_ANSWER], "pause from here: no answer"),
+        ([Stage.SENT, Stage.UNKNOWN], "pause from here: outcome unknown"),
+    ],
+)
+def test_a_pause_from_here_that_may_hold_it_is_named_with_the_key(stages: list[Stage], name: str) -> None:
+    facts = commanded(1, PauseRobot(R0), *stages)
+    still: list[Event] = [pose(T0 - 9), pose(T0 + 1), queue(T0 + 1, (1, 1, 2, "W"), current=1)]
+    state = told(fleet(), link_up(T0 - 9), *facts, *still, tick(T0 + 2))
+    found = reasons(state, state.robots[R0])
+    assert found[0].name == name and found[0].keys == ("resume",)
+
+
+def test_a_pause_that_was_obeyed_late_is_named() -> None:
+    facts = commanded(1, PauseRobot(R0), Stage.SENT, Stage.NO_ANSWER)
+    state = told(fleet(), link_up(T0 - 9), pose(T0 - 9), *facts, pose(T0 + 6), tick(T0 + 6))
+    assert state.commands[0].stage is Stage.NOT_CONFIRMED
+    assert "pause from here: not confirmed" in [one.name for one in reasons(state, state.robots[R0])]
+    state = told(state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, "paused"), pose(T0 + 12), tick(T0 + 12))
+    assert reasons(state, state.robots[R0])[0].name == "paused (by us)"

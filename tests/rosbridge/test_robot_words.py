@@ -43,6 +43,11 @@ def test_a_line_of_either_ros(msg: dict[str, object]) -> None:
     assert (line.severity, line.text, line.at) == (Severity.WARN, "wheel slips", T0)
     assert "base" in line.node
     assert log_line(msg, T0) == line  # as it comes from CBOR
+    assert line.stamp == 1.000000002
+
+
+def test_a_line_without_a_stamp_has_none() -> None:
+    assert log_line({"level": 2, "name": "/a", "msg": "b"}, T0).stamp is None
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.alarm_rows import alarm_table, unacknowledged
 from fleet_tui.view.roles import Ink
-from tests.fleets import LINK, R0, T0, battery, fleet, link_lost, link_up, text_of, tick, told
+from tests.fleets import LINK, R0, T0, WALL, battery, fleet, link_lost, link_up, text_of, tick, told
 
 
 def clock(wall: float) -> str:
@@ -58,6 +58,7 @@ def test_no_link_stands_there_with_its_reason_only_while_it_is_so() -> None:
     assert alarm_table(state, clock).rows[0].key == (LINK, "link")
     back = told(state, link_up(T0 + 61), tick(T0 + 61))
     assert "no link" not in texts(back)[0] and "link is back" in texts(back)[0]
+    assert texts(back)[0].endswith(f" {WALL + T0 + 60:.0f}")  # it held at the last look before
 
 
 def test_what_nobody_has_seen_stands_first_by_priority_then_age() -> None:

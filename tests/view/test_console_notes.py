@@ -1,16 +1,17 @@
 """What the console says of itself."""
 
 from fleet_tui.view.status_line import console_notes
+from tests.fleets import fleet
 
 
 def test_a_calm_console_says_nothing() -> None:
-    assert console_notes(read_only=False, armed=True, standstill=0.1) == []
+    assert console_notes(fleet(), read_only=False, armed=True, standstill=0.1) == []
 
 
 def test_what_holds_is_said() -> None:
-    assert console_notes(read_only=True, armed=False, standstill=0.0) == ["read-only", "not armed"]
+    assert console_notes(fleet(), read_only=True, armed=False, standstill=0.0) == ["read-only", "not armed"]
 
 
 def test_a_console_gone_blind_says_so() -> None:
-    (note,) = console_notes(read_only=False, armed=True, standstill=7.2)
+    (note,) = console_notes(fleet(), read_only=False, armed=True, standstill=7.2)
     assert note == "nothing is updated for 7 s: restart this console"

@@ -162,3 +162,29 @@ def test_news_is_whole_where_the_floor_has_to_give_way() -> None:
     )
     shown = "".join(text for text, _ in fleet_table(state, R0, 47).rows[0].runs)[:47]
     assert "obstacle 4.2 s paused" in shown
+
+
+def test_an_order_that_is_only_listed_still_is_not_waiting() -> None:
+    assert "idle" in row(heard(queue(T0 + 1, (1, 1, 2, "D"), (2, 1, 2, "C"))))
+    assert "1 waiting" in row(heard(queue(T0 + 1, (1, 1, 2, "D"), (2, 1, 2, "Q"))))
+
+
+def test_a_robot_whose_queue_never_came_is_not_idle() -> None:
+    text = row(told(fleet(), link_up(T0), pose(T0), battery(T0), tick(T0 + 0.1)))
+    assert "queue missing" in text and "idle" not in text
+
+
+def test_a_pause_that_did_not_come_from_here_is_told_from_ours() -> None:
+    paused = events.PausedReported(R0, T0 + 1, True)
+    assert "paused (elsewhere)" in row(heard(paused))
+    ours = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED)
+    assert "paused " in row(heard(*ours, paused)) and "elsewhere" not in row(heard(*ours, paused))
+    refused = commanded(1, PauseRobot(R0), Stage.SENT, Stage.REFUSED)
+    assert "paused (elsewhere)" in row(heard(*refused, paused))
+
+
+def test_bad_data_is_in_the_row_as_long_as_it_is_news() -> None:
+    state = heard(events.MessageRejected(R0, "/robot_0/pose: nonsense"))
+    assert "bad data x1" in row(state)
+    later: list[events.Event] = [pose(T0 + 13), battery(T0 + 13), queue(T0 + 13), tick(T0 + 13)]
+    assert "bad data" not in row(told(state, *later))

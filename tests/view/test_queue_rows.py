@@ -130,3 +130,11 @@ def test_what_is_under_way_stands_at_its_order_or_in_the_title() -> None:
     assert all("cancel sent 1 s ago" in line for line in lines(clear))
     ended = told(now, *(CommandAdvanced(id_, Stage.REFUSED, T0 + 1) for id_ in (1, 2)))
     assert "cancel" not in "".join(lines(ended)).replace(CANCEL, "")
+
+
+@pytest.mark.parametrize("letter", ["D", "C"])
+def test_an_order_that_is_over_has_nothing_to_cancel(letter: str) -> None:
+    state = told(fleet(), queue(T0, (1, 1, 2, letter), (2, 1, 2, "Q")))
+    over, waiting = queue_table(state, R0, False, 60).rows
+    assert CANCEL not in text_of(over.runs) and not over.buttons
+    assert CANCEL in text_of(waiting.runs) and waiting.buttons

@@ -1,0 +1,46 @@
+"""Lag: how far what is shown is behind, and whose doing that is."""
+
+import statistics
+from collections.abc import Mapping
+
+from msgspec.structs import replace
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import LinkState
+
+FRESH = 2.0
+"""Seconds within which a pose came whose stamp tells how late messages are."""
+BEHIND = 1.0
+"""Seconds from which on this console, or a bridge, is behind."""
+STEP = 0.1
+"""Seconds by which a lag must differ to be told anew."""
+
+
+def stamp_lag(state: FleetState, link: str, now: float) -> float:
+    """Seconds by which the poses that come over a link now are late, by their stamps: the median."""
+    lags = [
+        robot.clock.at - robot.pose.at
+        for robot in state.robots.values()
+        if robot.link == link and robot.clock and robot.pose and now - robot.clock.at < FRESH
+    ]
+    return statistics.median(lags) if lags else 0.0
+
+
+def with_lags(state: FleetState, now: float, unread: float) -> FleetState:
+    """Note how far the console and the links are behind. `unread`: seconds that the oldest message has waited
+    for this console to read it.
+
+    Where it waits long, all lateness is this console's own: what comes late over the links comes late
+    because it is not read.
+    """
+    lags = {name: stamp_lag(state, name, now) for name in state.links}
+    if unread < BEHIND:
+        return replace(state, behind=unread, links=_late(state.links, lags))
+    own = max(unread, *lags.values())
+    return replace(state, behind=own, links=_late(state.links, dict.fromkeys(lags, 0.0)))
+
+
+def _late(links: Mapping[str, LinkState], lags: Mapping[str, float]) -> Mapping[str, LinkState]:
+    if all(abs(link.late - lags[name]) < STEP for name, link in links.items()):
+        return links
+    return {name: replace(link, late=lags[name]) for name, link in links.items()}

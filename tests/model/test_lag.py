@@ -1,0 +1,53 @@
+"""Lag: what this console has not read yet, and what the bridge delivers late, are told apart."""
+
+from fleet_tui.model.events import Event, TimePassed
+from fleet_tui.model.fleet import FleetState
+from tests.fleets import LINK, R0, T0, WALL, battery, fleet, link_up, pose, queue, told
+
+
+def tick(at: float, behind: float = 0.0) -> TimePassed:
+    return TimePassed(at, WALL + at, behind)
+
+
+def driving(late: float, unread: float) -> FleetState:
+    """A robot whose poses come ever later, until they are `late` seconds old when they are read."""
+    facts: list[Event] = [link_up(T0), pose(T0, stamp=50.0), queue(T0), battery(T0), tick(T0)]
+    for n in range(1, 200):
+        at = T0 + n * 0.1
+        lag = min(late, n * 0.05)
+        facts += [pose(at, stamp=50.0 + at - T0 - lag), tick(at, min(unread, lag))]
+    return told(fleet(), *facts)
+
+
+def kinds(state: FleetState) -> set[str]:
+    return {alarm.condition.kind for alarm in state.alarms if alarm.holds}
+
+
+def test_what_comes_late_while_this_console_keeps_up_is_the_bridges_doing() -> None:
+    state = driving(late=3.0, unread=0.0)
+    assert (round(state.links[LINK].late, 1), state.behind) == (3.0, 0.0)
+    (alarm,) = [alarm for alarm in state.alarms if alarm.condition.kind == "late"]
+    assert alarm.text.startswith("messages come 3.0 s late: the bridge is overloaded: fewer topics")
+
+
+def test_what_waits_here_to_be_read_is_this_consoles_doing() -> None:
+    state = driving(late=9.0, unread=2.0)
+    assert state.links[LINK].late == 0.0 and round(state.behind, 1) == 9.0
+    assert kinds(state) == {"behind"}  # and the robot is neither offline nor is its pose old
+    assert state.is_online(state.robots[R0]) and state.robots[R0].pose is not None
+    last = state.robots[R0].pose
+    assert last is not None and not state.is_old(last)
+
+
+def test_a_moment_is_no_lag() -> None:
+    assert kinds(driving(late=0.5, unread=0.4)) == set()
+
+
+def test_when_it_keeps_up_again_everything_is_as_it_was() -> None:
+    state = driving(late=9.0, unread=2.0)
+    at = T0 + 20.0
+    state = told(state, pose(at, stamp=70.0), queue(at), battery(at), tick(at))
+    state = told(state, pose(at + 4, stamp=74.0), queue(at + 4), battery(at + 4), tick(at + 4))
+    assert state.behind == 0.0 and kinds(state) == set()
+    gone = told(state, tick(at + 10))
+    assert not gone.is_online(gone.robots[R0])
