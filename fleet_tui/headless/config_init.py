@@ -73,8 +73,8 @@ async def _frames(bridge: Link, site: Site, rosapi: Rosapi, until: float) -> dic
     """The frame_id of each robot's poses, of those that speak."""
     config = Config(robots=[RobotEntry(robot) for robot in site.robots], profile=Profile(topics=site.topics))
     poses = [one for one in asked_topics(config, DEFAULT_LINK) if one.kind.fast]
-    heard, _ = await listen(bridge, poses, rosapi, until)
-    events = [facts.event for facts in heard]
+    heard = await listen(bridge, poses, rosapi, until)
+    events = [facts.event for facts in heard.topics]
     return {one.robot: one.frame_id.lstrip("/") for one in events if isinstance(one, PoseReported)}
 
 

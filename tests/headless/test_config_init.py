@@ -15,7 +15,7 @@ from fleet_tui.config.schema import Config, Link
 from fleet_tui.headless.config_init import render
 from fleet_tui.headless.site import site_of
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import PLANTS, only_listened_to, renamed, retyped, spelled_as_ros_2
+from tests.headless.plants import PLANTS, only_listened_to, renamed, retyped
 from tests.headless.running import Ended, run
 
 
@@ -121,9 +121,8 @@ def test_what_a_real_bridge_of_ros_2_said() -> None:
     }
 
 
-async def test_types_of_ros_2_are_written_as_it_spells_them(server: RosbridgeServer, tmp_path: Path) -> None:
-    spelled_as_ros_2(server)
-    status = await made(server, tmp_path)
+async def test_a_site_of_ros_2_needs_no_editing(ros_2: RosbridgeServer, tmp_path: Path) -> None:
+    status = await made(ros_2, tmp_path)
     assert status.code == 0, status.out
     profile = tomllib.loads((tmp_path / "config.toml").read_text())["profile"]
     assert profile["types"]["queue"] == "oh_ressources/msg/ActionQueue" and len(profile["types"]) == 3

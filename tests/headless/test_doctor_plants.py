@@ -3,7 +3,7 @@
 import asyncio
 import json
 import re
-from collections.abc import AsyncIterator, Callable
+from collections.abc import Callable
 from contextlib import AbstractAsyncContextManager
 from functools import partial
 from pathlib import Path
@@ -16,9 +16,7 @@ from websockets.asyncio.client import connect
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.demo import demo_config
 from fleet_tui.headless.doctor.run import doctor
-from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.headless.plants import PLANTS, ROS_2_PLANTS, mute_server, other_websocket, tls_server, web_server
 from tests.watched import config_of
 
@@ -74,15 +72,6 @@ async def test_the_first_complaint_is_the_cause(server: RosbridgeServer, plant: 
     assert all(server.types.get(one["topic"]) == one["type"] for one in asked)
 
 
-@pytest.fixture
-async def ros_2() -> AsyncIterator[RosbridgeServer]:
-    """Two quiet simulated robots on two floors behind a bridge of ROS 2."""
-    running = RosbridgeServer(World(robots=2, floors=2, seed=1, quiet=True), dialect=ROS2)
-    await running.start()
-    yield running
-    await running.stop()
-
-
 @pytest.mark.parametrize("plant", ROS_2_PLANTS)
 async def test_the_first_complaint_is_the_cause_on_ros_2(ros_2: RosbridgeServer, plant: str) -> None:
     config = ROS_2_PLANTS[plant](ros_2, demo_config(Config(), ros_2.url, 2, 2, "2"))
@@ -98,6 +87,16 @@ async def test_nothing_is_wrong_with_a_fleet_of_ros_2(ros_2: RosbridgeServer) ->
     code = await asyncio.to_thread(doctor, config, TIMEOUT, False, said.append)
     assert (code, said[-1]) == (0, f"{len(said) - 1} ok")
     assert_harmless(ros_2)
+
+
+async def test_a_topic_of_an_action_is_in_no_list_and_not_missing(ros_2: RosbridgeServer) -> None:
+    said = list[str]()
+    config = demo_config(Config(), ros_2.url, 2, 2, "2")
+    topics = {"paused": "/{robot}/navigate_to_pose/_action/status"}
+    config = msgspec.structs.replace(config, profile=msgspec.structs.replace(config.profile, topics=topics))
+    code = await asyncio.to_thread(doctor, config, TIMEOUT, False, said.append)
+    assert code == 0
+    assert any("skipped - robot_0 paused: an action's: it is in no list" in line for line in said)
 
 
 async def test_a_topic_that_another_client_took_too_early(ros_2: RosbridgeServer) -> None:

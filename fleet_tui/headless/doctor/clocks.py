@@ -8,6 +8,7 @@ from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
 
 SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
 LATE = 0.5  # seconds by which poses get older while they are listened to
+BEHIND = 0.3  # seconds of our own lateness, beside which nothing is said of others
 MOST_MESSAGES = {1: 4000, 2: 500}  # a second of one bridge, as measured
 WRONG = 1.0  # seconds by which a clock may be off
 LONG_AGO = 1e8  # a robot that says 1973 or earlier counts from the start of a simulation
@@ -41,6 +42,9 @@ def load_finding(facts: BridgeFacts) -> Finding:
     values = {"messages_per_s": round(rate, 1), "late_s": round(late, 3), "call_s": round(calls, 4)}
     if late < LATE and calls < SLOW:
         return Finding(facts.name, "load", Verdict.OK, measured, values=values)
+    if facts.behind > BEHIND:
+        own = f"{measured}; but this machine was {milliseconds(facts.behind)} behind itself"
+        return Finding(facts.name, "load", Verdict.SKIPPED, own, values=values)
     carries = MOST_MESSAGES.get(facts.rosapi.ros)
     remedy = "fewer topics, lower rates at the robots, or a second bridge ([links])"
     if carries:

@@ -87,7 +87,7 @@ class TopicFacts:
 class BridgeFacts:
     """Everything about one bridge that answers. `round_trips` in seconds, `busy_trips` those while all
     topics came; `ahead`: by how many seconds its clock is ahead of ours, None where it does not say;
-    `lost`: why the link ended meanwhile."""
+    `lost`: why the link ended meanwhile; `behind`: by how many seconds we ourselves were late at most."""
 
     name: str
     rosapi: Rosapi
@@ -96,6 +96,7 @@ class BridgeFacts:
     ahead: float | None = None
     lost: str = ""
     busy_trips: tuple[float, ...] = ()
+    behind: float = 0.0
 
     def of(self, robot: str) -> list[TopicFacts]:
         """A robot's topics."""

@@ -76,5 +76,6 @@ async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeF
         ahead = await clock_ahead(wire)
         rosapi = await _look_up(config, name, wire, rosapi, until)
     busy = () if listening.done() else await measure_calls(wire, BETWEEN)
-    topics, lost = await listening
-    return BridgeFacts(name, rosapi, tuple(topics), trips, ahead, wire.lost or lost, busy)
+    heard = await listening
+    lost = wire.lost or heard.lost
+    return BridgeFacts(name, rosapi, tuple(heard.topics), trips, ahead, lost, busy, heard.behind)

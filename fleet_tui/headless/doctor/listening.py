@@ -5,6 +5,7 @@ import time
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from typing import NamedTuple
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
@@ -16,6 +17,7 @@ from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.rosbridge.type_names import same_type
 
 CONNECT_WITHIN = 4.0
+LOOK_EVERY = 0.05  # seconds
 # Seconds that topics are listened to, at least and at most: a little longer than a robot may be silent
 # for and still be online.
 AT_LEAST, AT_MOST = 1.5, 6.0
@@ -30,11 +32,19 @@ FIRST_TRY, LET_GO, MOST_HELD = 2.0, 0.7, 20
 Asked = list[tuple[Wanted, str]]
 
 
+class Listened(NamedTuple):
+    """All topics, why a connection was lost meanwhile, and by how many seconds we ourselves were late."""
+
+    topics: list[TopicFacts]
+    lost: str
+    behind: float
+
+
 async def listen(
     bridge: Link, wanted: list[Wanted], rosapi: Rosapi, until: float, drawn: Iterable[str] = ()
-) -> tuple[list[TopicFacts], str]:
-    """Listen to all topics together until each has said enough, or the time is over; with them why a
-    connection was lost meanwhile. `drawn`: floors whose live map nobody needs."""
+) -> Listened:
+    """Listen to all topics together until each has said enough, or the time is over. `drawn`: floors whose
+    live map nobody needs."""
     asked = list(_worth_hearing(wanted, rosapi.topics, drawn))
     count = -(-len(asked) // SHARE)
     wires = [Wire(bridge) for _ in range(count)]
@@ -48,7 +58,8 @@ async def listen(
         for wire in wires:
             wire.close()
     found = (heard.get(one.subscription.topic) or TopicFacts(one) for one in wanted)
-    return [replace(one, complaint=complaints.get(one.topic, "")) for one in found], lost
+    topics = [replace(one, complaint=complaints.get(one.topic, "")) for one in found]
+    return Listened(topics, lost, max((wire.behind for wire in wires), default=0.0))
 
 
 def _worth_hearing(
@@ -85,7 +96,9 @@ async def _hear(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None
 async def _wait(wire: Wire, topics: list[Wanted], until: float) -> None:
     least = time.monotonic() + AT_LEAST
     while time.monotonic() < until and not wire.lost:
-        await asyncio.sleep(0.05)
+        asleep = time.monotonic()
+        await asyncio.sleep(LOOK_EVERY)
+        wire.behind = max(wire.behind, time.monotonic() - asleep - LOOK_EVERY)
         enough = all(wire.heard[one.subscription.topic].count >= _enough(one) for one in topics)
         if enough and time.monotonic() > least:
             return

@@ -114,6 +114,8 @@ class Wire:
         """What has come, by topic."""
         self.complaints: dict[str, str] = {}
         """What the bridge's log says of a topic that it did not subscribe to."""
+        self.behind = 0.0
+        """Seconds by which we were late at most to look at it."""
         self._settled = asyncio.Event()
         self._calls = Calls(self.connection)
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
