@@ -11,7 +11,6 @@ import msgspec
 from fleet_tui.config.profile import SERVICES, TOPICS, Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.errors import FleetError
-from fleet_tui.simulator.ros.ros2 import ROS2
 
 # Seconds for the simulator to end by itself.
 PATIENCE = 1.0
@@ -66,6 +65,8 @@ def _profile(ros: str) -> Profile:
     topics = {"paused": "/{robot}/paused"}
     if ros == "1":
         return Profile(topics=topics)
+    from fleet_tui.simulator.ros.ros2 import ROS2
+
     return Profile(
         topics=topics,
         types={key: ROS2.message_type(type_) for key, (_, type_) in TOPICS.items()},

@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.ros.definitions import MESSAGES
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.errors import BridgeError
 from fleet_tui.simulator.rosapi import OF_THE_BRIDGE
@@ -15,7 +14,6 @@ if TYPE_CHECKING:
     from fleet_tui.simulator.session import Operation, Session
 
 FIRST, LAST = 0.3, 0.95  # seconds after the bridge's start between which it discovers publishers on ROS 2
-KNOWN_PACKAGES = {name.partition("/")[0] for name in MESSAGES}
 
 
 def resolve(name: str) -> str:
@@ -50,6 +48,7 @@ class Channels:
     def __init__(self, dialect: Dialect, topics: Mapping[str, Topic], unsourced: set[str]) -> None:
         self._dialect, self._topics, self._unsourced = dialect, topics, unsourced
         self._channels: dict[str, Channel] = {}
+        self._released: dict[str, tuple[Channel, float]] = {}
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._channels)
@@ -74,15 +73,22 @@ class Channels:
         type_ = self._type(name, wanted, topic)
         channel = self._channels.get(name)
         if channel is None:
-            channel = self._channels[name] = self._open(type_, topic, operation.get("qos"))
+            released, at = self._released.pop(name, (None, age))
+            if released is not None and age - at < self._dialect.lingers:
+                channel = released
+            else:
+                channel = self._open(type_, topic, operation.get("qos"))
+            self._channels[name] = channel
         channel.sessions.add(session)
 
-    def leave(self, session: "Session", name: str) -> bool:
+    def leave(self, session: "Session", name: str, age: float) -> bool:
         """Unsubscribe a client, and say whether it was the last."""
         channel = self._channels[name]
         channel.sessions.discard(session)
         if not channel.sessions:
             del self._channels[name]
+            if self._dialect.lingers:
+                self._released[name] = channel, age
         return not channel.sessions
 
     def delay(self, topic: Topic) -> float:
@@ -105,10 +111,7 @@ class Channels:
         if asked is None:
             raise BridgeError(f"Cannot infer topic type for topic {name} as it is not yet advertised")
         package = asked.partition("/")[0]
-        known = {one.lower() for one in KNOWN_PACKAGES} if self._dialect.version == 2 else KNOWN_PACKAGES
-        missing = package in self._unsourced or (self._dialect.version == 2 and package != package.lower())
-        undefined = package in known and self._dialect.fields(asked) is None and asked != published
-        if missing or undefined:
+        if package in self._unsourced or not (asked == published or self._dialect.importable(asked)):
             raise BridgeError(self._dialect.unknown_package(package, "msg"))
         channel = self._channels.get(name)
         established = channel.type if channel is not None and self._settled(channel, topic) else published
@@ -119,9 +122,8 @@ class Channels:
         return asked
 
     def _settled(self, channel: Channel, topic: Topic | None) -> bool:
-        """On ROS 2 clients who ask rightly join a subscription of a wrong type, and hang on it too."""
         published = None if topic is None else self._dialect.short(topic.type)
-        return self._dialect.version == 1 or published in (None, channel.type)
+        return not self._dialect.joins_wrong_types or published in (None, channel.type)
 
     def _open(self, type_: str, topic: Topic | None, qos: object) -> Channel:
         if not self._dialect.discovers:

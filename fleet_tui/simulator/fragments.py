@@ -11,16 +11,16 @@ UNFINISHED = 100  # messages of one client that may be incomplete at a time
 _RESPONSE = '{"op":"service_response"'
 
 
-def split(text: str, size: int, numbered: bool) -> Iterator[str]:
+def split(text: str, size: int, default_id: int | str) -> Iterator[str]:
     """The text in frames of at most `size` characters of it each, itself where it is no longer.
 
-    A fragment's id is the message's own; without one always 0, as a number where `numbered`, else as text.
+    A fragment's id is the message's own, where that has one.
     """
     if len(text) <= size:
         yield text
         return
     own = json.loads(text).get("id") if text.startswith(_RESPONSE) else None
-    id_ = own if own is not None else 0 if numbered else "0"
+    id_ = default_id if own is None else own
     total = -(-len(text) // size)
     for number in range(total):
         data = text[number * size : (number + 1) * size]

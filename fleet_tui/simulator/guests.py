@@ -112,7 +112,9 @@ class Guests:
         offer = self._offers[service]
         type_ = self._services[service]
         args = call.operation.get("args")
-        request = fill(self._dialect, self._dialect.request(type_.name), type_.fields, args, time.time())
+        request = fill(
+            self._dialect, self._dialect.part(type_.name, "Request"), type_.fields, args, time.time()
+        )
         id_ = f"service_request:{service}:{next(offer.number)}"
         offer.waiting[id_] = call
         offer.session.reply(to_json({"op": "call_service", "id": id_, "service": service, "args": request}))

@@ -24,9 +24,7 @@ def rosapi_services(dialect: Dialect) -> Mapping[str, ServiceType]:
 
 
 def _type(dialect: Dialect, verb: str) -> str:
-    name = _TYPES.get(verb, "".join(map(str.capitalize, verb.split("_"))))
-    newer = f"rosapi_msgs/{name}"
-    return newer if dialect.version == 2 and newer in DEFINED_SERVICES else f"rosapi/{name}"
+    return dialect.rosapi_type(_TYPES.get(verb, "".join(map(str.capitalize, verb.split("_")))))
 
 
 class Rosapi:
@@ -48,14 +46,12 @@ class Rosapi:
         self._dialect, self._topics, self._services = dialect, topics, services
         self._subscribed, self._clock, self._own = subscribed, clock, own
         self.services = rosapi_services(dialect)
-        self._params: Values = {"/rosdistro": f"{dialect.distro}\n", "/run_id": "fleet-tui-simulator"}
-        if dialect.version == 2:
-            self._params = {f"{BRIDGE}:port": 9090, f"{BRIDGE}:default_call_service_timeout": 5.0}
+        self._params = dict(dialect.params)
 
     def answer(self, service: str, args: object) -> Values:
         """The answer of one of its services. Raises ServiceError as every service does."""
         type_ = self.services[service]
-        name = self._dialect.request(type_.name)
+        name = self._dialect.part(type_.name, "Request")
         request = fill(self._dialect, name, type_.fields, args, self._clock())
         verb = service.removeprefix(f"{ROSAPI}/")
         if verb.endswith(("_param", "_param_names")):
@@ -133,7 +129,7 @@ class Rosapi:
         if verb == "nodes":
             return {"nodes": nodes}
         node = request["node"]
-        if node not in nodes and self._dialect.version == 2:
+        if node not in nodes and self._dialect.fragile:
             raise NodeDiedError
         return {
             "subscribing": list(self._subscribed()) if node == BRIDGE else [],
@@ -151,7 +147,7 @@ class Rosapi:
         if verb == "get_param_names":
             return {"names": list(self._params)}
         name = request["name"]
-        if self._dialect.version == 2 and verb == "has_param" and ":" not in name:
+        if self._dialect.fragile and verb == "has_param" and ":" not in name:
             raise NodeDiedError
         match verb:
             case "set_param":
@@ -164,19 +160,8 @@ class Rosapi:
                 return {"exists": name in self._params}
             case "search_param":
                 return {"global_name": name if name in self._params else ""}
-        return self._get_param(name, request)
-
-    def _get_param(self, name: str, request: Values) -> Values:
-        default = request.get("default", request.get("default_value"))
-        found = json.dumps(self._params[name]) if name in self._params else default
-        if self._dialect.version == 1:
-            return {"value": found or "null"}
-        reason = (
-            ""
-            if name in self._params
-            else f"Service {name.partition(':')[0]}/get_parameters is not available"
-        )
-        return {"value": found or '""', "successful": not reason, "reason": reason}
+        found = json.dumps(self._params[name]) if name in self._params else None
+        return self._dialect.got_param(found, request)
 
 
 def _value(text: str) -> Any:

@@ -12,6 +12,7 @@ from typing import Any
 from websockets.asyncio.server import Server, ServerConnection, serve
 
 from fleet_tui.errors import FleetError
+from fleet_tui.simulator.channels import resolve
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic, topics_of
 from fleet_tui.simulator.ros.dialect import Dialect
@@ -101,13 +102,15 @@ class RosbridgeServer(TopicDesk):
         """Where to connect to, once started."""
         return f"ws://{self._host}:{self._port}"
 
-    async def restart_bridge(self) -> None:
-        """End the bridge with all its connections and start it again on the same port; the robots live on."""
+    async def restart_bridge(self, down: float = 0.0) -> None:
+        """End the bridge with all its connections and start it again on the same port after `down` seconds;
+        the robots live on."""
         assert self._server is not None
         self._server.close()
         await self.drop_clients()
         await self._server.wait_closed()
         self.forget_subscriptions()
+        await asyncio.sleep(down)
         await self._listen()
 
     async def drop_clients(self) -> None:
@@ -158,7 +161,7 @@ class RosbridgeServer(TopicDesk):
             self.publish(ROSOUT, Payload(line))
         if tick % max(1, round(self._rate)) == 0:
             self.publish(DIAGNOSTICS)
-        for name in self.subscribed():
+        for name in dict.fromkeys(map(resolve, self.channels)):
             topic = self.topics.get(name)
             if topic is None or topic.robot is None or topic.robot.silence > 0.0:
                 continue

@@ -18,6 +18,7 @@ from fleet_tui.simulator.session import Operation, Session
 from fleet_tui.simulator.world import World
 
 DESK = "Application_layout"
+WAITING = 1000  # messages that wait for an overloaded bridge; those after them are lost
 REMEMBERED = 10_000  # calls and operations kept for tests
 
 Values = dict[str, Any]
@@ -25,6 +26,10 @@ Values = dict[str, Any]
 
 class ServiceDesk:
     """The services of a world's robots and rosapi's. Its attributes are for tests to read and change."""
+
+    capacity: float | None = None
+    """Messages a second that the bridge carries, the others wait; None = any number."""
+    _busy_until = 0.0
 
     def __init__(
         self,
@@ -66,13 +71,22 @@ class ServiceDesk:
                 text = f"'>' not supported between instances of '{given}' and 'int'"
                 session.reply(response(operation, text, False))
                 return
-            limit = operation["timeout"]
+            limit = operation["timeout"] if operation["timeout"] > 0 else None
         call = Call(session, operation, limit)
-        delay = self.frozen.get(service)
-        if delay is None:
-            self._reply(call, service)
+        self.in_turn(lambda: self._reply(call, service), self.frozen.get(service, 0.0))
+
+    def in_turn(self, send: Callable[[], None], delay: float = 0.0) -> None:
+        """Send a message `delay` seconds after the bridge has got to it: at once, unless it is overloaded."""
+        if self.capacity is not None:
+            now = time.monotonic()
+            if self._busy_until - now > WAITING / self.capacity:
+                return
+            self._busy_until = max(self._busy_until, now) + 1.0 / self.capacity
+            delay += self._busy_until - now
+        if delay:
+            asyncio.get_running_loop().call_later(delay, send)
         else:
-            asyncio.get_running_loop().call_later(delay, self._reply, call, service)
+            send()
 
     def answer(self, operation: Mapping[str, Any]) -> Frame | None:
         """The frame that answers a call_service operation, None where nothing is ever said."""
@@ -94,7 +108,9 @@ class ServiceDesk:
         package = type_.name.partition("/")[0]
         if package in self.unsourced:
             raise ServiceError(self.dialect.unknown_package(package, "srv"))
-        request = fill(self.dialect, self.dialect.request(type_.name), type_.fields, args, time.time())
+        request = fill(
+            self.dialect, self.dialect.part(type_.name, "Request"), type_.fields, args, time.time()
+        )
         return self.world.answer(service, request)
 
     def _reply(self, call: Call, service: str) -> None:

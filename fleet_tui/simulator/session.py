@@ -227,7 +227,7 @@ class Session:
         if isinstance(frame, bytes):
             return [frame]
         size = min(self._fragment_size, self.bridge.max_message_size or sys.maxsize)
-        return split(frame, size, numbered=self.bridge.dialect.version == 1)
+        return split(frame, size, self.bridge.dialect.fragment_id)
 
 
 def _problem(operation: Operation) -> str:

@@ -2,7 +2,8 @@
 
 import asyncio
 import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import Any
 
 from fleet_tui.simulator.channels import Channels, resolve
@@ -11,7 +12,7 @@ from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.services import ServiceDesk
 from fleet_tui.simulator.session import Operation, Session
-from fleet_tui.simulator.words import ERROR, ROSOUT, Talk
+from fleet_tui.simulator.words import ERROR, INFO, ROSOUT, Talk
 from fleet_tui.simulator.world import World
 
 
@@ -59,16 +60,17 @@ class TopicDesk(ServiceDesk):
         for asked in _spellings(name):
             if self.channels.sessions(asked) and self._flows(asked, topic):
                 payload = payload or topic.payload(time.time())
-                publication = Publication(asked, payload)
-                for session in self._recipients(asked, topic):
-                    session.offer(asked, publication)
+                self.in_turn(partial(self._send, asked, topic, Publication(asked, payload)))
 
     def complain(self, session: Session, operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""
-        if self.dialect.logs_complaints:
+        if self.dialect.logs_operations:
             id_ = f"[id: {operation['id']}] " if "id" in operation else ""
-            words = f"[Client {session.id}] {id_}{operation.get('op')}: {text}"
-            self.publish(ROSOUT, Payload(self._talk.say(time.time(), ERROR, "/rosbridge_websocket", words)))
+            self._log(session, ERROR, f"{id_}{operation.get('op')}: {text}")
+
+    def _log(self, session: Session, level: int, text: str) -> None:
+        line = self._talk.say(time.time(), level, "/rosbridge_websocket", f"[Client {session.id}] {text}")
+        self.publish(ROSOUT, Payload(line))
 
     def join(self, session: Session, operation: Operation) -> None:
         """Bring a topic to a client, who may have it already. Raises ServiceError."""
@@ -77,18 +79,21 @@ class TopicDesk(ServiceDesk):
     def welcome(self, session: Session, topic: str) -> None:
         """Tell a subscriber the topic's latched value, as soon as the bridge has discovered it."""
         known = self.topics.get(resolve(topic))
-        if known is None or not known.latched:
-            return
-        wait = self.channels.delay(known) - self._age
-        if wait <= 0.0:
-            self._tell(session, topic, self.channels)
-        else:
-            asyncio.get_running_loop().call_later(wait, self._tell, session, topic, self.channels)
+        if known is not None and known.latched:
+            wait = self.channels.delay(known) - self._age
+            if wait <= 0.0:
+                self._tell(session, topic, self.channels)
+            else:
+                asyncio.get_running_loop().call_later(wait, self._tell, session, topic, self.channels)
+        if self.dialect.logs_operations:
+            self._log(session, INFO, f"Subscribed to {topic}")
 
     def leave(self, session: Session, topic: str) -> None:
         """Forget a subscriber."""
-        if self.channels.leave(session, topic):
+        if self.channels.leave(session, topic, self._age):
             self.orphaned.discard(topic)
+        if self.dialect.logs_operations:
+            self._log(session, INFO, f"Unsubscribed from {topic}")
 
     @property
     def _age(self) -> float:
@@ -97,11 +102,11 @@ class TopicDesk(ServiceDesk):
     def _asked(self) -> Mapping[str, str]:
         return self.channels.types()
 
-    def _recipients(self, asked: str, topic: Topic) -> Iterator[Session]:
+    def _send(self, asked: str, topic: Topic, publication: Publication) -> None:
         never = self.dialect.short(topic.type) in self.dialect.never_cbor
         for session in self.channels.sessions(asked):
             if not (never and session.subscriptions[asked].compression == "cbor"):
-                yield session
+                session.offer(asked, publication)
 
     def _flows(self, asked: str, topic: Topic) -> bool:
         if topic.name in self.muted or topic.name in self.orphaned:

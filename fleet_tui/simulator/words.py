@@ -17,7 +17,7 @@ Message = dict[str, Any]
 ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
 DEBUG, INFO, WARN, ERROR = 1, 2, 4, 8  # rosgraph_msgs/Log
 HEALTHY, DOUBTFUL, BROKEN = 0, 1, 2  # diagnostic_msgs/DiagnosticStatus
-KEPT = 100  # lines of the log
+KEPT = 1000  # lines of the log for late subscribers
 
 Line = tuple[int, str, str]
 """Level, node and words."""
@@ -79,9 +79,9 @@ class Talk:
         return line
 
     def latched(self) -> Iterator[Payload]:
-        """The lines for a new subscriber: the last of each node, on ROS 2 all that are kept."""
+        """The lines for a new subscriber: the last of each node, or all that are kept."""
         newest = {line["name"]: line for line in self._kept}.values()
-        yield from map(Payload, self._kept if self._dialect.version == 2 else newest)
+        yield from map(Payload, self._kept if self._dialect.keeps_log else newest)
 
     def _log(self, robot: Robot, line: Line, now: float) -> Message:
         level, node, words = line

@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
@@ -256,6 +257,13 @@ async def test_a_frozen_rosapi_leaves_the_bridge_alive() -> None:
     assert (came[1]["values"], came[1]["result"]) == (f"Service {heartbeat} does not exist", False)
 
 
+async def test_a_dead_rosapi_is_not_there() -> None:
+    async with served("dead-rosapi") as (_, client):
+        came = [json.loads(await client.recv()) for _ in range(2)]
+    assert [frame["result"] for frame in came] == [True, False]
+    assert came[1]["values"] == "Service /rosapi/get_time does not exist"
+
+
 async def test_messages_beyond_the_bridge_never_come_though_rosapi_names_them() -> None:
     async with served("unsourced") as (_, client):
         await answers(client)
@@ -269,6 +277,24 @@ async def test_messages_beyond_the_bridge_never_come_though_rosapi_names_them() 
         while (answer := json.loads(await client.recv())).get("id") != "t":
             pass
         assert answer["values"] == {"type": "OH_ressources/ActionQueue"}
+
+
+async def test_an_overloaded_bridge_falls_behind_with_everything(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(wire, "CARRIED", 5.0)
+    async with served("overloaded") as (_, client):
+        await answers(client)
+        await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/pose"}))
+        ages = []
+        for _ in range(6):
+            stamp = json.loads(await client.recv())["msg"]["header"]["stamp"]
+            ages.append(time.time() - stamp["secs"] - stamp["nsecs"] / 1e9)
+        assert ages == sorted(ages)
+        assert ages[-1] - ages[0] > 0.3
+        begun = time.monotonic()
+        await client.send(json.dumps({"op": "call_service", "id": "after", "service": "/rosapi/get_time"}))
+        while json.loads(await client.recv()).get("id") != "after":
+            pass
+        assert time.monotonic() - begun > 0.3
 
 
 async def test_a_dropped_connection_was_no_dropped_order() -> None:

@@ -27,6 +27,10 @@ FAULTS: Mapping[str, tuple[str, wire.Play]] = {
     "throws": ("orders end in an exception of the node and are not taken", wire.throws),
     "unregistered": (f"after {wire.GONE:g} s its services do not exist, telemetry flows", wire.unregistered),
     "frozen-rosapi": ("rosapi never answers, everything else does", wire.frozen_rosapi),
+    "overloaded": (
+        f"the bridge carries {wire.CARRIED:g} messages a second, the others wait",
+        wire.overloaded,
+    ),
     "dead-rosapi": ("rosapi is not there, everything else is", wire.dead_rosapi),
     "volatile-maps": (
         f"maps, graphs and labels are not latched but come every {wire.AGAIN:g} s",

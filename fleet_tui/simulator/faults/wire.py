@@ -22,6 +22,7 @@ ORDERS = "Execute_order"
 LATE = 8.0  # seconds after which `late` answers, and `late-call` begins
 SLOW = 6.0  # seconds after which `slow-answer` answers: the bridge of ROS 2 gives a call up after 5
 OBEYS = 12.0  # seconds between the answer of `obeys-late` and the deed
+CARRIED = 40.0  # messages a second that an `overloaded` bridge carries: those of two robots
 AGAIN = 3.0  # seconds after which `volatile-maps` are published again
 GONE = 5.0  # seconds after which `unregistered` has no services
 
@@ -141,6 +142,11 @@ def unsourced(server: "RosbridgeServer", _robot: str) -> None:
     """Let the bridge run without the package of the robots' messages."""
     package = server.dialect.short(server.dialect.message_type("OH_ressources/Graph")).partition("/")[0]
     server.unsourced.add(package)
+
+
+def overloaded(server: "RosbridgeServer", _robot: str) -> None:
+    """Let the bridge carry little, so that everything comes later and later."""
+    server.capacity = CARRIED
 
 
 def dead_rosapi(server: "RosbridgeServer", _robot: str) -> None:

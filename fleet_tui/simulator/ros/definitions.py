@@ -119,6 +119,8 @@ def _lines(text: str) -> Iterator[tuple[str, str]]:
 MESSAGES: Mapping[str, Fields] = {name: _fields(rest) for name, rest in _lines(_MESSAGES)}
 """The fields of each message type."""
 
+PACKAGES = frozenset(name.partition("/")[0] for name in MESSAGES)
+
 SERVICES: Mapping[str, tuple[Fields, Fields]] = {
     name: (_fields(rest.partition("->")[0]), _fields(rest.partition("->")[2]))
     for name, rest in _lines(_SERVICES)

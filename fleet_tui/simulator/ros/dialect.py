@@ -23,8 +23,22 @@ class Dialect(Protocol):
     """Whether a binary frame from a client is read as text."""
     never_cbor: Collection[str]
     """Types that never come as CBOR, in the short spelling."""
-    logs_complaints: bool
-    """Whether operations without effect are lines of /rosout."""
+    lingers: float
+    """Seconds for which the bridge keeps a subscription as it is after the last client has let go."""
+    logs_operations: bool
+    """Whether subscriptions, and operations without effect, are lines of /rosout."""
+    fragment_id: int | str
+    """The id of a fragment whose message has none."""
+    aligned: bool
+    """Whether ROS's own encoding is CDR, in which values are aligned."""
+    keeps_log: bool
+    """Whether a late subscriber of /rosout is told more than each node's last line."""
+    joins_wrong_types: bool
+    """Whether a client who asks rightly is added to a subscription of a wrong type, to hang on it too."""
+    fragile: bool
+    """Whether rosapi ends with an exception in one of its handlers."""
+    params: Mapping[str, object]
+    """The parameters that rosapi knows from the start."""
     discovers: bool
     """Publishers are discovered bit by bit, and quality of service is fixed at the first subscription."""
 
@@ -40,8 +54,20 @@ class Dialect(Protocol):
     def short(self, type_: str) -> str:
         """The type as typedefs and error texts have it; both spellings are read."""
 
-    def request(self, type_: str) -> str:
-        """The name of a service's request in error texts."""
+    def part(self, type_: str, part: str) -> str:
+        """The name of a service's `Request` or `Response`."""
+
+    def rosapi_type(self, name: str) -> str:
+        """The ROS 1 name under which the definition of one of rosapi's services stands."""
+
+    def importable(self, type_: str) -> bool:
+        """Whether the bridge can load a message type; it has packages of which nothing is known here."""
+
+    def fixed(self, items: list[float]) -> object:
+        """An array of fixed length as the bridge holds it."""
+
+    def got_param(self, value: str | None, request: Message) -> Message:
+        """rosapi's answer to get_param; value is None where the parameter is unknown."""
 
     def fields(self, type_: str) -> Fields | None:
         """The fields of a message type in either spelling, None where the bridge doesn't know it."""

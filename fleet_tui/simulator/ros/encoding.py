@@ -16,17 +16,17 @@ _FORMATS = {"bool": "?", "float32": "f", "float64": "d"} | {
 
 
 def encode(dialect: Dialect, type_: str, msg: Message) -> bytes:
-    """A message as ROS 1 serializes it, or as little-endian CDR with its header on ROS 2."""
+    """A message as ROS 1 serializes it, or as little-endian CDR with its header."""
     encoder = _Encoder(dialect)
     encoder.message(dialect.fields(type_) or {}, msg)
-    return (b"\x00\x01\x00\x00" if dialect.version == 2 else b"") + bytes(encoder.data)
+    return (b"\x00\x01\x00\x00" if dialect.aligned else b"") + bytes(encoder.data)
 
 
 class _Encoder:
     def __init__(self, dialect: Dialect) -> None:
         self.data = bytearray()
         self._dialect = dialect
-        self._aligned = dialect.version == 2
+        self._aligned = dialect.aligned
 
     def message(self, fields: Fields, msg: Message) -> None:
         for name, field in fields.items():

@@ -68,9 +68,7 @@ def _value(dialect: Dialect, message: str, key: str, field: RosField, value: obj
 
 
 def _fixed(dialect: Dialect, items: list[object], length: int) -> object:
-    """An array of fixed length: numpy's on ROS 2, which puts bare NaN into JSON."""
-    array = np.resize(np.array(items, dtype=float), length)
-    return array if dialect.version == 2 else array.tolist()
+    return dialect.fixed(np.resize(np.array(items, dtype=float), length).tolist())
 
 
 def _primitive(dialect: Dialect, message: str, key: str, rostype: str, value: object) -> object:

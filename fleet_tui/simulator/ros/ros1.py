@@ -4,7 +4,7 @@ import math
 from collections.abc import Collection, Mapping
 from types import MappingProxyType
 
-from fleet_tui.simulator.ros.definitions import MESSAGES, Fields
+from fleet_tui.simulator.ros.definitions import MESSAGES, PACKAGES, Fields
 from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.errors import ServiceError
 
@@ -26,7 +26,14 @@ class Ros1:
     max_message_size: int | None = None
     reads_binary = False
     never_cbor: Collection[str] = ()
-    logs_complaints = False
+    lingers = 0.0
+    logs_operations = False
+    fragment_id: int | str = 0
+    aligned = False
+    keeps_log = False
+    joins_wrong_types = False
+    fragile = False
+    params: Mapping[str, object] = MappingProxyType({"/rosdistro": "noetic\n", "/run_id": "simulated"})
     discovers = False
     defaults: Mapping[tuple[str, str], float] = MappingProxyType({})
 
@@ -36,9 +43,25 @@ class Ros1:
 
     service_type = short = primitive = message_type
 
-    def request(self, type_: str) -> str:
+    def part(self, type_: str, part: str) -> str:
         """`package/NameRequest`."""
-        return f"{type_}Request"
+        return f"{type_}{part}"
+
+    def rosapi_type(self, name: str) -> str:
+        """`rosapi/Name`."""
+        return f"rosapi/{name}"
+
+    def importable(self, type_: str) -> bool:
+        """Whether a known package defines it."""
+        return type_ in MESSAGES or type_.partition("/")[0] not in PACKAGES
+
+    def fixed(self, items: list[float]) -> object:
+        """A list."""
+        return items
+
+    def got_param(self, value: str | None, request: Message) -> Message:
+        """The value as JSON, the default for an unknown one."""
+        return {"value": value or request["default"] or "null"}
 
     def fields(self, type_: str) -> Fields | None:
         """The fields of a message type."""

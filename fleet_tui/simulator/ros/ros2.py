@@ -4,7 +4,9 @@ import math
 from collections.abc import Collection, Mapping
 from types import MappingProxyType
 
-from fleet_tui.simulator.ros.definitions import MESSAGES, Fields, RosField
+import numpy as np
+
+from fleet_tui.simulator.ros.definitions import MESSAGES, PACKAGES, SERVICES, Fields, RosField
 from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.ros1 import COMMON_VERBS
 
@@ -54,7 +56,16 @@ class Ros2:
     max_message_size: int | None = 10_000_000
     reads_binary = True
     never_cbor: Collection[str] = ("diagnostic_msgs/DiagnosticArray",)
-    logs_complaints = True
+    lingers = 0.4
+    logs_operations = True
+    fragment_id: int | str = "0"
+    aligned = True
+    keeps_log = True
+    joins_wrong_types = True
+    fragile = True
+    params: Mapping[str, object] = MappingProxyType(
+        {"/rosbridge_websocket:port": 9090, "/rosbridge_websocket:default_call_service_timeout": 5.0}
+    )
     discovers = True
     defaults: Mapping[tuple[str, str], float] = MappingProxyType({("geometry_msgs/Quaternion", "w"): 1.0})
     log_levels: Mapping[int, int] = MappingProxyType({1: 10, 2: 20, 4: 30, 8: 40, 16: 50})
@@ -71,9 +82,30 @@ class Ros2:
         """`package/Name`."""
         return _short(type_)
 
-    def request(self, type_: str) -> str:
+    def part(self, type_: str, part: str) -> str:
         """`package/Name_Request`."""
-        return f"{_short(type_)}_Request"
+        return f"{_short(type_)}_{part}"
+
+    def rosapi_type(self, name: str) -> str:
+        """Its own definition where it differs from ROS 1's."""
+        return f"rosapi_msgs/{name}" if f"rosapi_msgs/{name}" in SERVICES else f"rosapi/{name}"
+
+    def importable(self, type_: str) -> bool:
+        """Whether the package's name is possible, and a known package defines it."""
+        package = type_.partition("/")[0]
+        known = type_ in _MESSAGES_BY_SHORT_NAME or package not in {name.lower() for name in PACKAGES}
+        return known and package == package.lower()
+
+    def fixed(self, items: list[float]) -> object:
+        """A numpy array: NaN and Infinity stand bare in its JSON."""
+        return np.array(items, dtype=float)
+
+    def got_param(self, value: str | None, request: Message) -> Message:
+        """The value as JSON, and whether there was one."""
+        node = request["name"].partition(":")[0]
+        reason = f"Service {node}/get_parameters is not available" if value is None else ""
+        value = value or request["default_value"] or '""'
+        return {"value": value, "successful": not reason, "reason": reason}
 
     def fields(self, type_: str) -> Fields | None:
         """The fields of a message type, `package/Name` or `package/msg/Name`."""

@@ -23,8 +23,8 @@ def service_typedefs(dialect: Dialect, type_: str, response: bool) -> list[Messa
     for name, both in SERVICES.items():
         told = dialect.service_type(name)
         if type_ in (told, dialect.short(told)):
-            part = ("_" if dialect.version == 2 else "") + ("Response" if response else "Request")
-            return _with_parts(dialect, dialect.short(told) + part, both[response], set())
+            part = dialect.part(told, "Response" if response else "Request")
+            return _with_parts(dialect, part, both[response], set())
     return []
 
 
