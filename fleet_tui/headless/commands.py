@@ -47,13 +47,16 @@ def status(
 
 @headless.command()
 @click.option("--json", "as_json", is_flag=True, help="As JSON: docs/doctor.md tells the schema.")
+@click.option("--robot", metavar="ROBOT", default="", help="Only this one, its bridge and its floors.")
 @click.option("--bundle", is_flag=True, help="And pack it with recordings, log and audit log, for a ticket.")
 @timeout(20.0)
 @common
 @merged
-def doctor(config_file: str | None, debug: bool, as_json: bool, bundle: bool, timeout: float) -> None:
+def doctor(
+    config_file: str | None, debug: bool, as_json: bool, robot: str, bundle: bool, timeout: float
+) -> None:
     """What is wrong between here and the robots, outside in, each with a remedy. Commands nothing. Exit
-    code 0: all well, 1: something is wrong, 3: no link."""
+    code 0: all well, 1: something is wrong or was left out, 3: no link."""
     from fleet_tui.headless.doctor.run import doctor as run
     from fleet_tui.log_file import log_to_file
 
@@ -65,7 +68,7 @@ def doctor(config_file: str | None, debug: bool, as_json: bool, bundle: bool, ti
         click.echo(line)
         said.append(click.unstyle(line))
 
-    code = run(config, timeout, as_json, say)
+    code = run(config, timeout, as_json, say, robot)
     if bundle:
         from fleet_tui.headless.bundle import pack
 

@@ -3,7 +3,7 @@
 import asyncio
 import json
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import msgspec
@@ -14,8 +14,12 @@ from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import DEFAULT_LINK, Config, Link, RobotEntry
 from fleet_tui.errors import ConfigError, FleetError, LinkError
 from fleet_tui.headless.doctor.approach import Approach
+from fleet_tui.headless.doctor.causes import rosapi_remedy
+from fleet_tui.headless.doctor.facts import Rosapi
 from fleet_tui.headless.doctor.finding import Verdict
-from fleet_tui.headless.doctor.gather import ask_rosapi, asked_topics, listen
+from fleet_tui.headless.doctor.gather import asked_topics
+from fleet_tui.headless.doctor.listening import listen
+from fleet_tui.headless.doctor.rosapi import ask_publishers, ask_services, look_around
 from fleet_tui.headless.doctor.wire import Wire
 from fleet_tui.headless.site import Site, site_of
 from fleet_tui.link.transport import network_loop
@@ -51,24 +55,26 @@ async def _ask(config: Config, until: float) -> tuple[Site, dict[str, str]]:
         async for finding in Approach(DEFAULT_LINK, config.bridge(DEFAULT_LINK), wire).walk():
             if finding.verdict is Verdict.FAIL:
                 raise LinkError(f"{finding.check}: {finding.measured} -> {finding.remedy}")
-        first = await ask_rosapi(wire, (), (), until)
-        if first.problem:
-            raise FleetError(
-                f"{first.problem}: it is rosapi that tells what is there. Start it, or edit an example"
-            )
-        named = [name for name in first.services if not name.startswith(OURS)]
-        services = (await ask_rosapi(wire, (), named, until)).services
-        site = site_of(first.topics, services)
-        return site, await _frames(wire, site, first.topics, until)
+        rosapi = await look_around(wire)
+        if rosapi.problem:
+            remedy = f"{rosapi_remedy(rosapi)}; or edit an example (fleet-tui config init)"
+            raise FleetError(f"it is rosapi that tells what is there: {rosapi.problem}: {remedy}")
+        services = [name for name in rosapi.services if not name.startswith(OURS)]
+        rosapi = await ask_publishers(wire, rosapi, rosapi.topics, until)
+        rosapi = await ask_services(wire, rosapi, services, until)
     finally:
         wire.close()
+    published = {name: type_ for name, type_ in rosapi.topics.items() if rosapi.has(name)}
+    site = site_of(published, {name: rosapi.services[name] or "" for name in services})
+    return site, await _frames(config.bridge(DEFAULT_LINK), site, rosapi, until)
 
 
-async def _frames(wire: Wire, site: Site, types: Mapping[str, str], until: float) -> dict[str, str]:
+async def _frames(bridge: Link, site: Site, rosapi: Rosapi, until: float) -> dict[str, str]:
     """The frame_id of each robot's poses, of those that speak."""
     config = Config(robots=[RobotEntry(robot) for robot in site.robots], profile=Profile(topics=site.topics))
     poses = [one for one in asked_topics(config, DEFAULT_LINK) if one.kind.fast]
-    events = [facts.event for facts in await listen(wire, poses, types, until)]
+    heard = await listen(bridge, poses, rosapi, until)
+    events = [facts.event for facts in heard.topics]
     return {one.robot: one.frame_id.lstrip("/") for one in events if isinstance(one, PoseReported)}
 
 

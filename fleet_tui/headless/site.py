@@ -8,6 +8,7 @@ from difflib import get_close_matches
 from fleet_tui.config.check import NAME
 from fleet_tui.config.profile import FLOOR_TOPICS, SERVICES, TOPICS
 from fleet_tui.link.subscriptions import plain_type
+from fleet_tui.rosbridge.type_names import same_type
 
 QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]
 PAUSED = "{robot}/paused"
@@ -36,11 +37,11 @@ class Site:
 
 def site_of(topics: Mapping[str, str], services: Mapping[str, str]) -> Site:
     """The site of which these are the topics and services, name -> type."""
-    topics = {name: plain_type(type_) for name, type_ in topics.items() if _is_sane(name, type_)}
-    services = {
-        name: type_.replace("/srv/", "/") for name, type_ in services.items() if _is_sane(name, type_)
-    }
+    topics, other_types = _as_usual(topics, TOPICS)
+    services, other_service_types = _as_usual(services, SERVICES)
     site = Site({robot: [] for robot in _robots(topics)})
+    site.types |= other_types
+    site.service_types |= other_service_types
     for robot, floors in site.robots.items():
         floors += dict.fromkeys(_floors(robot, topics))
     for key in TOPICS:
@@ -51,6 +52,21 @@ def site_of(topics: Mapping[str, str], services: Mapping[str, str]) -> Site:
         if type_ == TOPICS["map"][1]:
             site.live_maps |= {floor for floor in site.floors if f"/{floor}/" in name}
     return site
+
+
+def _as_usual(
+    there: Mapping[str, str], usual: Mapping[str, tuple[str, str]]
+) -> tuple[dict[str, str], dict[str, str]]:
+    """Names and types with the types spelled as by default, and by key how those are spelled here that ROS 2
+    spells otherwise."""
+    found, spelled = dict[str, str](), dict[str, str]()
+    for name, type_ in there.items():
+        if _is_sane(name, type_):
+            keys = [key for key, (_, known) in usual.items() if same_type(type_, known)]
+            found[name] = usual[keys[0]][1] if keys else plain_type(type_)
+            if keys and plain_type(type_) != found[name]:
+                spelled |= dict.fromkeys(keys, type_)
+    return found, spelled
 
 
 def _is_sane(name: str, type_: str) -> bool:

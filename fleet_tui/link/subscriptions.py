@@ -41,7 +41,7 @@ def _subscription(config: Config, kind: TopicKind, robot: RobotEntry, topic: str
 
 def plain_type(name: str) -> str:
     """A ROS type without ROS 2's middle part: `std_msgs/msg/Bool` is `std_msgs/Bool`."""
-    return name.replace("/msg/", "/")
+    return name.replace("/msg/", "/").replace("/srv/", "/")
 
 
 def type_problem(wanted: Wanted, types: Mapping[str, str], profile: Profile) -> str:

@@ -192,6 +192,8 @@ def reader(struct: type[S], names: Mapping[str, str] | None = None) -> Callable[
                 msg = {**msg, "data": _from_cbor(msg["data"])}
             return msgspec.convert(msg, struct)
         except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as problem:
-            raise WireError(str(problem)) from None
+            # NaN and the infinities are no JSON: a bridge writes null.
+            reason = str(problem).replace("Expected `float`, got `null`", "NaN (null in JSON) is no number")
+            raise WireError(reason) from None
 
     return read

@@ -97,28 +97,32 @@ def decode_cbor(payload: bytes) -> Operation | None:
 @dataclass(frozen=True, slots=True)
 class Subscription:
     """What is asked of the bridge for one topic. Rates are in milliseconds, 0 is every message;
-    the queue holds at least one, or one slow client freezes the topic for all."""
+    the queue holds at least one, or one slow client freezes the topic for all. `latched`: with the quality
+    of service that gets the last value whenever its publisher is discovered, of which ROS 1 knows nothing."""
 
     topic: str
     type: str
     throttle_rate: int = 0
     compression: str = "none"
     queue_length: int = 1
+    latched: bool = False
+
+
+LATCHED = {"durability": "transient_local", "reliability": "reliable", "history": "keep_last", "depth": 1}
 
 
 def subscribe(wanted: Subscription) -> bytes:
     """The frame that subscribes to a topic."""
-    return _encoder.encode(
-        {
-            "op": "subscribe",
-            "id": f"subscribe:{wanted.topic}",
-            "topic": wanted.topic,
-            "type": wanted.type,
-            "throttle_rate": wanted.throttle_rate,
-            "queue_length": wanted.queue_length,
-            "compression": wanted.compression,
-        }
-    )
+    operation: dict[str, object] = {
+        "op": "subscribe",
+        "id": f"subscribe:{wanted.topic}",
+        "topic": wanted.topic,
+        "type": wanted.type,
+        "throttle_rate": wanted.throttle_rate,
+        "queue_length": wanted.queue_length,
+        "compression": wanted.compression,
+    }
+    return _encoder.encode(operation | {"qos": LATCHED} if wanted.latched else operation)
 
 
 def unsubscribe(topic: str) -> bytes:

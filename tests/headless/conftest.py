@@ -1,11 +1,23 @@
 """Fixtures of the command line's tests."""
 
+from collections.abc import AsyncIterator
 from pathlib import Path
 
 import pytest
 
+from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
 from tests.headless.running import config_file
+
+
+@pytest.fixture
+async def ros_2() -> AsyncIterator[RosbridgeServer]:
+    """Two quiet simulated robots on two floors behind a bridge of ROS 2."""
+    running = RosbridgeServer(World(robots=2, floors=2, seed=1, quiet=True), dialect=ROS2)
+    await running.start()
+    yield running
+    await running.stop()
 
 
 @pytest.fixture

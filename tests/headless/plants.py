@@ -2,6 +2,7 @@
 
 import asyncio
 import ssl
+import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import replace
@@ -12,9 +13,10 @@ from typing import Any
 import msgspec
 from websockets.asyncio.server import ServerConnection, serve
 
+from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.ros_types import ServiceType
+from fleet_tui.simulator.ros_types import ServiceError, ServiceType
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.faults.certificates import sign
 
@@ -35,6 +37,18 @@ def says(server: RosbridgeServer, topic: str, change: Callable[[Message], Messag
 def renamed(server: RosbridgeServer, old: str, new: str) -> None:
     server.topics[new] = replace(server.topics.pop(old), name=new)
     server.types[new] = server.types.pop(old)
+
+
+def only_listened_to(server: RosbridgeServer, *topics: str) -> None:
+    """As the master lists topics that an open console asks for and nobody publishes."""
+    types = {name.rpartition("/")[2]: type_ for name, type_ in server.types.items()}
+    server.types |= {topic: types[topic.rpartition("/")[2]] for topic in topics if topic not in server.types}
+
+    def publishers(args: dict[str, Any]) -> dict[str, Any]:
+        there = args["topic"] in server.types and args["topic"] not in topics
+        return {"publishers": ["/fleet"] if there else []}
+
+    server.answers["/rosapi/publishers"] = publishers
 
 
 def retyped(server: RosbridgeServer, topic: str, type_: str) -> None:
@@ -119,6 +133,65 @@ def _no_master(server: RosbridgeServer) -> None:
     server.master_alive = False
 
 
+def _renamed_and_listened_to(server: RosbridgeServer) -> None:
+    renamed(server, "/robot_0/queue", "/robot_0/action_queue")
+    only_listened_to(server, "/robot_0/queue")
+
+
+def _slip_and_listened_to(server: RosbridgeServer, config: Config) -> Config:
+    keys = ("pose", "queue", "battery", "floor_0/graph")
+    only_listened_to(server, *(f"/robot_00/{key}" for key in keys))
+    return msgspec.structs.replace(config, robots=ONE_ROBOT)
+
+
+def _unsourced(server: RosbridgeServer) -> None:
+    server.unsourced.add("OH_ressources")
+
+
+def _unregistered(server: RosbridgeServer) -> None:
+    server.services.clear()
+
+
+def _frozen_rosapi(server: RosbridgeServer) -> None:
+    server.silent_services.update(server.rosapi.services)
+
+
+def _failing_rosapi(server: RosbridgeServer) -> None:
+    def fail(_args: Message) -> Message:
+        words = "service [/rosapi/topics] responded with an error: b'error processing request: boom'"
+        raise ServiceError(words)
+
+    server.answers["/rosapi/topics"] = fail
+
+
+def _dead_node(server: RosbridgeServer) -> None:
+    """One node of robot_0 publishes two topics and offers a service; it is killed, and stays registered."""
+    dead = {"/robot_0/battery", "/robot_0/cargo", "/robot_0/Application_layout/Pause"}
+    server.muted |= dead
+
+    def publishers(args: Message) -> Message:
+        return {"publishers": ["/robot_0/base" if args["topic"] in dead else "/fleet"]}
+
+    def owner(args: Message) -> Message:
+        return {"node": "/robot_0/base" if args["service"] in dead else "/fleet"}
+
+    server.answers |= {"/rosapi/publishers": publishers, "/rosapi/service_node": owner}
+
+
+def spelled_as_ros_2(server: RosbridgeServer) -> None:
+    """Lower-case packages, CamelCase names and a middle part."""
+
+    def spelled(type_: str, middle: str) -> str:
+        package, _, name = type_.partition("/")
+        camel = "".join(part[0].upper() + part[1:] for part in name.split("_"))
+        return f"{package.lower()}/{middle}/{camel}"
+
+    for topic in list(server.topics):
+        retyped(server, topic, spelled(server.types[topic], "msg"))
+    for name, type_ in server.services.items():
+        server.services[name] = replace(type_, name=spelled(type_.name, "srv"))
+
+
 AT = "/robot_0/floor_0/"
 ONE_ROBOT = [RobotEntry("robot_00"), RobotEntry("robot_1")]
 NO_FILE = [FloorEntry("floor_0", map="maps/ground.yaml"), FloorEntry("floor_1")]
@@ -132,6 +205,17 @@ PLANTS: dict[str, Plant] = {
     "a floor's name with a slip": in_the_config(floors=[FloorEntry("floor_00"), FloorEntry("floor_1")]),
     "a silent robot": on_the_server(_silent),
     "a renamed topic": on_the_server(partial(renamed, old="/robot_0/queue", new="/robot_0/action_queue")),
+    "a renamed topic, and a console that asks for the old name": on_the_server(_renamed_and_listened_to),
+    "a robot's name with a slip, and a console open with it": _slip_and_listened_to,
+    "messages the bridge was started without": on_the_server(_unsourced),
+    "a frozen rosapi": on_the_server(_frozen_rosapi),
+    "a rosapi that fails inside": on_the_server(_failing_rosapi),
+    "nodes that the ROS master does not know": on_the_server(_unregistered),
+    "a dead node": on_the_server(_dead_node),
+    "a battery that is not a number": on_the_server(
+        partial(says, topic="/robot_1/battery", change=lambda _: {"data": None})
+    ),
+    "types as ROS 2 spells them": on_the_server(spelled_as_ros_2),
     "a missing topic": on_the_server(partial(_remove, "/robot_0/cargo")),
     "a wrong type": on_the_server(partial(retyped, topic="/robot_1/battery", type_="std_msgs/Float64")),
     "a topic that stays away": on_the_server(lambda server: server.muted.add("/robot_0/pose")),
@@ -160,6 +244,58 @@ PLANTS: dict[str, Plant] = {
     "a clock two hours behind": on_the_server(partial(says, topic="/robot_1/pose", change=_hours_late)),
 }
 """What is planted behind (or before) a rosbridge."""
+
+
+def _later_and_later(server: RosbridgeServer) -> None:
+    """Poses come later by nearly what has passed, as behind a bridge that has more to do than it can."""
+    began = time.time()
+
+    def late(pose: Message) -> Message:
+        stamp = began + (time.time() - began) / 10
+        now = {"sec": int(stamp), "nanosec": int(stamp % 1 * 1e9)}
+        return {**pose, "header": {**pose["header"], "stamp": now}}
+
+    for robot in server.world.robots:
+        says(server, f"/{robot}/pose", late)
+
+
+def _volatile(server: RosbridgeServer) -> None:
+    """What floors need is not latched, and published every half a second."""
+    names = [name for name, topic in server.topics.items() if "/floor_" in name]
+    server.topics |= {name: replace(server.topics[name], latched=False) for name in names}
+    age = 0.0
+
+    def step(dt: float) -> None:
+        nonlocal age
+        age += dt
+        if age > 0.5:
+            age = 0.0
+            for name in names:
+                server.publish(name)
+
+    server.world.troubles.append(step)
+
+
+def _small_messages(server: RosbridgeServer) -> None:
+    server.max_message_size = 100_000
+
+
+def _unsourced_on_ros_2(server: RosbridgeServer) -> None:
+    server.unsourced.add("oh_ressources")
+
+
+ROS_2_PLANTS: dict[str, Plant] = {
+    "on ROS 2 messages the bridge was started without": on_the_server(_unsourced_on_ros_2),
+    "on ROS 2 floors published volatile, again and again": on_the_server(_volatile),
+    "on ROS 2 a map larger than the bridge's messages": on_the_server(_small_messages),
+    "on ROS 2 a bridge that falls behind": on_the_server(_later_and_later),
+    "on ROS 2 a frozen rosapi": on_the_server(_frozen_rosapi),
+    "on ROS 2 no rosapi, and types as in ROS 1": lambda server, config: msgspec.structs.replace(
+        on_the_server(_no_rosapi)(server, config), profile=Profile()
+    ),
+    "on ROS 2 a silent robot": on_the_server(_silent),
+}
+"""The same for a server that speaks as ROS 2."""
 
 
 async def _web(_reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:

@@ -1,5 +1,6 @@
 """`fleet-tui config init`: what a bridge has, as a configuration that works."""
 
+import gzip
 import json
 import tomllib
 from pathlib import Path
@@ -10,11 +11,11 @@ from hypothesis import strategies as st
 
 from fleet_tui.config.load import read
 from fleet_tui.config.profile import SERVICES, TOPICS
-from fleet_tui.config.schema import Link
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.headless.config_init import render
 from fleet_tui.headless.site import site_of
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import renamed, retyped
+from tests.headless.plants import PLANTS, only_listened_to, renamed, retyped
 from tests.headless.running import Ended, run
 
 
@@ -75,9 +76,18 @@ async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) ->
     assert dead.code == 3 and "nothing listens there" in dead.err
     wrong = await run(tmp_path, "config", "init", "--from-live", "http://x")
     assert wrong.code == 2 and "is no address" in wrong.err
+    PLANTS["a rosapi that fails inside"](server, Config())
+    failing = await run(tmp_path, "config", "init", "--from-live", server.url)
+    assert failing.code == 1 and "error processing request: boom" in failing.err
+    assert "start" not in failing.err.lower()
+    PLANTS["a frozen rosapi"](server, Config())
+    frozen = await run(tmp_path, "config", "init", "--from-live", server.url)
+    assert frozen.code == 1 and "restart rosapi (" in frozen.err
+    server.silent_services.clear()
+    server.answers.clear()
     server.rosapi_alive = False
     mute = await run(tmp_path, "config", "init", "--from-live", server.url)
-    assert mute.code == 1 and "it is rosapi that tells" in mute.err
+    assert mute.code == 1 and "it is rosapi that tells" in mute.err and "start rosapi" in mute.err
 
 
 def test_what_a_real_bridge_said() -> None:
@@ -90,6 +100,46 @@ def test_what_a_real_bridge_said() -> None:
     assert site.robots == {"robot_1": ["ground", "first"], "robot_2": ["ground", "first"]}
     assert (site.topics, site.types, site.services, site.notes) == ({}, {}, {}, {})
     assert site.live_maps == {"ground", "first"}
+
+
+def test_what_a_real_bridge_of_ros_2_said() -> None:
+    packed = (Path(__file__).parents[1] / "wire" / "ros2-rosapi.jsonl.gz").read_bytes()
+    lines = gzip.decompress(packed).decode().splitlines()
+    answers = [json.loads(json.loads(line)["text"]) for line in lines if '"in"' in line]
+    told = {answer["service"]: answer["values"] for answer in answers if isinstance(answer["values"], dict)}
+    listed = told["/rosapi/topics"]
+    topics = dict(zip(listed["topics"], listed["types"], strict=True))
+    order = "/robot_1/Application_layout/Execute_order"
+    assert order in told["/rosapi/services"]["services"]
+    site = site_of(topics, {order: "oh_ressources/srv/ExecuteManualOrder"})
+    assert site.robots == {"robot_1": ["ground", "upper"], "robot_2": ["ground", "upper"]}
+    assert (site.topics, site.service_types) == ({}, {"order": "oh_ressources/srv/ExecuteManualOrder"})
+    assert site.types == {
+        "queue": "oh_ressources/msg/ActionQueue",
+        "graph": "oh_ressources/msg/Graph",
+        "labels": "oh_ressources/msg/LabeledVertices",
+    }
+
+
+async def test_a_site_of_ros_2_needs_no_editing(ros_2: RosbridgeServer, tmp_path: Path) -> None:
+    status = await made(ros_2, tmp_path)
+    assert status.code == 0, status.out
+    profile = tomllib.loads((tmp_path / "config.toml").read_text())["profile"]
+    assert profile["types"]["queue"] == "oh_ressources/msg/ActionQueue" and len(profile["types"]) == 3
+    assert profile["service_types"]["order"] == "oh_ressources/srv/ExecuteManualOrder"
+    done = await run(tmp_path, "doctor")
+    assert done.code == 0 and "warn" not in done.out, done.out
+
+
+async def test_what_nobody_publishes_is_not_proposed(server: RosbridgeServer, tmp_path: Path) -> None:
+    for robot in ("robot_0", "robot_1"):
+        renamed(server, f"/{robot}/pose", f"/{robot}/amcl_pose")
+        retyped(server, f"/{robot}/amcl_pose", "geometry_msgs/PoseWithCovarianceStamped")
+        server.types[f"/{robot}/goal_pose"] = "geometry_msgs/PoseStamped"
+    only_listened_to(server, "/robot_0/goal_pose", "/robot_1/goal_pose")
+    done = await run(tmp_path, "config", "init", "--from-live", server.url)
+    assert done.code == 0 and "goal_pose" not in done.out
+    assert 'pose = "..."' in done.out
 
 
 def test_robots_under_one_roof_and_in_their_natural_order() -> None:

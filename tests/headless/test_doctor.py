@@ -14,8 +14,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from fleet_tui.config.schema import Config
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import renamed, retyped
+from fleet_tui.simulator.world import World
+from tests.headless.plants import PLANTS, renamed, retyped
 from tests.headless.running import config_file, run, started
 
 TEXT = ("subject", "check", "verdict", "measured")
@@ -115,8 +117,10 @@ async def test_a_bridge_that_takes_its_time_is_not_blamed_on_the_robots(
     server.subscribe_delay = 0.3  # the real one needs 0.02, but for ten times as many topics
     config_file(tmp_path, server.url, 2, 2)
     done = await run(tmp_path, "doctor", "--timeout", "5")
-    assert done.code == 0 and "nothing came" not in done.out
+    assert done.code == 1 and "nothing came" not in done.out and "FAIL" not in done.out
     assert "skipped - robot_1 graph of floor_1: no time was left" in done.out
+    assert "Not looked at, the time was over: " in done.out.splitlines()[-1]
+    assert done.out.splitlines()[-1].endswith("a longer --timeout, or --robot")
     server.subscribe_delay = 0.02
     assert "skipped" not in (await run(tmp_path, "doctor")).out
 
@@ -127,7 +131,65 @@ async def test_a_short_timeout_is_a_word_not_a_wrong_verdict(
 ) -> None:
     config_file(tmp_path, server.url)
     done = await run(tmp_path, "doctor", "--timeout", seconds)
-    assert done.code in (0, 3) and "nothing came" not in done.out
+    assert done.code in (0, 1, 3) and "nothing came" not in done.out
+
+
+async def test_a_hundred_robots_fit_into_the_default_time(tmp_path: Path) -> None:
+    """As slow as a real bridge: 20 ms for a subscribe, and for an answer of rosapi."""
+    server = RosbridgeServer(World(robots=100, floors=1, seed=1, quiet=True), subscribe_delay=0.02)
+    for question in server.rosapi.services:
+        server.deliveries[question] = lambda call, frame: call.reply_in(0.02, frame)
+    await server.start()
+    config_file(tmp_path, server.url, 100, 1)
+    done = await run(tmp_path, "doctor")
+    await server.stop()
+    assert done.code == 0, done.out.splitlines()[-1]
+    assert "robot_99 service resume: " in done.out and "skipped" not in done.out
+
+
+async def test_one_robot_of_many(server: RosbridgeServer, tmp_path: Path) -> None:
+    server.muted.add("/robot_1/battery")
+    config_file(tmp_path, server.url, 2, 2)
+    done = await run(tmp_path, "doctor", "--robot", "robot_0")
+    assert done.code == 0 and "robot_0 pose:" in done.out and "robot_1" not in done.out
+    asked = [operation["topic"] for operation in server.received if operation["op"] == "subscribe"]
+    assert asked.pop(0) == "/rosout" and asked and all(topic.startswith("/robot_0/") for topic in asked)
+    slip = await run(tmp_path, "doctor", "--robot", "robot_00")
+    assert slip.code == 2 and "--robot robot_00: no such robot, did you mean robot_0?" in slip.err
+
+
+async def test_one_robot_that_is_not_there_is_not_mistaken_for_another_of_the_config(
+    server: RosbridgeServer, tmp_path: Path
+) -> None:
+    path = config_file(tmp_path, server.url, 2)
+    path.write_text(path.read_text().replace("[profile", '[[robots]]\nname = "robot_2"\n[profile', 1))
+    done = await run(tmp_path, "doctor", "--robot", "robot_2")
+    assert done.code == 1 and "robot_2 robot: not on this bridge" in done.out
+    assert "did you mean" not in done.out and "robots[2].name" in done.out
+
+
+async def test_what_follows_from_a_dead_node_is_folded_under_it(
+    server: RosbridgeServer, tmp_path: Path
+) -> None:
+    PLANTS["a dead node"](server, Config())
+    config_file(tmp_path, server.url, 2, 2)
+    done = await run(tmp_path, "doctor")
+    failed = [line for line in done.out.splitlines() if line.startswith("   FAIL")]
+    assert len(failed) == 1 and "robot_0 node: /robot_0/base is silent" in failed[0]
+    for follows in ("battery", "cargo", "service pause"):
+        assert f"skipped - robot_0 {follows}: its node /robot_0/base is silent: see above" in done.out
+    assert "geometry_msgs/PoseStamped, by /fleet" in done.out and "std_srvs/Trigger, by /fleet" in done.out
+
+
+async def test_a_node_of_several_robots_is_told_once(server: RosbridgeServer, tmp_path: Path) -> None:
+    for robot in server.world.robots.values():
+        robot.silence = float("inf")
+    config_file(tmp_path, server.url, 2)
+    server.muted |= {name for name in server.topics if "floor_0" in name}
+    done = await run(tmp_path, "doctor", "--timeout", "8")
+    failed = [line for line in done.out.splitlines() if line.startswith("   FAIL")]
+    assert len(failed) == 1 and "rosbridge node: /fleet is silent" in failed[0]
+    assert "robot_1 robot: its node /fleet is silent: see above" in done.out
 
 
 def test_no_screen_is_imported(tmp_path: Path) -> None:

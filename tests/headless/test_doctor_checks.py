@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from fleet_tui.config.schema import FloorEntry
 from fleet_tui.headless.doctor.charts import Chart
-from fleet_tui.headless.doctor.clocks import clock_findings, round_trip_finding
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
+from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.graphs import connection_finding, label_finding
 from fleet_tui.headless.doctor.render import line, summary
@@ -25,6 +25,7 @@ from fleet_tui.headless.doctor.terminal import (
     size_finding,
     speed_finding,
 )
+from fleet_tui.headless.doctor.tools import LOOK_FOR_NODE, named
 from fleet_tui.headless.doctor.wire import Heard
 from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.model.events import Event, TimePassed
@@ -82,6 +83,38 @@ def test_a_message_that_is_being_read_is_not_one_that_can_not_be_read() -> None:
     heard.take({}, 1.0)
     facts = heard.facts(2.0)
     assert seen == [0] and (facts.count, facts.event) == (1, TimePassed(1.0, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("late", "calls", "behind", "verdict"),
+    [
+        (0.02, 0.004, 0.0, Verdict.OK),
+        (3.0, 0.004, 0.0, Verdict.WARN),  # stamps get older
+        (0.02, 0.6, 0.0, Verdict.WARN),  # calls are slower
+        (3.0, 0.6, 2.0, Verdict.SKIPPED),  # we are late ourselves
+    ],
+)
+def test_a_bridge_that_falls_behind_is_told_from_a_machine_that_does(
+    late: float, calls: float, behind: float, verdict: Verdict
+) -> None:
+    wanted = Wanted(TopicKind("pose", lambda *_: TimePassed(0, 0)), "r", "", Subscription("/p", ""))
+    pose = TopicFacts(wanted, subscribed=True, count=50, rate=490.0, late=late)
+    facts = BridgeFacts("rosbridge", Rosapi(ros=2), (pose,), (0.004,), busy_trips=(calls,), behind=behind)
+    found = load_finding(facts)
+    assert found.verdict is verdict and "490 messages/s" in found.measured
+    assert ("about 500 messages/s" in found.remedy) == (verdict is Verdict.WARN)
+
+
+@pytest.mark.parametrize(
+    ("ros", "words"),
+    [
+        (1, "rosnode ping /base"),
+        (2, "ros2 node list"),
+        (0, "rosnode ping /base, ROS 2: ros2 node list"),
+    ],
+)
+def test_a_remedy_names_the_tools_of_the_ros_that_is_there(ros: int, words: str) -> None:
+    assert named(LOOK_FOR_NODE, ros, "/base") == words
 
 
 def test_round_trips_and_clocks() -> None:

@@ -11,17 +11,19 @@ from typing import Any
 
 import msgspec
 import pytest
+from websockets.asyncio.client import connect
 
 from fleet_tui.config.schema import Config, Link
+from fleet_tui.demo import demo_config
 from fleet_tui.headless.doctor.run import doctor
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import PLANTS, mute_server, other_websocket, tls_server, web_server
+from tests.headless.plants import PLANTS, ROS_2_PLANTS, mute_server, other_websocket, tls_server, web_server
 from tests.watched import config_of
 
 TIMEOUT = 9.0
 OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
     "a web server instead": lambda folder: web_server(),
-    "a server that says nothing": lambda folder: mute_server(),
+    "a frozen bridge": lambda folder: mute_server(),
     "another WebSocket server": lambda folder: other_websocket(),
     "TLS where ws:// is configured": partial(tls_server, scheme="ws"),
     "a certificate nobody vouches for": partial(tls_server, scheme="wss"),
@@ -70,6 +72,55 @@ async def test_the_first_complaint_is_the_cause(server: RosbridgeServer, plant: 
     assert all(server.types.get(one["topic"]) == one["type"] for one in asked)
 
 
+@pytest.mark.parametrize("plant", ROS_2_PLANTS)
+async def test_the_first_complaint_is_the_cause_on_ros_2(ros_2: RosbridgeServer, plant: str) -> None:
+    config = ROS_2_PLANTS[plant](ros_2, demo_config(Config(), ros_2.url, 2, 2, "2"))
+    has_rosapi = ros_2.rosapi_alive
+    assert_as_promised(plant, *await complaint(config))
+    if has_rosapi:
+        assert_harmless(ros_2)
+
+
+async def test_nothing_is_wrong_with_a_fleet_of_ros_2(ros_2: RosbridgeServer) -> None:
+    said = list[str]()
+    config = demo_config(Config(), ros_2.url, 2, 2, "2")
+    code = await asyncio.to_thread(doctor, config, TIMEOUT, False, said.append)
+    assert (code, said[-1]) == (0, f"{len(said) - 1} ok")
+    assert_harmless(ros_2)
+
+
+async def test_a_topic_of_an_action_is_in_no_list_and_not_missing(ros_2: RosbridgeServer) -> None:
+    said = list[str]()
+    config = demo_config(Config(), ros_2.url, 2, 2, "2")
+    topics = {"paused": "/{robot}/navigate_to_pose/_action/status"}
+    config = msgspec.structs.replace(config, profile=msgspec.structs.replace(config.profile, topics=topics))
+    code = await asyncio.to_thread(doctor, config, TIMEOUT, False, said.append)
+    assert code == 0
+    assert any("skipped - robot_0 paused: an action's: it is in no list" in line for line in said)
+
+
+async def test_a_topic_that_another_client_took_too_early(ros_2: RosbridgeServer) -> None:
+    graph = "/robot_0/floor_0/graph"
+    asked = {"op": "subscribe", "topic": graph, "type": ros_2.types[graph]}
+    async with connect(ros_2.url) as early:
+        await early.send(json.dumps(asked))
+        line, code = await complaint(demo_config(Config(), ros_2.url, 2, 2, "2"))
+    assert code == 1 and line.startswith(f"FAIL robot_0 graph of floor_0: nothing came on {graph}")
+    assert "another client of the bridge took it before its publisher was found" in line
+    assert "no fault of /fleet" in line
+
+
+def assert_harmless(server: RosbridgeServer) -> None:
+    """No robot was commanded, no topic spoiled for others, and rosapi not asked what kills it."""
+    assert not server.calls and server.rosapi_alive
+    asked = [one["service"] for one in server.received if one["op"] == "call_service"]
+    lists = ("topics", "services", "nodes", "get_ros_version", "get_time", "fleet_tui_heartbeat")
+    of_names = ("publishers", "subscribers", "service_type", "service_node")
+    assert set(asked) <= {f"/rosapi/{verb}" for verb in (*lists, *of_names)}
+    subscribed = [one for one in server.received if one["op"] == "subscribe"]
+    assert all(server.types.get(one["topic"]) == one["type"] for one in subscribed)
+
+
 @pytest.mark.parametrize("plant", OTHER_SERVERS)
 async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
     async with OTHER_SERVERS[plant](tmp_path) as url:
@@ -78,4 +129,4 @@ async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
 
 
 def test_every_promise_is_planted() -> None:
-    assert set(promised()) == {*PLANTS, *OTHER_SERVERS}
+    assert set(promised()) == {*PLANTS, *OTHER_SERVERS, *ROS_2_PLANTS}

@@ -12,14 +12,15 @@ from urllib.parse import urlsplit
 from fleet_tui.config.schema import Link, link_key
 from fleet_tui.errors import FleetError, LinkError
 from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
-from fleet_tui.headless.doctor.wire import Wire
+from fleet_tui.headless.doctor.tools import START_BRIDGE, named
+from fleet_tui.headless.doctor.wire import FROZEN, Wire
 from fleet_tui.link.reasons import refusal
 from fleet_tui.link.tls import tls_context
 
 STEPS = ("name", "tcp", "tls", "websocket", "rosbridge")
 PATIENCE = 4.0  # seconds for each step
 PROBE = 1.5  # seconds to find out whether TLS is spoken
-START_IT = "start rosbridge there (roslaunch rosbridge_server rosbridge_websocket.launch), or correct"
+START_IT = f"start rosbridge there ({named(START_BRIDGE, 0)}), or correct"
 
 
 class Approach:
@@ -117,24 +118,23 @@ class Approach:
 
     async def _open(self) -> str | tuple[str, str]:
         began = time.monotonic()
-        reason = await self._wire.connect(PATIENCE + 1)
+        reason = await self._wire.connect(PATIENCE)
         if not reason:
             return f"opens in {milliseconds(time.monotonic() - began)}"
         if not self._bridge.is_secure and await self._speaks_tls():
             return f"{reason} (TLS is spoken there)", f"{self._key} must begin with wss://"
+        if reason == FROZEN:
+            return reason, f"if that is not rosbridge, correct {self._key}"
         return reason, f"correct host, port and path in {self._key}: rosbridge usually listens on 9090"
 
     async def _ask(self) -> str | tuple[str, str]:
         began = time.monotonic()
         try:
-            answer = await self._wire.call("get_time", {}, PATIENCE)
+            answer = await self._wire.beat(PATIENCE)
         except LinkError:
             if self._wire.lost:
                 return self._wire.lost, "see the log of rosbridge"
-            return (
-                f"takes the connection, but does not answer a call in {PATIENCE:g} s",
-                "if it is rosbridge, it hangs: restart it; if not, correct " + self._key,
-            )
-        if isinstance(answer, str) and "unable to communicate" in answer.lower():
+            return FROZEN, f"if that is not rosbridge, correct {self._key}"
+        if "unable to communicate" in answer.lower():
             return f"the ROS master is gone ({answer})", "start roscore, then the nodes of the robots"
         return f"answers a call in {milliseconds(time.monotonic() - began)}"

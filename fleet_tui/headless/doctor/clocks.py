@@ -7,6 +7,9 @@ from fleet_tui.headless.doctor.facts import BridgeFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
 
 SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
+LATE = 0.5  # seconds by which poses get older while they are listened to
+BEHIND = 0.3  # seconds of our own lateness, beside which nothing is said of others
+MOST_MESSAGES = {1: 4000, 2: 500}  # a second of one bridge, as measured
 WRONG = 1.0  # seconds by which a clock may be off
 LONG_AGO = 1e8  # a robot that says 1973 or earlier counts from the start of a simulation
 
@@ -25,6 +28,28 @@ def round_trip_finding(facts: BridgeFacts) -> Finding:
         remedy = "the network or the bridge is slow: cable instead of WLAN, fewer consoles, less maps"
         return Finding(facts.name, "round trip", Verdict.WARN, measured, remedy, values)
     return Finding(facts.name, "round trip", Verdict.OK, measured, values=values)
+
+
+def load_finding(facts: BridgeFacts) -> Finding:
+    """Tell whether the bridge keeps up with all topics at once: else calls are slower, stamps older."""
+    rate = sum(topic.rate or 0.0 for topic in facts.topics)
+    if not rate:
+        return Finding(facts.name, "load", Verdict.SKIPPED, "no message to measure it by")
+    late = statistics.median([topic.late for topic in facts.topics if topic.late is not None] or [0.0])
+    calls = statistics.median(facts.busy_trips or facts.round_trips or [0.0])
+    lateness = f"poses {milliseconds(late)} late at the end, calls {milliseconds(calls)} meanwhile"
+    measured = f"{rate:.0f} messages/s, {lateness}"
+    values = {"messages_per_s": round(rate, 1), "late_s": round(late, 3), "call_s": round(calls, 4)}
+    if late < LATE and calls < SLOW:
+        return Finding(facts.name, "load", Verdict.OK, measured, values=values)
+    if facts.behind > BEHIND:
+        own = f"{measured}; but this machine was {milliseconds(facts.behind)} behind itself"
+        return Finding(facts.name, "load", Verdict.SKIPPED, own, values=values)
+    carries = MOST_MESSAGES.get(facts.rosapi.ros)
+    remedy = "fewer topics, lower rates at the robots, or a second bridge ([links])"
+    if carries:
+        remedy += f"; a bridge of ROS {facts.rosapi.ros} carries about {carries} messages/s"
+    return Finding(facts.name, "load", Verdict.WARN, f"it falls behind: {measured}", remedy, values)
 
 
 def clock_findings(facts: BridgeFacts) -> Iterator[Finding]:

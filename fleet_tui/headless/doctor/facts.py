@@ -6,17 +6,43 @@ from dataclasses import dataclass, field
 from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.model.events import Event
 
+LONG_ENOUGH = 1.5  # seconds without a message that mean anything
+
+
+def is_hidden(topic: str) -> bool:
+    """Whether it belongs to an action: rosapi does not list these."""
+    return "/_action/" in topic
+
 
 @dataclass(frozen=True, slots=True)
 class Rosapi:
-    """What rosapi tells: types by topic, types by service ("" where it was not asked), nodes, and how
-    many publish a topic. `problem` is why it tells nothing."""
+    """The answers of rosapi: types by topic, types by service (None where it was not asked), nodes, by topic
+    the nodes that publish it, by service its node, and which ROS it is (0: not known). `problem` is why it
+    tells nothing."""
 
     topics: Mapping[str, str] = field(default_factory=dict)
-    services: Mapping[str, str] = field(default_factory=dict)
+    services: Mapping[str, str | None] = field(default_factory=dict)
     nodes: tuple[str, ...] = ()
-    publishers: Mapping[str, int] = field(default_factory=dict)
+    publishers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    owners: Mapping[str, str] = field(default_factory=dict)
+    ros: int = 0
     problem: str = ""
+
+    @property
+    def is_absent(self) -> bool:
+        """Whether there is none beside the bridge."""
+        return "does not exist" in self.problem
+
+    @property
+    def is_silent(self) -> bool:
+        """Whether its node is there and does not answer: we waited long enough, or the bridge did."""
+        words = ("does not answer", "Unable to communicate with service", "Timeout exceeded")
+        return any(word in self.problem for word in words)
+
+    def has(self, topic: str) -> bool:
+        """Whether a topic is there to be heard: every open console keeps the names of its own listed. The
+        topics of actions never are."""
+        return is_hidden(topic) or (topic in self.topics and self.publishers.get(topic) != ())
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +50,9 @@ class TopicFacts:
     """What came on one topic. Seconds: `waited` for it, `first_after` the subscribe, `age` of the last.
 
     `event` is the last message that could be read, `problem` why another could not. `lag`: the least
-    of arrival by our clock minus the robot's stamp.
+    of arrival by our clock minus the robot's stamp, `late`: the last of it beyond the least. `again`: it
+    was asked for once more, plainly; `fragmented`: bytes of a message that came in pieces; `held_by`: the
+    bridge's node, where it held the topic still when we had let go; `complaint`: what its log says of it.
     """
 
     wanted: Wanted
@@ -38,17 +66,28 @@ class TopicFacts:
     event: Event | None = None
     problem: str = ""
     lag: float | None = None
+    late: float | None = None
+    again: bool = False
+    fragmented: int = 0
+    held_by: str = ""
+    complaint: str = ""
 
     @property
     def topic(self) -> str:
         """Its name on the wire."""
         return self.wanted.subscription.topic
 
+    @property
+    def is_silent(self) -> bool:
+        """Whether nothing came in a time that means anything."""
+        return not self.count and self.waited >= LONG_ENOUGH
+
 
 @dataclass(frozen=True, slots=True)
 class BridgeFacts:
-    """Everything about one bridge that answers. `round_trips` in seconds; `ahead`: by how many seconds
-    its clock is ahead of ours, None where it does not say; `lost`: why the link ended meanwhile."""
+    """Everything about one bridge that answers. `round_trips` in seconds, `busy_trips` those while all
+    topics came; `ahead`: by how many seconds its clock is ahead of ours, None where it does not say;
+    `lost`: why the link ended meanwhile; `behind`: by how many seconds we ourselves were late at most."""
 
     name: str
     rosapi: Rosapi
@@ -56,6 +95,8 @@ class BridgeFacts:
     round_trips: tuple[float, ...] = ()
     ahead: float | None = None
     lost: str = ""
+    busy_trips: tuple[float, ...] = ()
+    behind: float = 0.0
 
     def of(self, robot: str) -> list[TopicFacts]:
         """A robot's topics."""

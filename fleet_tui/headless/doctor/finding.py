@@ -17,7 +17,9 @@ class Verdict(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One line: of what, which check, what was measured, what to do about it, and the bare numbers."""
+    """One line: of what, which check, what was measured, what to do about it, and the bare numbers.
+
+    `out_of_time`: it was skipped since the time was over."""
 
     subject: str
     check: str
@@ -25,6 +27,7 @@ class Finding:
     measured: str
     remedy: str = ""
     values: Mapping[str, object] = field(default_factory=dict)
+    out_of_time: bool = False
 
     @property
     def is_failure(self) -> bool:

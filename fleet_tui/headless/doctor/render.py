@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-from fleet_tui.headless.doctor.finding import Finding, Verdict
+from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
 from fleet_tui.view.text import visible
 
 VERSION = 1
@@ -35,10 +35,20 @@ def summary(findings: Sequence[Finding], width: int = 0) -> str:
     counts = Counter(finding.verdict for finding in findings)
     text = ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict])
     first = next((finding for finding in findings if finding.is_failure), None)
-    if first is None:
-        return text
-    text = visible(f"{text}. Begin with {first.subject} {first.check}: {first.measured}")
+    if first is not None:
+        text = f"{text}. Begin with {first.subject} {first.check}: {first.measured}"
+    text = visible(text + _left_out(findings))
     return "\n".join(textwrap.wrap(text, width, break_on_hyphens=False)) if width else text
+
+
+def _left_out(findings: Sequence[Finding]) -> str:
+    left = [finding.subject for finding in findings if finding.out_of_time]
+    if not left:
+        return ""
+    whose = listed(dict.fromkeys(left))
+    return (
+        f". Not looked at, the time was over: {len(left)} checks of {whose}: a longer --timeout, or --robot"
+    )
 
 
 def as_values(findings: Sequence[Finding], wall: float, code: int) -> dict[str, Any]:

@@ -9,19 +9,24 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 
+from msgspec import structs
+
 from fleet_tui.config.access import unsafe_places
 from fleet_tui.config.schema import Config
+from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.headless.doctor.approach import Approach
+from fleet_tui.headless.doctor.causes import causes_of, rosapi_finding
 from fleet_tui.headless.doctor.charts import Chart, charts_of
-from fleet_tui.headless.doctor.clocks import clock_findings, round_trip_finding
+from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.floors import floor_findings, place_finding, placed_grid
 from fleet_tui.headless.doctor.gather import gather
+from fleet_tui.headless.doctor.names import spelling_finding
 from fleet_tui.headless.doctor.render import as_values, line, summary
 from fleet_tui.headless.doctor.services import service_findings
 from fleet_tui.headless.doctor.terminal import terminal_findings
-from fleet_tui.headless.doctor.topics import robot_findings, rosapi_finding
+from fleet_tui.headless.doctor.topics import robot_findings
 from fleet_tui.headless.doctor.wire import Wire
 from fleet_tui.link.transport import network_loop
 from fleet_tui.map_files import load_floor_map
@@ -55,26 +60,41 @@ async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFa
         wire.close()
 
 
+def only(config: Config, robot: str) -> Config:
+    """The same with one robot and its floors. Raises ConfigError for a name that no robot has."""
+    known = {entry.name: entry for entry in config.robots}
+    if robot not in known:
+        raise ConfigError([f"--robot {robot}: no such robot{did_you_mean(robot, known)}"])
+    floors = [floor for floor in config.floors if floor.name in config.floors_of(known[robot])]
+    return structs.replace(config, robots=[known[robot]], floors=floors)
+
+
 def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
     """What one bridge that answers is judged by."""
     yield round_trip_finding(facts)
     yield rosapi_finding(facts)
+    yield load_finding(facts)
     if facts.lost:
         remedy = "see the log of rosbridge: the rest was measured on what came before"
         yield Finding(facts.name, "link", Verdict.FAIL, f"it broke while measuring: {facts.lost}", remedy)
-    robots = [robot for robot in config.robots if robot.link == facts.name]
+    spelling = spelling_finding(config, facts)
+    if spelling is not None:
+        yield spelling
+    causes = causes_of(config, facts)
+    yield from (cause.finding for cause in causes)
+    robots = [robot for robot in config.robots if facts.of(robot.name)]
     for robot in robots:
-        yield from robot_findings(config, robot, facts)
+        yield from robot_findings(config, robot, facts, causes)
     for robot in robots:
-        yield from service_findings(config.profile, robot.name, facts)
+        yield from service_findings(config.profile, robot.name, facts, causes)
 
 
 def building_findings(
-    config: Config, loaded: dict[str, FloorMapLoaded], topics: list[TopicFacts]
+    config: Config, part: Config, loaded: dict[str, FloorMapLoaded], topics: list[TopicFacts]
 ) -> Iterator[Finding]:
     """What floors, maps and places are judged by, over all bridges."""
     grids = {}
-    for floor in config.floors:
+    for floor in part.floors:
         file = loaded.get(floor.name)
         yield from floor_findings(config, floor, file, topics)
         charts = [chart for chart, _ in charts_of(floor.name, topics) if chart.frame] or [Chart()]
@@ -85,8 +105,22 @@ def building_findings(
             yield place_finding(config, facts.event, grids, floors_of[facts.wanted.robot])
 
 
-def _all(config: Config, timeout: float, take: Take) -> int:
-    """Everything in its order, each finding handed over at once; how many bridges could be reached."""
+def _bridges(whole: Config, config: Config, until: float, take: Take) -> Iterator[BridgeFacts]:
+    """Every bridge that can be reached, once all that is found on it is handed over."""
+    names = list(config.bridges)
+    for n, name in enumerate(names):
+        now = time.monotonic()
+        share = now + (until - now) / (len(names) - n)
+        walking = asyncio.run_coroutine_threadsafe(_walk(config, name, share, take), network_loop())
+        facts = walking.result()
+        if facts is not None:
+            _hand_over(bridge_findings(whole, facts), take)
+            yield facts
+
+
+def _all(whole: Config, config: Config, timeout: float, take: Take) -> int:
+    """Everything of `config`, a part of the whole one, in its order, each finding handed over at once; how
+    many bridges could be reached."""
     until = time.monotonic() + timeout - min(SPARE, timeout / 4)
     for line_ in unsafe_places(config):
         take(Finding("config", "safety", Verdict.WARN, line_))
@@ -97,20 +131,11 @@ def _all(config: Config, timeout: float, take: Take) -> int:
             for floor in config.floors
             if floor.map
         }
-        reached = list[BridgeFacts]()
-        names = list(config.bridges)
-        for n, name in enumerate(names):
-            now = time.monotonic()
-            share = now + (until - now) / (len(names) - n)
-            walking = asyncio.run_coroutine_threadsafe(_walk(config, name, share, take), network_loop())
-            facts = walking.result()
-            if facts is not None:
-                reached.append(facts)
-                _hand_over(bridge_findings(config, facts), take)
+        reached = list(_bridges(whole, config, until, take))
         loaded = {floor: future.result() for floor, future in loading.items()}
     topics = [facts for bridge in reached for facts in bridge.topics]
     if reached or loaded:
-        _hand_over(building_findings(config, loaded, topics), take)
+        _hand_over(building_findings(whole, config, loaded, topics), take)
     for bridge in reached:
         _hand_over(clock_findings(bridge), take)
     _hand_over(terminal_findings(), take)
@@ -122,8 +147,10 @@ def _hand_over(findings: Iterable[Finding], take: Take) -> None:
         take(finding)
 
 
-def doctor(config: Config, timeout: float, as_json: bool, say: Callable[[str], None]) -> int:
-    """Look at everything within `timeout` seconds and say what was found; the exit code."""
+def doctor(config: Config, timeout: float, as_json: bool, say: Callable[[str], None], robot: str = "") -> int:
+    """Look at everything within `timeout` seconds, or at what concerns one robot, and say what was found;
+    the exit code."""
+    part = only(config, robot) if robot else config
     plain = (sys.stdout.encoding or "ascii").lower().replace("-", "") != "utf8"
     is_tty = sys.stdout.isatty()
     colour = is_tty and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
@@ -135,8 +162,8 @@ def doctor(config: Config, timeout: float, as_json: bool, say: Callable[[str], N
         if not as_json:
             say(line(finding, plain, colour, width))
 
-    reached = _all(config, timeout, take)
-    broken = any(finding.is_failure for finding in findings)
+    reached = _all(config, part, timeout, take)
+    broken = any(finding.is_failure or finding.out_of_time for finding in findings)
     code = NO_LINK if not reached else BROKEN if broken else FINE
     say(json.dumps(as_values(findings, time.time(), code)) if as_json else summary(findings, width))
     return code

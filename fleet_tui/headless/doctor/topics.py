@@ -1,42 +1,34 @@
 """What is said of each robot and its topics. Pure."""
 
-import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 
-from fleet_tui.config.profile import FLOOR_TOPICS, Profile
+from fleet_tui.config.profile import FLOOR_TOPICS
 from fleet_tui.config.schema import Config, RobotEntry
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.headless.doctor.causes import Cause
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts, is_hidden
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
-from fleet_tui.link.subscriptions import plain_type
+from fleet_tui.headless.doctor.names import near_topic, robots_on
+from fleet_tui.headless.doctor.tools import LATCHED, LOOK_FOR_NODE, named
+from fleet_tui.rosbridge.type_names import same_type
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 UNSEEN = "without rosapi nobody can tell whether it is there"
-LONG_ENOUGH = 1.5  # seconds without a message that mean anything
 
 
-def rosapi_finding(facts: BridgeFacts) -> Finding:
-    """Whether types, publishers and services can be looked up at all."""
-    rosapi = facts.rosapi
-    if rosapi.problem:
-        return Finding(
-            facts.name,
-            "rosapi",
-            Verdict.WARN,
-            f"{rosapi.problem}: names, types, publishers and services can't be looked up",
-            "start rosapi beside rosbridge (rosrun rosapi rosapi_node); topics are listened to without it",
-        )
-    counts = {"topics": len(rosapi.topics), "services": len(rosapi.services), "nodes": len(rosapi.nodes)}
-    measured = ", ".join(f"{count} {what}" for what, count in counts.items())
-    return Finding(facts.name, "rosapi", Verdict.OK, measured, values=counts)
-
-
-def robot_findings(config: Config, robot: RobotEntry, facts: BridgeFacts) -> Iterator[Finding]:
-    """The robot itself, then each of its topics."""
+def robot_findings(
+    config: Config, robot: RobotEntry, facts: BridgeFacts, causes: Sequence[Cause]
+) -> Iterator[Finding]:
+    """The robot itself, then each of its topics. What has one of the `causes` is not told again."""
     topics = facts.of(robot.name)
-    first = _robot(config, robot, topics, facts)
+    first = _robot(config, robot, topics, facts, causes)
     yield first
     for one in topics:
-        if first.is_failure and (one.wanted.kind.key not in FLOOR_TOPICS or not is_there(robot.name, facts)):
+        cause = next((cause for cause in causes if one.topic in cause.topics), None)
+        if cause is not None:
+            yield _finding(one, Verdict.SKIPPED, f"{cause.short}: see above")
+        elif first.is_failure and (
+            one.wanted.kind.key not in FLOOR_TOPICS or not is_there(robot.name, facts)
+        ):
             yield _finding(one, Verdict.SKIPPED, f"{first.measured.partition(':')[0]}: see above")
         else:
             yield _topic(config, one, facts)
@@ -44,14 +36,16 @@ def robot_findings(config: Config, robot: RobotEntry, facts: BridgeFacts) -> Ite
 
 def is_there(robot: str, facts: BridgeFacts) -> bool:
     """Whether the bridge knows anything of a robot; true where it can't be asked."""
-    topics = facts.rosapi.topics
-    return not topics or any(one.topic in topics for one in facts.of(robot))
+    rosapi = facts.rosapi
+    return bool(rosapi.problem) or any(one.count or rosapi.has(one.topic) for one in facts.of(robot))
 
 
-def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts) -> Finding:
+def _robot(
+    config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts, causes: Sequence[Cause]
+) -> Finding:
     if not is_there(robot.name, facts):
         known = {other.name for other in config.robots}
-        others = nearest(robot.name, robots_on(config.profile, facts.rosapi.topics) - known)
+        others = nearest(robot.name, robots_on(config.profile, facts.rosapi) - known)
         remedy = f"did you mean {listed(others)}? Correct its name" if others else "correct its name"
         place = f"robots[{config.robots.index(robot)}].name"
         return Finding(
@@ -63,30 +57,29 @@ def _robot(config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: B
         )
     live = [one for one in topics if one.wanted.kind.key not in FLOOR_TOPICS]
     heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
-    waited = max((one.waited for one in asked), default=0.0)
-    if not heard and waited >= LONG_ENOUGH:
-        return Finding(
-            robot.name,
-            "robot",
-            Verdict.FAIL,
-            f"silent: nothing came on {listed([one.topic for one in asked])} in {waited:.1f} s",
-            "is it switched on and in the network? Do its nodes run (rosnode ping)?"
-            + f" ({UNSEEN}: is its name right?)" * bool(facts.rosapi.problem),
-        )
+    explained = [cause for one in asked for cause in causes if one.topic in cause.topics]
+    if not heard and explained and len(explained) >= len(asked):
+        return Finding(robot.name, "robot", Verdict.SKIPPED, f"{explained[0].short}: see above")
+    if not heard and any(one.is_silent for one in asked):
+        return _silent(robot, asked, facts)
     measured = f"heard on {len(heard)} of {len(live)} live topics"
     return Finding(robot.name, "robot", Verdict.OK if heard else Verdict.SKIPPED, measured)
 
 
-def robots_on(profile: Profile, topics: Iterable[str]) -> set[str]:
-    """The names that stand where a robot's name does in the topics of a bridge."""
-    found = set[str]()
-    for topic in topics:
-        for key in ("pose", "queue"):
-            before, mark, after = profile.topics.get(key, profile.topic(key, "{robot}")).partition("{robot}")
-            name = topic[len(before) : len(topic) - len(after)] if mark else ""
-            if name and topic == before + name + after and "/" not in name:
-                found.add(name)
-    return found
+def _silent(robot: RobotEntry, asked: list[TopicFacts], facts: BridgeFacts) -> Finding:
+    nodes = sorted({node for one in asked for node in facts.rosapi.publishers.get(one.topic, ())})
+    by = f", published by {listed(nodes)}" if nodes else ""
+    waited = max(one.waited for one in asked)
+    look = named(LOOK_FOR_NODE, facts.rosapi.ros, nodes[0] if nodes else "")
+    return Finding(
+        robot.name,
+        "robot",
+        Verdict.FAIL,
+        f"silent: nothing came on {listed([one.topic for one in asked])} in {waited:.1f} s{by}",
+        f"is it switched on and in the network? Do its nodes run ({look})?"
+        + f" ({UNSEEN}: is its name right?)" * bool(facts.rosapi.problem),
+        {"nodes": nodes},
+    )
 
 
 def _finding(
@@ -94,15 +87,19 @@ def _finding(
 ) -> Finding:
     wanted = facts.wanted
     check = f"{wanted.kind.key} of {wanted.floor}" if wanted.floor else wanted.kind.key
-    return Finding(wanted.robot, check, verdict, measured, remedy, {"topic": facts.topic, **values})
+    # The only thing that is skipped with a remedy is what there was no time for.
+    out_of_time = verdict is Verdict.SKIPPED and bool(remedy)
+    return Finding(
+        wanted.robot, check, verdict, measured, remedy, {"topic": facts.topic, **values}, out_of_time
+    )
 
 
 def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     rosapi = bridge.rosapi
-    if not rosapi.problem and facts.topic not in rosapi.topics:
+    if not rosapi.problem and not facts.count and not rosapi.has(facts.topic):
         return _missing(config, facts, bridge)
     there, expected = rosapi.topics.get(facts.topic, ""), facts.wanted.subscription.type
-    if there and plain_type(there) != plain_type(expected):
+    if there and not same_type(there, expected):
         return _wrong_type(config, facts, there, bridge)
     if facts.wanted.kind.heavy and not facts.subscribed:
         return _finding(facts, Verdict.OK, f"{expected}, one is enough: not listened to", type=there)
@@ -111,42 +108,13 @@ def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     return _what_came(config, facts, rosapi)
 
 
-def _suggestion(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
-    """The free names there that it may have now, those of its type first, as the config would say it."""
-    wanted, types = facts.wanted, bridge.rosapi.topics
-    expected = plain_type(wanted.subscription.type)
-    free = types.keys() - {one.topic for one in bridge.topics}
-    fitting = [topic for topic in free if plain_type(types[topic]) == expected]
-    own = [topic for topic in fitting if topic.startswith(f"/{wanted.robot}/")]
-    near = nearest(facts.topic, own) or nearest(facts.topic, fitting) or nearest(facts.topic, free)
-    if not near:
-        return ""
-    meant = f"did you mean {listed(near)}?"
-    if near[0] not in own:
-        return meant
-    floor = _floor_in(config.profile, facts, near[0])
-    if floor:
-        return f"{meant} Then the floor's name is {floor}, not {wanted.floor}"
-    template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
-    return f'{meant} Then [profile.topics] {wanted.kind.key} = "{template}"'
-
-
-def _floor_in(profile: Profile, facts: TopicFacts, topic: str) -> str:
-    """The floor of which this would be the topic, "" if it is not named so."""
-    if not facts.wanted.floor:
-        return ""
-    before, _, after = profile.topic(facts.wanted.kind.key, facts.wanted.robot, "{floor}").partition(
-        "{floor}"
-    )
-    found = re.fullmatch(f"{re.escape(before)}([^/]+){re.escape(after)}", topic)
-    return found.group(1) if found else ""
-
-
 def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     wanted, key = facts.wanted, facts.wanted.kind.key
-    remedy = _suggestion(config, facts, bridge)
+    remedy = near_topic(config, facts, bridge)
     floor = next((floor for floor in config.floors if floor.name == wanted.floor), None)
     measured = f"{facts.topic} is not on the bridge"
+    if facts.topic in bridge.rosapi.topics:
+        measured = f"nobody publishes {facts.topic}, it is only listened to"
     if key == "map" and floor is not None and floor.map:
         return _finding(facts, Verdict.OK, f"{measured}, nor needed: {floor.name} has a map file")
     if key == "map":
@@ -162,7 +130,7 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
 
 def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFacts) -> Finding:
     key, expected = facts.wanted.kind.key, facts.wanted.subscription.type
-    other = _suggestion(config, facts, bridge)
+    other = near_topic(config, facts, bridge)
     same = f'if its fields are the same: [profile.types] {key} = "{there}"'
     return _finding(
         facts,
@@ -175,51 +143,85 @@ def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFac
 
 
 def _what_came(config: Config, facts: TopicFacts, rosapi: Rosapi) -> Finding:
-    publishers = rosapi.publishers.get(facts.topic)
+    nodes = rosapi.publishers.get(facts.topic)
     values = {
         "type": rosapi.topics.get(facts.topic) or None,
         "expected_type": facts.wanted.subscription.type,
-        "publishers": publishers,
+        "publishers": None if nodes is None else len(nodes),
+        "nodes": nodes,
         "messages": facts.count,
         "unreadable": facts.faults,
         "rate_hz": None if facts.rate is None else round(facts.rate, 2),
         "age_s": None if facts.age is None else round(facts.age, 2),
         "first_after_s": None if facts.first_after is None else round(facts.first_after, 3),
     }
-    verdict, measured, remedy = _judged(config, facts, publishers)
-    if rosapi.problem and not facts.count and verdict is not Verdict.SKIPPED:
+    verdict, measured, remedy = _judged(config, facts) if facts.count else _nothing_came(facts, rosapi)
+    if facts.fragmented or (facts.again and facts.count):
+        verdict, measured, remedy = _asked_again(facts, rosapi)
+    if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
         remedy += f" ({UNSEEN}: are [profile.topics] {facts.wanted.kind.key} and its type right?)"
     if verdict is Verdict.OK:
-        owners = f", {publishers} publisher{'s' * (publishers != 1)}" if publishers is not None else ""
-        measured = f"{measured}, {facts.wanted.subscription.type}{owners}"
-        if publishers is not None and publishers > 1:
-            verdict, remedy = Verdict.WARN, "two nodes speak for one robot: stop one"
-    return _finding(facts, verdict, measured, remedy, **values)
+        measured = f"{measured}, {facts.wanted.subscription.type}"
+    by = f", by {listed(nodes)}" if nodes and verdict is not Verdict.SKIPPED else ""
+    if verdict is Verdict.OK and nodes and len(nodes) > 1:
+        verdict, remedy = Verdict.WARN, f"{len(nodes)} nodes speak for one robot: stop all but one"
+    return _finding(facts, verdict, f"{measured}{by}", remedy, **values)
 
 
-def _judged(config: Config, facts: TopicFacts, publishers: int | None) -> tuple[Verdict, str, str]:
-    key, per_floor = facts.wanted.kind.key, facts.wanted.kind.per_floor
+def _asked_again(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
+    """Why a floor's topic came only when it was asked for plainly, or in pieces."""
+    if facts.fragmented:
+        binary = "never as cbor, " if facts.wanted.kind.heavy else ""
+        return (
+            Verdict.WARN,
+            f"comes {binary}only in pieces of JSON ({facts.fragmented / 1e6:.1f} MB): it is larger than the"
+            " bridge's max_message_size",
+            "start rosbridge with a larger max_message_size (10 MB in its launch file, 1 MB with ros2 run)",
+        )
+    asked = "cbor, or quality of service" if facts.wanted.kind.heavy else "quality of service"
+    return (
+        Verdict.WARN,
+        f"came only when it was asked for without {asked}: its publisher is volatile",
+        f"who subscribes late must get it at once: publish it {named(LATCHED, rosapi.ros)}",
+    )
+
+
+def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
+    key = facts.wanted.kind.key
+    if not facts.is_silent:
+        return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
+    if is_hidden(facts.topic):
+        return Verdict.SKIPPED, "an action's: it is in no list, and nothing comes before the first goal", ""
+    nodes = rosapi.publishers.get(facts.topic)
+    nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
+    if facts.complaint:
+        nothing += f", rosbridge says: {facts.complaint}"
+    if not facts.wanted.kind.per_floor:
+        look = named(LOOK_FOR_NODE, rosapi.ros, nodes[0] if nodes else "")
+        return Verdict.FAIL, nothing, f"does the node that publishes it run ({look})?"
+    if facts.held_by and nodes:
+        return (
+            Verdict.FAIL,
+            f"{nothing}: another client of the bridge took it before its publisher was found, and so nobody"
+            f" gets the last value; that is no fault of {nodes[0]}",
+            "restart rosbridge, or let all its clients go for a second",
+        )
+    optional = key in ("map", "map_metadata") and nodes is None
+    late = f"who subscribes late must get it: publish it {named(LATCHED, rosapi.ros)}"
+    return (Verdict.WARN if optional else Verdict.FAIL), nothing, late
+
+
+def _judged(config: Config, facts: TopicFacts) -> tuple[Verdict, str, str]:
     fields = "correct [profile.fields], or the node that publishes it"
-    if not facts.count:
-        if publishers == 0:
-            return Verdict.FAIL, f"nobody publishes {facts.topic}", "start the node that publishes it"
-        if facts.waited < LONG_ENOUGH:
-            return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
-        nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
-        if not per_floor:
-            return Verdict.FAIL, nothing, "is the node that publishes it alive (rosnode ping)?"
-        optional = key in ("map", "map_metadata") and publishers is None
-        late = "who subscribes late must get it: publish it latched (ROS 2: transient local)"
-        return (Verdict.WARN if optional else Verdict.FAIL), nothing, late
     if facts.event is None:
         return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
     if facts.faults:
         return Verdict.FAIL, f"{facts.faults} parts can't be read: {facts.problem}", fields
-    if per_floor:
+    if facts.wanted.kind.per_floor:
         return Verdict.OK, f"came {facts.first_after or 0.0:.2f} s after a late subscribe", ""
     age = f"last {facts.age or 0.0:.1f} s ago"
     measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
-    if key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
+    if facts.wanted.kind.key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
         slow = f"{measured}: poses should come with about 10 Hz"
         return Verdict.WARN, slow, "is the network or the robot's computer overloaded?"
     if facts.rate is not None and 1 / facts.rate > config.alarms.offline_after:

@@ -1,22 +1,43 @@
 """A connection of the doctor's own. It subscribes and calls /rosapi/*, and nothing else."""
 
 import asyncio
+import re
 import time
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
+
+import msgspec
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.headless.doctor.facts import TopicFacts
 from fleet_tui.link.calls import Calls
+from fleet_tui.link.heartbeat import SERVICE as HEARTBEAT
+from fleet_tui.link.reading import ROSOUT
 from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.link.transport import Connection
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
+from fleet_tui.model.robot_words import Severity
 from fleet_tui.rosbridge import operations
 from fleet_tui.rosbridge.operations import Subscription
+from fleet_tui.rosbridge.robot_words import log_line
 
 HEAVY_BYTES = 100_000
+QUEUE = 100  # lines of the log that the bridge keeps for us
+# As the bridge logs what it can't do: with the id of the operation, which for us names the topic.
+COMPLAINT = re.compile(r"\[id: subscribe:(?P<topic>[^\]]+)\]\s*(?:subscribe:\s*)?(?P<reason>.+)", re.DOTALL)
+NAMED = re.compile(r'"topic":\s*"(?P<topic>[^"]+)"')
+FROZEN = "it takes connections and does not answer: restart it"
+
+
+class _Fragment(msgspec.Struct, tag_field="op", tag="fragment"):
+    """A piece of a message that is larger than the bridge sends at once."""
+
+    data: str
+    num: int
+    total: int
 
 
 @dataclass(slots=True)
@@ -34,6 +55,10 @@ class Heard:
     event: Event | None = None
     problem: str = ""
     lag: float | None = None
+    late: float | None = None
+    again: bool = False
+    fragmented: int = 0
+    held_by: str = ""
 
     def take(self, msg: object, at: float) -> None:
         """One message, still encoded."""
@@ -54,6 +79,7 @@ class Heard:
         if isinstance(event, PoseReported) and event.stamp is not None:
             lag = time.time() - (time.monotonic() - at) - event.stamp
             self.lag = lag if self.lag is None else min(self.lag, lag)
+            self.late = lag - self.lag
 
     def facts(self, now: float) -> TopicFacts:
         """What is known of the topic now."""
@@ -70,6 +96,10 @@ class Heard:
             event=self.event,
             problem=self.problem,
             lag=self.lag,
+            late=self.late,
+            again=self.again,
+            fragmented=self.fragmented,
+            held_by=self.held_by,
         )
 
 
@@ -82,6 +112,10 @@ class Wire:
         """Why there is no connection."""
         self.heard: dict[str, Heard] = {}
         """What has come, by topic."""
+        self.complaints: dict[str, str] = {}
+        """What the bridge's log says of a topic that it did not subscribe to."""
+        self.behind = 0.0
+        """Seconds by which we were late at most to look at it."""
         self._settled = asyncio.Event()
         self._calls = Calls(self.connection)
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
@@ -92,22 +126,39 @@ class Wire:
         try:
             await asyncio.wait_for(self._settled.wait(), within)
         except TimeoutError:
-            self.lost = "the server takes the connection and says nothing"
+            self.lost = FROZEN
         return self.lost
 
-    async def call(self, name: str, args: Mapping[str, object], within: float) -> object:
-        """What a service of rosapi answers, a string where it fails. Raises LinkError without an answer."""
+    async def call(self, service: str, args: Mapping[str, object], within: float) -> object:
+        """The answer of a service of rosapi, a string where it fails. Raises LinkError without an answer."""
         if self.lost:
             raise LinkError(self.lost)
-        return (await self._calls.call(f"/rosapi/{name}", args, within)).values
+        return (await self._calls.call(service, args, within)).values
 
-    def subscribe(self, wanted: Wanted, type_: str) -> None:
+    async def beat(self, within: float) -> str:
+        """Make the bridge itself answer; its words. Raises LinkError without an answer."""
+        return str(await self.call(HEARTBEAT, {}, within))
+
+    def subscribe(self, wanted: Wanted, type_: str, latched: bool) -> None:
         """Hear a topic from now on, every message of it. Raises LinkError."""
         asked = wanted.subscription
         self.heard[asked.topic] = Heard(wanted, time.monotonic())
-        self.connection.send(
-            operations.subscribe(Subscription(asked.topic, type_, compression=asked.compression))
-        )
+        subscription = Subscription(asked.topic, type_, compression=asked.compression, latched=latched)
+        self.connection.send(operations.subscribe(subscription))
+
+    def let_go(self, topic: str) -> None:
+        """Hear a topic no longer. Raises LinkError."""
+        self.connection.send(operations.unsubscribe(topic))
+
+    def ask_plainly(self, wanted: Wanted, type_: str) -> None:
+        """Hear a topic once more, as JSON and with the bridge's own quality of service. Raises LinkError."""
+        topic = wanted.subscription.topic
+        self.heard[topic].again = True
+        self.connection.send(operations.subscribe(Subscription(topic, type_)))
+
+    def overhear(self, type_: str) -> None:
+        """Hear what the bridge says in its log of our subscriptions. Raises LinkError."""
+        self.connection.send(operations.subscribe(Subscription(ROSOUT, type_, queue_length=QUEUE)))
 
     def close(self) -> None:
         """Close for good; subscriptions end with the connection."""
@@ -145,7 +196,26 @@ class Wire:
             return None
         if isinstance(read, operations.Publish) and read.topic in self.heard:
             self.heard[read.topic].take(read.msg, at)
+        elif isinstance(read, operations.Publish) and read.topic == ROSOUT:
+            self._overheard(read.msg, at)
+        elif read is None:
+            self._fragment(payload)
         return read if isinstance(read, operations.ServiceResponse) else None
+
+    def _overheard(self, msg: object, at: float) -> None:
+        with suppress(WireError):
+            said = log_line(msg, at)
+            about = COMPLAINT.search(said.text)
+            if about and "rosbridge" in said.node and (said.severity or 0) >= Severity.ERROR:
+                self.complaints[about["topic"]] = about["reason"]
+
+    def _fragment(self, payload: bytes) -> None:
+        """Note the size of a message that comes in pieces, by its first one."""
+        with suppress(msgspec.MsgspecError):
+            piece = msgspec.json.decode(payload, type=_Fragment)
+            named = NAMED.search(piece.data.replace("\\/", "/")) if piece.num == 0 else None
+            if named and named["topic"] in self.heard:
+                self.heard[named["topic"]].fragmented = len(piece.data) * piece.total
 
     def _answered(self, response: operations.ServiceResponse | None) -> None:
         if response is not None:

@@ -1,0 +1,164 @@
+"""Causes that silence several topics at once: each is said first, what follows from it is folded. Pure."""
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+
+from fleet_tui.config.profile import FLOOR_TOPICS, SERVICES, Profile
+from fleet_tui.config.schema import Config
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
+from fleet_tui.headless.doctor.tools import LOOK_FOR_NODE, START_ROSAPI, named
+from fleet_tui.model.sourcing import Listening, unsourced_package
+
+FEWEST_TOPICS = 2  # of a node that is called silent: one alone is told as a topic
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """A finding that explains others: `topics` and `services` it silences, `short` names it there."""
+
+    finding: Finding
+    short: str
+    topics: frozenset[str] = frozenset()
+    services: frozenset[str] = frozenset()
+
+
+def rosapi_finding(facts: BridgeFacts) -> Finding:
+    """Tell whether types, publishers and services can be looked up at all."""
+    rosapi = facts.rosapi
+    if not rosapi.problem:
+        counts = {"topics": len(rosapi.topics), "services": len(rosapi.services), "nodes": len(rosapi.nodes)}
+        measured = ", ".join(f"{count} {what}" for what, count in counts.items())
+        return Finding(facts.name, "rosapi", Verdict.OK, measured, values=counts)
+    remedy = rosapi_remedy(rosapi)
+    lost = f"{rosapi.problem}: names, types, publishers and services can't be looked up"
+    # Some sites run without it; one that is there and does not work is broken.
+    verdict = Verdict.WARN if rosapi.is_absent else Verdict.FAIL
+    return Finding(facts.name, "rosapi", verdict, lost, f"{remedy}; topics are listened to without it")
+
+
+def rosapi_remedy(rosapi: Rosapi) -> str:
+    """Say how to have a rosapi that answers."""
+    start = named(START_ROSAPI, rosapi.ros)
+    if rosapi.is_absent:
+        renew = "if it runs, a restarted ROS master knows neither it nor the robots' nodes: restart them"
+        return f"start rosapi beside rosbridge ({start})" + f"; {renew}" * (rosapi.ros != 2)
+    if rosapi.is_silent:
+        return f"restart rosapi ({start}), not rosbridge: that answers, and carries commands"
+    return "those are rosapi's own words: see its log"
+
+
+def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
+    """What is wrong with a bridge or a node rather than with one topic, in the order in which to mend it."""
+    unsourced = list(_unsourced(facts))
+    explained = {topic for cause in unsourced for topic in cause.topics}
+    return [*unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
+
+
+def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
+    """After a restart of the ROS master topics go on between nodes that know each other already."""
+    if facts.rosapi.problem:
+        return
+    heard = {one.wanted.robot for one in facts.topics if one.count}
+    robots = [robot.name for robot in config.robots if robot.name in heard]
+    robots = [robot for robot in robots if not _has_services(config.profile, robot, facts.rosapi)]
+    if not robots:
+        return
+    services = (config.profile.service(key, robot) for robot in robots for key in SERVICES)
+    yield Cause(
+        Finding(
+            facts.name,
+            "nodes",
+            Verdict.FAIL,
+            "the robots' nodes are not registered: restart them"
+            f" (topics of {listed(robots)} come, and none of their services exists)",
+            "a node that ran before the ROS master was restarted is not known to the new one",
+        ),
+        "the robots' nodes are not registered",
+        services=frozenset(services),
+    )
+
+
+def _has_services(profile: Profile, robot: str, rosapi: Rosapi) -> bool:
+    """Whether a robot has services by the names of the profile, or others: those are told one by one."""
+    known = {profile.service(key, robot) for key in SERVICES}
+    return any(service in known or service.startswith(f"/{robot}/") for service in rosapi.services)
+
+
+def _silent_nodes(facts: BridgeFacts, explained: Collection[str]) -> Iterator[Cause]:
+    """A node that is registered, and of which nothing comes. A robot all of whose nodes are silent is told
+    as a robot."""
+    live = [one for one in facts.topics if one.wanted.kind.key not in FLOOR_TOPICS]
+    awake = {one.wanted.robot for one in live if one.count}
+    of_node: dict[str, list[TopicFacts]] = {}
+    for one in facts.topics:
+        if (one.count or one.is_silent) and one.topic not in explained:
+            for node in facts.rosapi.publishers.get(one.topic, ()):
+                of_node.setdefault(node, []).append(one)
+    for node, topics in of_node.items():
+        robots = list(dict.fromkeys(one.wanted.robot for one in topics))
+        if any(one.count for one in topics) or len(topics) < FEWEST_TOPICS:
+            continue
+        if len(robots) > 1 or robots[0] in awake:
+            yield _silent_node(facts, node, topics, robots)
+
+
+def _silent_node(facts: BridgeFacts, node: str, topics: list[TopicFacts], robots: list[str]) -> Cause:
+    names = [one.topic for one in topics]
+    waited = max(one.waited for one in topics)
+    look = named(LOOK_FOR_NODE, facts.rosapi.ros, node)
+    return Cause(
+        Finding(
+            robots[0] if len(robots) == 1 else facts.name,
+            "node",
+            Verdict.FAIL,
+            f"{node} is silent: nothing came in {waited:.1f} s on the {len(names)} topics that it publishes:"
+            f" {listed(names)}",
+            f"does it run ({look})? Restart it",
+            {"node": node, "topics": len(names)},
+        ),
+        f"its node {node} is silent",
+        frozenset(names),
+        frozenset(service for service, owner in facts.rosapi.owners.items() if owner == node),
+    )
+
+
+def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:
+    rosapi = facts.rosapi
+    listened = [one for one in facts.topics if one.is_silent or one.count]
+    package = unsourced_package(
+        Listening(one.wanted.robot, _type(facts, one), _publishers(facts, one), bool(one.count))
+        for one in listened
+    )
+    if package is None:
+        return
+    silent = [one for one in listened if one.is_silent and _type(facts, one).startswith(f"{package}/")]
+    names = frozenset(one.topic for one in silent)
+    nodes = sorted({node for name in names for node in rosapi.publishers.get(name, ())})
+    by = f", published by {listed(nodes)}" if nodes else ""
+    remedy = f"source the workspace that has {package} before starting rosbridge, and restart it so"
+    if rosapi.problem and package != package.lower():
+        remedy += f"; or it is ROS 2, where the package is {package.lower()}: [profile.types]"
+    said = next((f"; rosbridge says: {one.complaint}" for one in silent if one.complaint), "")
+    yield Cause(
+        Finding(
+            facts.name,
+            "messages",
+            Verdict.FAIL,
+            f"the bridge does not know {package}: nothing comes on {listed(sorted(names))}{by}; other topics"
+            f" of the same robots come{said}",
+            remedy,
+            {"package": package, "topics": len(names)},
+        ),
+        f"the bridge does not know {package}",
+        names,
+    )
+
+
+def _type(facts: BridgeFacts, one: TopicFacts) -> str:
+    return facts.rosapi.topics.get(one.topic) or one.wanted.subscription.type
+
+
+def _publishers(facts: BridgeFacts, one: TopicFacts) -> int | None:
+    nodes = facts.rosapi.publishers.get(one.topic)
+    return None if nodes is None else len(nodes)

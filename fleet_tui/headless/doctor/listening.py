@@ -1,0 +1,152 @@
+"""Listening to the topics of a bridge together, over as many connections as that takes."""
+
+import asyncio
+import time
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import replace
+from typing import NamedTuple
+
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import LinkError
+from fleet_tui.headless.doctor.facts import Rosapi, TopicFacts, is_hidden
+from fleet_tui.headless.doctor.rosapi import subscribers
+from fleet_tui.headless.doctor.wire import Wire
+from fleet_tui.link.reading import ROSOUT
+from fleet_tui.link.subscriptions import Wanted
+from fleet_tui.rosbridge.type_names import same_type
+
+CONNECT_WITHIN = 4.0
+LOOK_EVERY = 0.05  # seconds
+# Seconds that topics are listened to, at least and at most: a little longer than a robot may be silent
+# for and still be online.
+AT_LEAST, AT_MOST = 1.5, 6.0
+BATCH = 20  # subscribes, of which a real bridge needs 20 ms for each
+SHARE = 150  # topics of one connection, 3 s of subscribing; the bridge works on several side by side
+ENOUGH = 3  # messages of a topic to tell its rate; poses are the fast ones
+ENOUGH_FAST = 10
+# Seconds after which a floor's topic is let go, and for how long, so that the bridge forgets how it was
+# subscribed; and of how many of them it is asked who holds them meanwhile.
+FIRST_TRY, LET_GO, MOST_HELD = 2.0, 0.7, 20
+
+Asked = list[tuple[Wanted, str]]
+
+
+class Listened(NamedTuple):
+    """All topics, why a connection was lost meanwhile, and by how many seconds we ourselves were late."""
+
+    topics: list[TopicFacts]
+    lost: str
+    behind: float
+
+
+async def listen(
+    bridge: Link, wanted: list[Wanted], rosapi: Rosapi, until: float, drawn: Iterable[str] = ()
+) -> Listened:
+    """Listen to all topics together until each has said enough, or the time is over. `drawn`: floors whose
+    live map nobody needs."""
+    asked = list(_worth_hearing(wanted, rosapi.topics, drawn))
+    count = -(-len(asked) // SHARE)
+    wires = [Wire(bridge) for _ in range(count)]
+    try:
+        await asyncio.gather(*(_hear(wire, asked[n::count], rosapi, until) for n, wire in enumerate(wires)))
+        now = time.monotonic()
+        heard = {topic: one.facts(now) for wire in wires for topic, one in wire.heard.items()}
+        complaints = {topic: words for wire in wires for topic, words in wire.complaints.items()}
+        lost = next((wire.lost for wire in wires if wire.lost), "")
+    finally:
+        for wire in wires:
+            wire.close()
+    found = (heard.get(one.subscription.topic) or TopicFacts(one) for one in wanted)
+    topics = [replace(one, complaint=complaints.get(one.topic, "")) for one in found]
+    return Listened(topics, lost, max((wire.behind for wire in wires), default=0.0))
+
+
+def _worth_hearing(
+    wanted: Iterable[Wanted], types: Mapping[str, str], drawn: Iterable[str]
+) -> Iterator[tuple[Wanted, str]]:
+    """What may be subscribed to, with the bridge's spelling of its type. With a wrong type, or before it
+    is there, a topic would be spoiled for every client. Of a floor one live map is enough, and none where
+    it is drawn already."""
+    floors = set(drawn)
+    for one in wanted:
+        topic, type_ = one.subscription.topic, one.subscription.type
+        if types and not is_hidden(topic) and not same_type(types.get(topic, ""), type_):
+            continue
+        if one.kind.heavy:
+            if one.floor in floors:
+                continue
+            floors.add(one.floor)
+        yield one, types.get(topic, type_)
+
+
+async def _hear(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None:
+    if await wire.connect(min(CONNECT_WITHIN, until - time.monotonic())):
+        return
+    with suppress(LinkError):
+        if ROSOUT in rosapi.topics:
+            wire.overhear(rosapi.topics[ROSOUT])
+        await _subscribe(wire, topics, rosapi.ros != 1, until)
+        ours = min(until, time.monotonic() + AT_MOST)
+        again = asyncio.ensure_future(_ask_again(wire, topics, rosapi, ours))
+        await _wait(wire, [one for one, _ in topics], ours)
+        await again
+
+
+async def _wait(wire: Wire, topics: list[Wanted], until: float) -> None:
+    least = time.monotonic() + AT_LEAST
+    while time.monotonic() < until and not wire.lost:
+        asleep = time.monotonic()
+        await asyncio.sleep(LOOK_EVERY)
+        wire.behind = max(wire.behind, time.monotonic() - asleep - LOOK_EVERY)
+        enough = all(wire.heard[one.subscription.topic].count >= _enough(one) for one in topics)
+        if enough and time.monotonic() > least:
+            return
+
+
+async def _subscribe(wire: Wire, topics: Asked, latched: bool, until: float) -> None:
+    """Subscribe, some at a time: a call is answered when the subscribes before it are done.
+
+    Raises LinkError.
+    """
+    for first in range(0, len(topics), BATCH):
+        batch = topics[first : first + BATCH]
+        for one, type_ in batch:
+            wire.subscribe(one, type_, latched and one.kind.per_floor)
+        await wire.beat(max(0.1, until - time.monotonic()))
+        for one, _ in batch:
+            wire.heard[one.subscription.topic].since = time.monotonic()
+
+
+async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None:
+    """Ask plainly for what a floor's topics did not bring, to tell why. Raises LinkError.
+
+    A bridge of ROS 2 chooses the quality of service once, for all its clients, and sends nothing binary
+    that is larger than its limit.
+    """
+    if rosapi.ros == 1 or until - time.monotonic() < 2 * FIRST_TRY:
+        return
+    floors = [(one, type_) for one, type_ in topics if one.kind.per_floor]
+    await _wait(wire, [one for one, _ in floors], time.monotonic() + FIRST_TRY)
+    silent = [(one, type_) for one, type_ in floors if _is_silent(wire, one)]
+    if not silent:
+        return
+    for one, _ in silent:
+        wire.let_go(one.subscription.topic)
+    await asyncio.sleep(LET_GO)
+    for one, _ in silent[:MOST_HELD] if not rosapi.problem else ():
+        topic = one.subscription.topic
+        holders = await subscribers(wire, topic)
+        wire.heard[topic].held_by = next((node for node in holders if "rosbridge" in node), "")
+    for one, type_ in silent:
+        wire.ask_plainly(one, type_)
+    await _wait(wire, [one for one, _ in silent], until)
+
+
+def _is_silent(wire: Wire, wanted: Wanted) -> bool:
+    heard = wire.heard[wanted.subscription.topic]
+    return not heard.count and not heard.fragmented
+
+
+def _enough(wanted: Wanted) -> int:
+    return 1 if wanted.kind.per_floor else ENOUGH_FAST if wanted.kind.fast else ENOUGH

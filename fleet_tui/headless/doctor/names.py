@@ -1,0 +1,100 @@
+"""Names that are near one that is not there, and names that ROS 2 spells otherwise. Pure."""
+
+import re
+from collections.abc import Collection, Iterable, Mapping
+
+from fleet_tui.config.profile import SERVICES, Profile
+from fleet_tui.config.schema import Config
+from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
+from fleet_tui.link.subscriptions import plain_type
+from fleet_tui.rosbridge.type_names import same_type
+
+
+def robots_on(profile: Profile, rosapi: Rosapi) -> set[str]:
+    """The names in place of a robot's in the topics that are published on a bridge."""
+    found = set[str]()
+    for topic in filter(rosapi.has, rosapi.topics):
+        for key in ("pose", "queue"):
+            before, mark, after = profile.topics.get(key, profile.topic(key, "{robot}")).partition("{robot}")
+            name = topic[len(before) : len(topic) - len(after)] if mark else ""
+            if name and topic == before + name + after and "/" not in name:
+                found.add(name)
+    return found
+
+
+def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
+    """The published names that a topic may have now, those of its type first, as the config would say it."""
+    wanted, types = facts.wanted, bridge.rosapi.topics
+    free = set(filter(bridge.rosapi.has, types)) - {one.topic for one in bridge.topics}
+    fitting = [topic for topic in free if same_type(types[topic], wanted.subscription.type)]
+    own = [topic for topic in fitting if topic.startswith(f"/{wanted.robot}/")]
+    near = nearest(facts.topic, own) or nearest(facts.topic, fitting) or nearest(facts.topic, free)
+    if not near:
+        return ""
+    meant = f"did you mean {listed(near)}?"
+    if near[0] not in own:
+        return meant
+    floor = _floor_in(config.profile, facts, near[0])
+    if floor:
+        return f"{meant} Then the floor's name is {floor}, not {wanted.floor}"
+    template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
+    return f'{meant} Then [profile.topics] {wanted.kind.key} = "{template}"'
+
+
+def _floor_in(profile: Profile, facts: TopicFacts, topic: str) -> str:
+    """The floor of which this would be the topic, "" if it is not named so."""
+    if not facts.wanted.floor:
+        return ""
+    before, _, after = profile.topic(facts.wanted.kind.key, facts.wanted.robot, "{floor}").partition(
+        "{floor}"
+    )
+    found = re.fullmatch(f"{re.escape(before)}([^/]+){re.escape(after)}", topic)
+    return found.group(1) if found else ""
+
+
+def near_service(robot: str, key: str, service: str, free: Collection[str]) -> str:
+    """The free name that a robot's service may have now, as the config would say it."""
+    near = nearest(service, (name for name in free if name.startswith(f"/{robot}/")), 1)
+    if not near:
+        return ""
+    template = near[0].replace(f"/{robot}/", "/{robot}/")
+    return f'did you mean {near[0]}? Then [profile.services] {key} = "{template}"'
+
+
+def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:
+    """What to write where ROS 2 spells types otherwise: lower-case packages, CamelCase names.
+
+    With rosapi the bridge's spelling is found out; without it a topic is asked for by the profile's.
+    """
+    rosapi, profile = facts.rosapi, config.profile
+    asked = [(one.wanted.kind.key, one.topic, one.wanted.subscription.type) for one in facts.topics]
+    topics = _spelled(asked, rosapi.topics)
+    called = [
+        (key, profile.service(key, robot), profile.service_type(key))
+        for robot in dict.fromkeys(one.wanted.robot for one in facts.topics)
+        for key in SERVICES
+    ]
+    services = _spelled(called, rosapi.services)
+    written = [
+        f"[profile.{table}] " + ", ".join(f'{key} = "{type_}"' for key, type_ in found.items())
+        for table, found in (("types", topics), ("service_types", services))
+        if found
+    ]
+    if not written:
+        return None
+    measured = (
+        f"those of {listed([*topics, *services])} are spelled as in ROS 2: found only while rosapi answers"
+    )
+    return Finding(facts.name, "types", Verdict.WARN, measured, "; ".join(written))
+
+
+def _spelled(wanted: Iterable[tuple[str, str, str]], there: Mapping[str, str | None]) -> dict[str, str]:
+    """By key the types that are the expected ones, but for their spelling."""
+    return {
+        key: found
+        for key, name, expected in wanted
+        if (found := there.get(name))
+        and same_type(found, expected)
+        and plain_type(found) != plain_type(expected)
+    }

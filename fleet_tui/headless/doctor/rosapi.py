@@ -1,0 +1,128 @@
+"""The questions to rosapi. Only lists, and what is asked of a name that a list has: rosapi of ROS 2 dies of
+some other questions, for everybody."""
+
+import asyncio
+import time
+from collections.abc import Awaitable, Callable, Iterable, Mapping
+from dataclasses import replace
+from typing import Any, TypeVar
+
+import msgspec
+
+from fleet_tui.errors import LinkError
+from fleet_tui.headless.doctor.facts import Rosapi
+from fleet_tui.headless.doctor.wire import Wire
+from fleet_tui.rosbridge.messages import Stamp
+
+T = TypeVar("T")
+
+ANSWER_WITHIN = 2.0
+AT_ONCE = 8  # calls under way together: the bridge has a thread for each
+
+
+class _Time(msgspec.Struct):
+    """The answer of get_time."""
+
+    time: Stamp
+
+
+async def look_around(wire: Wire) -> Rosapi:
+    """List the topics, services and nodes of a bridge, and tell which ROS it is."""
+    try:
+        topics, services, nodes, version = await asyncio.gather(
+            *(
+                wire.call(f"/rosapi/{name}", {}, ANSWER_WITHIN)
+                for name in ("topics", "services", "nodes", "get_ros_version")
+            )
+        )
+    except LinkError:
+        return Rosapi(problem=wire.lost or f"rosapi does not answer within {ANSWER_WITHIN:g} s")
+    if not isinstance(topics, dict):
+        return Rosapi(problem=str(topics))
+    types = dict(zip(_names(topics, "topics"), _names(topics, "types"), strict=False))
+    return Rosapi(
+        types,
+        dict.fromkeys(_names(services, "services")),
+        tuple(_names(nodes, "nodes")),
+        ros=_ros(version, types),
+    )
+
+
+def _ros(version: object, types: Mapping[str, str]) -> int:
+    """1 or 2: an old rosapi does not say, but only ROS 2 spells types with `/msg/`."""
+    told = version.get("version") if isinstance(version, dict) else None
+    return told if told in (1, 2) else 2 if any("/msg/" in type_ for type_ in types.values()) else 1
+
+
+async def clock_ahead(wire: Wire) -> float | None:
+    """By how many seconds the bridge's clock is ahead of ours, None where it does not say."""
+    began, wall = time.monotonic(), time.time()
+    try:
+        answer = await wire.call("/rosapi/get_time", {}, ANSWER_WITHIN)
+        told = msgspec.convert(answer, _Time).time.seconds
+    except (LinkError, msgspec.ValidationError):
+        return None
+    return None if told is None else told - (wall + (time.monotonic() - began) / 2)
+
+
+async def _ask(wire: Wire, verb: str, args: dict[str, object], key: str) -> Any:
+    """One field of an answer, None without an answer."""
+    try:
+        answer = await wire.call(f"/rosapi/{verb}", args, ANSWER_WITHIN)
+    except LinkError:
+        return None
+    return answer.get(key) if isinstance(answer, dict) else None
+
+
+async def ask_publishers(wire: Wire, rosapi: Rosapi, topics: Iterable[str], until: float) -> Rosapi:
+    """Add who publishes these topics, as far as there is time until the monotonic `until`."""
+
+    async def publishers_of(topic: str) -> tuple[str, ...] | None:
+        nodes = await _ask(wire, "publishers", {"topic": topic}, "publishers")
+        return tuple(map(str, nodes)) if isinstance(nodes, list) else None
+
+    found = await _each(publishers_of, [topic for topic in topics if topic in rosapi.topics], until)
+    return replace(rosapi, publishers={**rosapi.publishers, **found})
+
+
+async def subscribers(wire: Wire, topic: str) -> list[str]:
+    """The nodes that are subscribed to a topic."""
+    nodes = await _ask(wire, "subscribers", {"topic": topic}, "subscribers")
+    return [str(node) for node in nodes] if isinstance(nodes, list) else []
+
+
+async def ask_services(wire: Wire, rosapi: Rosapi, services: Iterable[str], until: float) -> Rosapi:
+    """Add the types of these services, then their nodes, as far as there is time."""
+    there = [service for service in services if service in rosapi.services]
+
+    async def type_of(service: str) -> str:
+        return str(await _ask(wire, "service_type", {"service": service}, "type") or "")
+
+    async def node_of(service: str) -> str:
+        return str(await _ask(wire, "service_node", {"service": service}, "node") or "")
+
+    types = await _each(type_of, there, until)
+    owners = await _each(node_of, there, until)
+    return replace(rosapi, services={**rosapi.services, **types}, owners=owners)
+
+
+def _names(answer: object, key: str) -> list[str]:
+    found: Any = answer.get(key) if isinstance(answer, dict) else None
+    return [str(name) for name in found] if isinstance(found, list) else []
+
+
+async def _each(ask: Callable[[str], Awaitable[T | None]], names: list[str], until: float) -> dict[str, T]:
+    """The answers that come in time, a few asked at once."""
+    free = asyncio.Semaphore(AT_ONCE)
+    answers: dict[str, T] = {}
+
+    async def one(name: str) -> None:
+        async with free:
+            if time.monotonic() > until:
+                return
+            answer = await ask(name)
+            if answer is not None:
+                answers[name] = answer
+
+    await asyncio.gather(*(one(name) for name in names))
+    return answers
