@@ -208,7 +208,7 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
         return (
             Verdict.FAIL,
             f"{nothing}: another client of the bridge took it before its publisher was found, and so nobody"
-            f" gets the last value; that is no fault of {nodes[0]}",
+            " gets the last value; that is no fault of its publisher",
             "restart rosbridge, or let all its clients go for a second",
         )
     optional = key in ("map", "map_metadata") and nodes is None
