@@ -130,7 +130,7 @@ OPENS = (
     (":theme: evil", "Theme: evil␛]52;c;eA==␇\ufffd[red]", "\x1b"),
     ("?", "Help: every key", "\x1b"),
     ("w", "Why does robot_0 stand still?", "\x1b"),
-    ("L", "evil␛]52;… robot_0 pause: refused", "\x1b"),
+    ("L", "evil␛]52;… robot_0 pause: outcome unknown", "\x1b"),
     ("d", "no link for", "\x1b"),
     ("d2", "▲ bad data", "\x1b"),
     ("d4", "INFO  ␛]52;c;aGFja2Vk␇", "\x1b"),

@@ -69,8 +69,9 @@ def _summaries(
 ) -> Iterator[AuditRecord]:
     """Sum up what was asked of many robots in one request, once all of it is decided."""
     was_open = {record.id for record in before.commands if not record.is_decided}
-    for batch in pauses(after.commands):
-        if all(record.is_decided for record in batch) and any(record.id in was_open for record in batch):
+    decided = {record.id for record in after.commands if record.is_decided and record.id in was_open}
+    for batch in pauses(after.commands) if decided else ():
+        if all(record.is_decided for record in batch) and any(record.id in decided for record in batch):
             yield _summary(origin, after, batch, wall(max(record.at for record in batch)))
 
 

@@ -29,7 +29,13 @@ from fleet_tui.model.fleet import FleetState
 LAST_SECOND = 253_402_300_799.0
 """Unix time at the end of the year 9999."""
 
-_OF_LINKS = (events.LinkChanged, events.LinkHeard, events.CommandPathChanged, events.FrameRejected)
+_OF_LINKS = (
+    events.LinkChanged,
+    events.LinkHeard,
+    events.CommandPathChanged,
+    events.MessagesUnsourced,
+    events.FrameRejected,
+)
 
 
 class Moment(Struct, frozen=True):

@@ -7,7 +7,8 @@ import termios
 from collections import deque
 from collections.abc import Callable
 
-from fleet_tui.model.counters import LinkCounter
+from fleet_tui.link.reading import Reading
+from fleet_tui.link.transport import Connection
 
 BEHIND = 0.3
 """Seconds that the oldest unread byte waits from which on overtaken frames are left out."""
@@ -23,17 +24,10 @@ Frame = tuple[bytes, bool, float]
 
 
 class Backlog:
-    """Runs on the network loop. `progress` gives the bytes read so far and the socket's file descriptor,
-    `fed_at` when the piece was read that is being taken apart; `take` is given each frame to decode."""
+    """Runs on the network loop. `take` is given each frame that is to be decoded."""
 
-    def __init__(
-        self,
-        progress: Callable[[], tuple[int, int]],
-        fed_at: Callable[[], float],
-        counter: Callable[[], LinkCounter],
-        take: Callable[[Frame], None],
-    ) -> None:
-        self._progress, self._fed_at, self._counter, self._take = progress, fed_at, counter, take
+    def __init__(self, connection: Connection, reading: Reading, take: Callable[[Frame], None]) -> None:
+        self._connection, self._reading, self._take = connection, reading, take
         self._arrived: deque[tuple[float, int]] = deque()
         """When how many bytes had arrived in all, read or not."""
         self._newest: dict[str, tuple[float, Frame]] = {}
@@ -43,7 +37,7 @@ class Backlog:
 
     def age(self, now: float) -> float:
         """Seconds that the oldest message has waited to be read; looked at again with each tick."""
-        read, descriptor = self._progress()
+        read, descriptor = self._connection.progress()
         unread = _unread(descriptor)
         while self._arrived and self._arrived[0][1] <= read:
             self._arrived.popleft()
@@ -55,12 +49,16 @@ class Backlog:
 
     def put(self, topic: str, frame: Frame) -> None:
         """Take a frame now or, while the connection is behind, only if no newer one of its topic comes."""
-        if self._age < BEHIND and not self._newest and frame[2] - self._fed_at() < LONGEST_PIECE:
+        if (
+            self._age < BEHIND
+            and not self._newest
+            and frame[2] - self._connection.factory.fed_at < LONGEST_PIECE
+        ):
             self._take(frame)
             return
         since, overtaken = self._newest.get(topic, (frame[2], None))
         if overtaken is not None:
-            self._counter().overtaken += 1
+            self._reading.counter.overtaken += 1
         self._newest[topic] = since, frame
         if self._timer is None:
             self._timer = asyncio.get_running_loop().call_later(GATHER, self._drain)

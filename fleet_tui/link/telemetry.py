@@ -13,6 +13,7 @@ from fleet_tui.link.map_process import WORTH_A_PROCESS, topic_of
 from fleet_tui.link.memory import give_back
 from fleet_tui.link.reading import DIAGNOSTICS, ROSOUT, Reading
 from fleet_tui.link.services import Services
+from fleet_tui.link.sourcing import Sourcing
 from fleet_tui.link.subscriber import Subscriber
 from fleet_tui.link.subscriptions import wanted_services, wanted_topics
 from fleet_tui.link.transport import Connection
@@ -47,9 +48,7 @@ class Telemetry:
         self._writer = writer
         self._logged: set[str] = set()
         self._waiting = 0
-        self._heard = 0.0
-        self._told_heard = 0.0
-        self._spoke = 0.0
+        self._heard = self._told_heard = self._spoke = 0.0
         self._robots_spoke: dict[str, float] = {}
         self._next_look = 0.0
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
@@ -62,15 +61,11 @@ class Telemetry:
             self.connection, self._calls, wanted, config.profile, self._reading, self._take
         )
         self.services = Services(self._calls, wanted_services(config, link))
+        self._sourcing = Sourcing(link, self._calls, wanted.values(), self._reading, writer.take)
         self.show_map = self._subscriber.show_map
         self.overhear = self._subscriber.overhearing.listen
         self.counter = self._reading.counter
-        self._backlog = Backlog(
-            self.connection.progress,
-            lambda: self.connection.factory.fed_at,
-            lambda: self._reading.counter,
-            self._read_frame,
-        )
+        self._backlog = Backlog(self.connection, self._reading, self._read_frame)
         writer.before_tick.append(self._look)
         writer.backlogs.append(self._backlog.age)
 
@@ -98,11 +93,13 @@ class Telemetry:
         self._spoke = 0.0
         self._subscriber.start(now)
         self.services.forget_types()
+        self._sourcing.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """Say so, and stop what was under way."""
         self._subscriber.stop()
         self.services.stop()
+        self._sourcing.stop()
         self._backlog.clear()
         self._calls.on_lost()
         now = time.monotonic()
@@ -179,5 +176,6 @@ class Telemetry:
         """Close for good."""
         self._subscriber.stop()
         self.services.stop()
+        self._sourcing.stop()
         self._decoder.shutdown(wait=False, cancel_futures=True)
         self.connection.shut()

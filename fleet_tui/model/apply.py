@@ -14,7 +14,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.floods import without_floods
 from fleet_tui.model.follow_up import follow_up
 from fleet_tui.model.lag import with_lags
-from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.model.link_events import apply_to_link
 from fleet_tui.model.reports import apply_chart, apply_report
 from fleet_tui.model.robot import Robot, with_fault
 
@@ -38,26 +38,6 @@ def _with_robot(state: FleetState, robot: Robot) -> FleetState:
     if robot.faults > state.robots[robot.name].faults:
         robot = replace(robot, fault_at=state.now)
     return replace(state, robots={**state.robots, robot.name: robot})
-
-
-def _with_link(state: FleetState, link: LinkState) -> FleetState:
-    return replace(state, links={**state.links, link.name: link})
-
-
-def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
-    """While it is tried again and again, `since` stays the moment of the loss."""
-    link = state.links[event.link]
-    same_side = (link.phase is Phase.UP) == (event.phase is Phase.UP)
-    return _with_link(
-        state,
-        replace(
-            link,
-            phase=event.phase,
-            reason=brief(event.reason) or (link.reason if event.phase is not Phase.UP else ""),
-            next_try=event.next_try,
-            since=link.since if same_side and link.since else event.at,
-        ),
-    )
 
 
 def _confirm_commands(state: FleetState) -> FleetState:
@@ -156,27 +136,6 @@ def _floor_with(state: FleetState, frame_id: str) -> str | None:
     return next((floor.name for floor in state.floors.values() if floor.frame_id == frame_id), None)
 
 
-def _apply_to_link(
-    state: FleetState,
-    event: events.LinkChanged | events.LinkHeard | events.CommandPathChanged | events.FrameRejected,
-) -> FleetState:
-    if isinstance(event, events.LinkChanged):
-        return _change_link(state, event)
-    link = state.links[event.link]
-    match event:
-        case events.LinkHeard():
-            return _with_link(state, replace(link, heard=event.at))
-        case events.CommandPathChanged():
-            changed = replace(link, command_path=event.path, command_reason=brief(event.reason))
-            return _with_link(state, replace(changed, commands_connected=event.connected))
-        case events.FrameRejected():
-            return _with_link(
-                state, replace(link, faults=link.faults + 1, last_fault=brief(event.text), fault_at=state.now)
-            )
-        case _:
-            assert_never(event)
-
-
 def _is_in_queue(state: FleetState, record: CommandRecord) -> bool:
     """Whether the order it placed is still there: who gave it must be known as long."""
     robot = state.robots.get(record.command.robot)
@@ -229,8 +188,14 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
     match event:
         case events.TimePassed():
             return _pass_time(state, event)
-        case events.LinkChanged() | events.LinkHeard() | events.CommandPathChanged() | events.FrameRejected():
-            return _apply_to_link(state, event)
+        case (
+            events.LinkChanged()
+            | events.LinkHeard()
+            | events.CommandPathChanged()
+            | events.MessagesUnsourced()
+            | events.FrameRejected()
+        ):
+            return apply_to_link(state, event)
         case events.CommandIssued():
             return _issue_command(state, event)
         case events.CommandAdvanced():

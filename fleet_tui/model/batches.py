@@ -22,15 +22,24 @@ _WELL = ("confirmed", "accepted")
 
 
 def batches(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
-    """Divide commands into those that were given together, in the order in which they were given."""
+    """Divide commands into those that were given together, in the order in which they were given. A robot is
+    in a batch once."""
     found: list[list[CommandRecord]] = []
+    robots = set[str]()
     for record in records:
-        last = found[-1][-1] if found else None
+        last, robot = found[-1][-1] if found else None, record.command.robot
         alike = last is not None and type(last.command) is type(record.command)
-        if last is not None and alike and record.issued_at - last.issued_at < TOGETHER:
+        if (
+            last is not None
+            and alike
+            and record.issued_at - last.issued_at < TOGETHER
+            and robot not in robots
+        ):
             found[-1].append(record)
         else:
             found.append([record])
+            robots.clear()
+        robots.add(robot)
     return found
 
 

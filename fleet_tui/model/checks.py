@@ -78,6 +78,16 @@ def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
         yield Problem("paused", f"{robot.name} is paused{ours}", blocks=False)
 
 
+def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """What becomes of an order can be seen."""
+    if not ends_of(command) or robot.heard is None or not state.is_online(robot):
+        return
+    if robot.queue is None or state.is_old(robot.queue):
+        since = "has not come" if robot.queue is None else f"is {age(state.now - robot.queue.at)} old"
+        text = f"the queue of {robot.name} {since}: whether it takes the order can't be seen"
+        yield Problem("queue unheard", text, blocks=False)
+
+
 def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """What is to be cancelled is there."""
     if not isinstance(command, CancelOrder):
@@ -127,6 +137,7 @@ CHECKS: tuple[Check, ...] = (
     not_in_queue,
     nothing_to_clear,
     silent,
+    unheard_queue,
     paused,
     floor_mismatch,
 )

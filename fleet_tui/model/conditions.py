@@ -151,8 +151,15 @@ def late(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
     return Condition(link.name, "late", Priority.MEDIUM, text, "messages come in time again", due)
 
 
+def unsourced(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
+    """Raise where the bridge can't read the robots' messages: the commonest mistake in setting it up."""
+    if link.phase is not Phase.UP or not link.unsourced:
+        return None
+    return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "the messages are there")
+
+
 ROBOT_RULES = (offline, obstacle, battery, pause, stuck, bad_data)
-LINK_RULES = (dead_commands, no_link, bad_data, late)
+LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)
 
 
 def conditions(state: FleetState, held: Held) -> Iterator[Condition]:

@@ -158,6 +158,13 @@ class CommandPathChanged(Struct, frozen=True, tag=True):
     connected: bool = False
 
 
+class MessagesUnsourced(Struct, frozen=True, tag=True):
+    """The bridge was started without the messages of a ROS package; empty where it has what is asked for."""
+
+    link: str
+    package: str
+
+
 class CommandIssued(Struct, frozen=True, tag=True):
     """An operator gave a command, and it passed the checks."""
 
@@ -216,6 +223,7 @@ Event = (
     | LinkChanged
     | LinkHeard
     | CommandPathChanged
+    | MessagesUnsourced
     | CommandIssued
     | CommandAdvanced
     | AlarmAcknowledged

@@ -34,7 +34,8 @@ class LinkState(Struct, frozen=True):
     """A bridge: `since` is when the phase began, `next_try` when it is tried again, both
     monotonic seconds; `reason` says in plain words why there is no link; `commands_connected`: there is
     a connection for commands, tried or not; `fault_at` is when a bad frame came last; `late` are the
-    seconds by which the poses that come over it are late."""
+    seconds by which the poses that come over it are late, `unsourced` the package whose messages the bridge
+    was started without."""
 
     name: str
     url: str
@@ -50,6 +51,15 @@ class LinkState(Struct, frozen=True):
     last_fault: str = ""
     fault_at: float | None = None
     late: float = 0.0
+    unsourced: str = ""
+
+    @property
+    def unsourced_text(self) -> str:
+        """What to do about messages that the bridge lacks, empty where it has all."""
+        if not self.unsourced:
+            return ""
+        lacks = f"rosbridge runs without the messages of {self.unsourced}"
+        return f"{lacks}: source the workspace that has {self.unsourced} before starting rosbridge"
 
     @property
     def is_starting(self) -> bool:

@@ -51,6 +51,8 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         yield f" commands dead: {visible(link.command_reason)}", Ink.ALARM
     elif link.command_path is CommandPath.UNREGISTERED:
         yield f" {visible(link.command_reason)}", Ink.ALARM
+    if link.unsourced:
+        yield f" {visible(link.unsourced_text)}", Ink.ALARM
     if link.late >= BEHIND:
         yield f" {link.late:.1f} s late: {OVERLOADED}", Ink.WARN
     if link.faults:

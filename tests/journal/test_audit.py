@@ -8,6 +8,7 @@ import threading
 import time
 from collections.abc import Callable
 from datetime import datetime
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.journal import audit as module
 from fleet_tui.journal.audit import Audit, auditing, encode, operator_name
 from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
-from fleet_tui.journal.entries import TEXT_KEPT, Origin
+from fleet_tui.journal.entries import TEXT_KEPT, Origin, command_records
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -31,7 +32,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.events import AlarmAcknowledged, CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.store import Store
-from tests.fleets import F0, R0, T0, WALL, battery, commanded, link_lost, queue, tick
+from tests.fleets import F0, R0, T0, WALL, battery, commanded, fleet, link_lost, queue, tick, told
 from tests.journal.records import ANA, known_fleet, read, record, watched
 from tests.watched import config_of
 
@@ -417,11 +418,17 @@ def test_a_record_reads_back_as_it_was() -> None:
     assert msgspec.json.decode(encode(whole), type=AuditRecord) == whole
 
 
-def test_what_was_asked_of_many_robots_is_summed_up_once_it_is_decided(tmp_path: Path) -> None:
-    store, _ = watched(tmp_path)
-    give(store, 1, PauseRobot(R0), Stage.SENT)
-    give(store, 2, PauseRobot(R0), Stage.SENT, Stage.REFUSED, words="busy")
-    assert "summary" not in [one.change for one in read(tmp_path)]
-    store.tell(CommandAdvanced(1, Stage.REFUSED, T0 + 1, "busy"))
-    (found,) = [one for one in read(tmp_path) if one.change == "summary"]
-    assert (found.kind, found.what, found.words) == ("command", "pause all", "2 refused (robot_0): busy")
+def test_what_was_asked_of_many_robots_is_summed_up_once_it_is_decided() -> None:
+    asked = [*commanded(1, PauseRobot(R0), Stage.SENT), *commanded(2, PauseRobot("robot_1"), Stage.SENT)]
+    states = [fleet(2)]
+    refusals = [CommandAdvanced(id_, Stage.REFUSED, T0 + 1, "busy") for id_ in (1, 2)]
+    for fact in (*asked, *refusals):
+        states.append(told(states[-1], fact))
+    found = [
+        [one for one in command_records(ANA, *pair, lambda at: at) if one.change == "summary"]
+        for pair in pairwise(states)
+    ]
+    assert [len(one) for one in found] == [0] * (len(found) - 1) + [1]
+    (summary,) = found[-1]
+    assert (summary.kind, summary.what) == ("command", "pause all")
+    assert summary.words == "2 refused (robot_0, robot_1): busy"

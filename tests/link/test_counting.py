@@ -64,6 +64,7 @@ async def test_losses_and_round_trips(server: RosbridgeServer) -> None:
         it = counter(link)
         await store.until(phase(Phase.UP))
         assert (it.connections, it.lost_at) == (1, None)
+        await until(store, lambda: it.round_trips.took)
         assert 0.0 < it.round_trips.took[0] < 2.0
         await server.drop_clients()
         await until(store, lambda: it.connections == 2)

@@ -251,7 +251,7 @@ REACHED_NOBODY = [
 ]
 
 
-@pytest.mark.parametrize("name", sorted(path.name for path in WIRE.glob("*.jsonl")))
+@pytest.mark.parametrize("name", sorted(path.name for path in WIRE.glob("*.jsonl*")))
 def test_each_recorded_failure_of_a_call_is_told_apart(name: str) -> None:
     """Only what never reached a node was refused."""
     frames = [

@@ -101,5 +101,5 @@ async def test_a_robot_that_starts_anew_counts_from_nothing_again(server: Rosbri
             await it.until(lambda state: not state.robots[R0].orders.orders)
         await it.shows("no orders", "queue")
         await it.press("w")
-        await it.shows("▶ likeliest: no orders")
+        await it.shows("▶ likeliest: order: lost")
         assert calls(server) == ["Execute_order", "Execute_order"]

@@ -97,7 +97,7 @@ async def test_from_the_palette_at_80_by_24_with_the_marked_record_in_full(
 async def test_what_matches_goes_to_a_new_file_for_its_owner(server: RosbridgeServer, tmp_path: Path) -> None:
     async with audited(server, tmp_path) as it:
         await it.press("p", "P")
-        await it.shows("robot_1 pause: confirmed")
+        await it.shows("pause all: 2 confirmed")
         await open_log(it, "robot_1 pause: confirmed")
         await it.type("robot:robot_1")
         await it.hides("robot_0 pause: sent")

@@ -1,0 +1,60 @@
+"""Facts about links: how each one changes what is known of its bridge."""
+
+from typing import assert_never
+
+from msgspec.structs import replace
+
+from fleet_tui.model import events
+from fleet_tui.model.bounds import brief
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import LinkState, Phase
+
+LinkEvent = (
+    events.LinkChanged
+    | events.LinkHeard
+    | events.CommandPathChanged
+    | events.MessagesUnsourced
+    | events.FrameRejected
+)
+
+
+def _with_link(state: FleetState, link: LinkState) -> FleetState:
+    return replace(state, links={**state.links, link.name: link})
+
+
+def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
+    """While it is tried again and again, `since` stays the moment of the loss."""
+    link = state.links[event.link]
+    same_side = (link.phase is Phase.UP) == (event.phase is Phase.UP)
+    return _with_link(
+        state,
+        replace(
+            link,
+            phase=event.phase,
+            reason=brief(event.reason) or (link.reason if event.phase is not Phase.UP else ""),
+            next_try=event.next_try,
+            since=link.since if same_side and link.since else event.at,
+            unsourced=link.unsourced if event.phase is Phase.UP else "",
+        ),
+    )
+
+
+def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
+    """Apply one fact about a link."""
+    if isinstance(event, events.LinkChanged):
+        return _change_link(state, event)
+    link = state.links[event.link]
+    match event:
+        case events.LinkHeard():
+            return _with_link(state, replace(link, heard=event.at))
+        case events.CommandPathChanged():
+            changed = replace(link, command_path=event.path, command_reason=brief(event.reason))
+            return _with_link(state, replace(changed, commands_connected=event.connected))
+        case events.MessagesUnsourced():
+            return _with_link(state, replace(link, unsourced=brief(event.package)))
+        case events.FrameRejected():
+            return _with_link(
+                state, replace(link, faults=link.faults + 1, last_fault=brief(event.text), fault_at=state.now)
+            )
+        case _:
+            assert_never(event)
