@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import MutableMapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import TYPE_CHECKING
 
@@ -59,14 +59,18 @@ class Guests:
         if self._dialect.fields(short) is None:
             raise ServiceError(self._dialect.unknown_package(short.partition("/")[0], "msg"))
         known = self._topics.get(name)
+        if known is not None and self._dialect.short(known.type) != short:
+            raise ServiceError(f"Tried to advertise {name} with type {type_}, established is {known.type}")
         if known is None:
             told = self._dialect.message_type(short)
-            empty = Payload({})
-            self._topics[name] = Topic(name, told, lambda _now: empty, latched=latched)
+            nothing = tuple[Payload, ...]()
             self._types[name] = told
-        elif self._dialect.short(known.type) != short:
-            raise ServiceError(f"Tried to advertise {name} with type {type_}, established is {known.type}")
-        self._advertised.setdefault(name, set()).add(session)
+            self._topics[name] = Topic(
+                name, told, lambda _now: Payload({}), None, False, latched, lambda: nothing
+            )
+            self._advertised[name] = set()
+        if name in self._advertised:  # else a robot publishes it too, and goes on
+            self._advertised[name].add(session)
 
     def unadvertise(self, session: "Session", name: str) -> None:
         """End what `advertise` began."""
@@ -88,7 +92,7 @@ class Guests:
         msg = fill(self._dialect, short, self._dialect.fields(short) or {}, operation["msg"], now)
         payload = Payload(msg)
         if known.latched and name in self._advertised:
-            self._topics[name] = Topic(name, known.type, lambda _now: payload, latched=True)
+            self._topics[name] = replace(known, history=lambda: (payload,))
         return name, payload
 
     def offer(self, session: "Session", name: str, type_: str) -> None:

@@ -52,6 +52,22 @@ async def test_what_one_client_publishes_another_hears(
             pass  # until the bridge has noticed
 
 
+async def test_a_robots_topic_outlives_a_client_that_publishes_it_too(client: ClientConnection) -> None:
+    await send(client, "advertise", topic="/robot_0/cargo", type="std_msgs/Bool")
+    await send(client, "publish", topic="/robot_0/cargo", type="std_msgs/Bool", msg={"data": True})
+    await send(client, "unadvertise", topic="/robot_0/cargo")
+    answer = await call(client, "/rosapi/topic_type", {"topic": "/robot_0/cargo"})
+    assert answer["values"] == {"type": "std_msgs/Bool"}
+    await send(client, "subscribe", topic="/robot_0/cargo")
+    assert (await read(client))["msg"] == {"data": False}
+
+
+async def test_a_latched_topic_without_a_message_says_nothing(client: ClientConnection) -> None:
+    await send(client, "advertise", topic="/chatter", type="std_msgs/String", latch=True)
+    await send(client, "subscribe", topic="/chatter")
+    assert await frames_before_an_answer(client) == []
+
+
 async def test_what_one_client_offers_another_calls(
     server: RosbridgeServer, client: ClientConnection
 ) -> None:
