@@ -72,7 +72,9 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
             Verdict.FAIL,
             "the robots' nodes are not registered: restart them"
             f" (topics of {listed(robots)} come, and none of their services exists)",
-            "a node that ran before the ROS master was restarted is not known to the new one",
+            f"look for them with {named(LOOK_FOR_NODE, 2)}"
+            if facts.rosapi.ros == 2
+            else "a node that ran before the ROS master was restarted is not known to the new one",
         ),
         "the robots' nodes are not registered",
         services=frozenset(services),

@@ -30,19 +30,31 @@ def round_trip_finding(facts: BridgeFacts) -> Finding:
     return Finding(facts.name, "round trip", Verdict.OK, measured, values=values)
 
 
+def _lateness(facts: BridgeFacts) -> tuple[float, float]:
+    """Seconds by which poses got older while all topics came, and that calls took meanwhile: the medians."""
+    late = [topic.late for topic in facts.topics if topic.late is not None]
+    trips = facts.busy_trips or facts.round_trips
+    return statistics.median(late or [0.0]), statistics.median(trips or [0.0])
+
+
+def falls_behind(facts: BridgeFacts) -> bool:
+    """Whether the bridge has more to do than it can; unknown where we ourselves were late."""
+    late, calls = _lateness(facts)
+    return (late >= LATE or calls >= SLOW) and facts.behind <= BEHIND
+
+
 def load_finding(facts: BridgeFacts) -> Finding:
     """Tell whether the bridge keeps up with all topics at once: else calls are slower, stamps older."""
     rate = sum(topic.rate or 0.0 for topic in facts.topics)
     if not rate:
         return Finding(facts.name, "load", Verdict.SKIPPED, "no message to measure it by")
-    late = statistics.median([topic.late for topic in facts.topics if topic.late is not None] or [0.0])
-    calls = statistics.median(facts.busy_trips or facts.round_trips or [0.0])
+    late, calls = _lateness(facts)
     lateness = f"poses {milliseconds(late)} late at the end, calls {milliseconds(calls)} meanwhile"
     measured = f"{rate:.0f} messages/s, {lateness}"
     values = {"messages_per_s": round(rate, 1), "late_s": round(late, 3), "call_s": round(calls, 4)}
-    if late < LATE and calls < SLOW:
-        return Finding(facts.name, "load", Verdict.OK, measured, values=values)
-    if facts.behind > BEHIND:
+    if not falls_behind(facts):
+        if late < LATE and calls < SLOW:
+            return Finding(facts.name, "load", Verdict.OK, measured, values=values)
         own = f"{measured}; but this machine was {milliseconds(facts.behind)} behind itself"
         return Finding(facts.name, "load", Verdict.SKIPPED, own, values=values)
     carries = MOST_MESSAGES.get(facts.rosapi.ros)

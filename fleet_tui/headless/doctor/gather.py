@@ -2,7 +2,6 @@
 
 import asyncio
 import time
-from contextlib import suppress
 
 from fleet_tui.config.profile import SERVICES
 from fleet_tui.config.schema import Config
@@ -25,16 +24,18 @@ ROUND_TRIPS = 10
 BETWEEN = 0.05  # seconds between two of them while all topics come
 
 
-async def measure_calls(wire: Wire, pause: float = 0.0) -> tuple[float, ...]:
+async def measure_calls(wire: Wire, until: float, pause: float = 0.0) -> tuple[float, ...]:
     """Round trips to the bridge itself in seconds, one after the other."""
     trips = list[float]()
-    until = time.monotonic() + ANSWER_WITHIN
+    until = min(until, time.monotonic() + ANSWER_WITHIN)
     while len(trips) < ROUND_TRIPS and time.monotonic() < until:
         began = time.monotonic()
-        with suppress(LinkError):
-            await wire.beat(ANSWER_WITHIN)
-        if wire.lost:
-            break
+        try:
+            await wire.beat(max(0.1, until - time.monotonic()))
+        except LinkError:
+            # The first one that is not answered has taken at least as long.
+            if wire.lost or trips:
+                break
         trips.append(time.monotonic() - began)
         await asyncio.sleep(pause)
     return tuple(trips)
@@ -67,7 +68,7 @@ async def _look_up(config: Config, name: str, wire: Wire, rosapi: Rosapi, until:
 
 async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeFacts:
     """Everything about a bridge that answers, by the monotonic `until`: questions and topics side by side."""
-    trips = await measure_calls(wire)
+    trips = await measure_calls(wire, until)
     rosapi, ahead = await look_around(wire), None
     drawn = [floor.name for floor in config.floors if floor.map]
     wanted = asked_topics(config, name)
@@ -75,7 +76,7 @@ async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeF
     if not rosapi.problem:
         ahead = await clock_ahead(wire)
         rosapi = await _look_up(config, name, wire, rosapi, until)
-    busy = () if listening.done() else await measure_calls(wire, BETWEEN)
+    busy = () if listening.done() else await measure_calls(wire, until, BETWEEN)
     heard = await listening
     lost = wire.lost or heard.lost
     return BridgeFacts(name, rosapi, tuple(heard.topics), trips, ahead, lost, busy, heard.behind)

@@ -136,7 +136,7 @@ async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) ->
     await asyncio.sleep(LET_GO)
     for one, _ in silent[:MOST_HELD] if not rosapi.problem else ():
         topic = one.subscription.topic
-        holders = await subscribers(wire, topic)
+        holders = await subscribers(wire, topic, until)
         wire.heard[topic].held_by = next((node for node in holders if "rosbridge" in node), "")
     for one, type_ in silent:
         wire.ask_plainly(one, type_)

@@ -65,10 +65,11 @@ async def clock_ahead(wire: Wire) -> float | None:
     return None if told is None else told - (wall + (time.monotonic() - began) / 2)
 
 
-async def _ask(wire: Wire, verb: str, args: dict[str, object], key: str) -> Any:
+async def _ask(wire: Wire, verb: str, args: dict[str, object], key: str, until: float) -> Any:
     """One field of an answer, None without an answer."""
     try:
-        answer = await wire.call(f"/rosapi/{verb}", args, ANSWER_WITHIN)
+        within = max(0.1, min(ANSWER_WITHIN, until - time.monotonic()))
+        answer = await wire.call(f"/rosapi/{verb}", args, within)
     except LinkError:
         return None
     return answer.get(key) if isinstance(answer, dict) else None
@@ -78,16 +79,16 @@ async def ask_publishers(wire: Wire, rosapi: Rosapi, topics: Iterable[str], unti
     """Add who publishes these topics, as far as there is time until the monotonic `until`."""
 
     async def publishers_of(topic: str) -> tuple[str, ...] | None:
-        nodes = await _ask(wire, "publishers", {"topic": topic}, "publishers")
+        nodes = await _ask(wire, "publishers", {"topic": topic}, "publishers", until)
         return tuple(map(str, nodes)) if isinstance(nodes, list) else None
 
     found = await _each(publishers_of, [topic for topic in topics if topic in rosapi.topics], until)
     return replace(rosapi, publishers={**rosapi.publishers, **found})
 
 
-async def subscribers(wire: Wire, topic: str) -> list[str]:
+async def subscribers(wire: Wire, topic: str, until: float) -> list[str]:
     """The nodes that are subscribed to a topic."""
-    nodes = await _ask(wire, "subscribers", {"topic": topic}, "subscribers")
+    nodes = await _ask(wire, "subscribers", {"topic": topic}, "subscribers", until)
     return [str(node) for node in nodes] if isinstance(nodes, list) else []
 
 
@@ -96,10 +97,10 @@ async def ask_services(wire: Wire, rosapi: Rosapi, services: Iterable[str], unti
     there = [service for service in services if service in rosapi.services]
 
     async def type_of(service: str) -> str:
-        return str(await _ask(wire, "service_type", {"service": service}, "type") or "")
+        return str(await _ask(wire, "service_type", {"service": service}, "type", until) or "")
 
     async def node_of(service: str) -> str:
-        return str(await _ask(wire, "service_node", {"service": service}, "node") or "")
+        return str(await _ask(wire, "service_node", {"service": service}, "node", until) or "")
 
     types = await _each(type_of, there, until)
     owners = await _each(node_of, there, until)

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from fleet_tui.config.profile import FLOOR_TOPICS
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.headless.doctor.causes import Cause
+from fleet_tui.headless.doctor.clocks import falls_behind
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts, is_hidden
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.headless.doctor.names import near_topic, robots_on
@@ -105,7 +106,7 @@ def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
         return _finding(facts, Verdict.OK, f"{expected}, one is enough: not listened to", type=there)
     if bridge.lost and not facts.count:
         return _finding(facts, Verdict.SKIPPED, f"the link was lost: {bridge.lost}")
-    return _what_came(config, facts, rosapi)
+    return _what_came(config, facts, bridge)
 
 
 def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
@@ -142,7 +143,8 @@ def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFac
     )
 
 
-def _what_came(config: Config, facts: TopicFacts, rosapi: Rosapi) -> Finding:
+def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
+    rosapi = bridge.rosapi
     nodes = rosapi.publishers.get(facts.topic)
     values = {
         "type": rosapi.topics.get(facts.topic) or None,
@@ -155,9 +157,12 @@ def _what_came(config: Config, facts: TopicFacts, rosapi: Rosapi) -> Finding:
         "age_s": None if facts.age is None else round(facts.age, 2),
         "first_after_s": None if facts.first_after is None else round(facts.first_after, 3),
     }
-    verdict, measured, remedy = _judged(config, facts) if facts.count else _nothing_came(facts, rosapi)
     if facts.fragmented or (facts.again and facts.count):
         verdict, measured, remedy = _asked_again(facts, rosapi)
+    elif facts.count:
+        verdict, measured, remedy = _judged(config, facts, bridge)
+    else:
+        verdict, measured, remedy = _nothing_came(facts, rosapi)
     if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
         remedy += f" ({UNSEEN}: are [profile.topics] {facts.wanted.kind.key} and its type right?)"
     if verdict is Verdict.OK:
@@ -203,7 +208,7 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
         return (
             Verdict.FAIL,
             f"{nothing}: another client of the bridge took it before its publisher was found, and so nobody"
-            f" gets the last value; that is no fault of {nodes[0]}",
+            " gets the last value; that is no fault of its publisher",
             "restart rosbridge, or let all its clients go for a second",
         )
     optional = key in ("map", "map_metadata") and nodes is None
@@ -211,7 +216,7 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
     return (Verdict.WARN if optional else Verdict.FAIL), nothing, late
 
 
-def _judged(config: Config, facts: TopicFacts) -> tuple[Verdict, str, str]:
+def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Verdict, str, str]:
     fields = "correct [profile.fields], or the node that publishes it"
     if facts.event is None:
         return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
@@ -222,6 +227,8 @@ def _judged(config: Config, facts: TopicFacts) -> tuple[Verdict, str, str]:
     age = f"last {facts.age or 0.0:.1f} s ago"
     measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
     if facts.wanted.kind.key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
+        if falls_behind(bridge):
+            return Verdict.SKIPPED, f"{measured}: the bridge falls behind, see its load above", ""
         slow = f"{measured}: poses should come with about 10 Hz"
         return Verdict.WARN, slow, "is the network or the robot's computer overloaded?"
     if facts.rate is not None and 1 / facts.rate > config.alarms.offline_after:
