@@ -5,10 +5,12 @@ import asyncio
 import logging
 import random
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 
 from fleet_tui.config.profile import Profile
 from fleet_tui.errors import LinkError
 from fleet_tui.link.calls import Calls
+from fleet_tui.link.latched import Latched
 from fleet_tui.link.overhearing import Overhearing
 from fleet_tui.link.reading import Reading
 from fleet_tui.link.subscriptions import Wanted, type_problem
@@ -50,6 +52,7 @@ class Subscriber:
         self._refused: set[str] = set()
         self._map: Wanted | None = None
         self.overhearing = Overhearing(connection, self._ask_types)
+        self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
         self._asked: dict[str, float] = {}
         self._patience: dict[str, float] = {}
         self._task: asyncio.Task[None] | None = None
@@ -65,9 +68,30 @@ class Subscriber:
     async def _begin(self) -> None:
         await self._subscribe_to(self._robots)
         self.overhearing.subscribe(self._types)
+        self._look_after_latched()
+
+    def _look_after_latched(self) -> None:
+        if self._is_ros2:
+            self._latched.start(FOR_EACH_TOPIC)
+
+    @property
+    def _is_ros2(self) -> bool:
+        """Whether the bridge may be one of ROS 2: as the types say, where rosapi tells them."""
+        return not self._types or any("/msg/" in type_ for type_ in self._types.values())
+
+    def _of_latched(self) -> list[Wanted]:
+        """The latched topics that are asked for, as far as rosapi knows that they exist."""
+        return [
+            one
+            for one in self._of(self._robots)
+            if one.kind.per_floor
+            and one.subscription.topic not in self._refused
+            and (not self._types or one.subscription.topic in self._types)
+        ]
 
     def stop(self) -> None:
         """There is nobody to ask any more."""
+        self._latched.stop()
         if self._task is not None:
             self._task.cancel()
 
@@ -140,11 +164,11 @@ class Subscriber:
         self._reading.counter.topics[wanted.subscription.topic].not_subscribed = ""
         asked = wanted.subscription
         # ROS 2 writes the same type with a middle part: the bridge wants its own spelling back.
-        asked = operations.Subscription(
-            asked.topic,
-            self._types.get(asked.topic, asked.type),
-            asked.throttle_rate,
-            compression or asked.compression,
+        asked = replace(
+            asked,
+            type=self._types.get(asked.topic, asked.type),
+            compression=compression or asked.compression,
+            latched=wanted.kind.per_floor and self._is_ros2 and self._latched.wants_qos(asked.topic),
         )
         try:
             self._connection.send(operations.subscribe(asked))
@@ -176,3 +200,4 @@ class Subscriber:
         self._map = wanted
         if wanted is not None and self._connection.is_connected:
             self._subscribe(wanted)
+            self._look_after_latched()

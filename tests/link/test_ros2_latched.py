@@ -1,0 +1,92 @@
+"""Maps, graphs and labels behind a bridge of ROS 2: they come whoever subscribed first, after each restart."""
+
+import os
+from collections.abc import AsyncIterator
+
+import pytest
+
+from fleet_tui.link import latched, transport
+from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
+from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.ros.ros2 import ROS2
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
+from tests.linked import finished, linked, phase, ready
+from tests.watched import WatchedStore, config_of
+
+RESTARTS = int(os.environ.get("FLEET_TUI_RESTARTS", "3"))
+LATCHED = ("graph", "labeled_vertices", "map_metadata", "map")
+
+
+@pytest.fixture
+async def server(monkeypatch: pytest.MonkeyPatch) -> AsyncIterator[RosbridgeServer]:
+    monkeypatch.setattr(transport, "FIRST_DELAY", 0.05)
+    monkeypatch.setattr(transport, "LONGEST_DELAY", 0.2)
+    server = RosbridgeServer(World(2, 1, seed=1, quiet=True), dialect=ROS2)
+    await server.start()
+    yield server
+    await server.stop()
+
+
+def counts(link: object, robots: int = 1) -> list[int]:
+    from fleet_tui.link.fleet_link import FleetLink
+
+    assert isinstance(link, FleetLink)
+    topics = link.counters["rosbridge"].topics
+    found = [topics[f"/robot_{n}/floor_0/{name}"].count for n in range(robots) for name in LATCHED[:3]]
+    return [*found, topics["/robot_0/floor_0/map"].count]
+
+
+async def came_again(link: object, store: WatchedStore, before: list[int]) -> None:
+    await store.until(
+        lambda _: all(now > then for now, then in zip(counts(link, 2), before, strict=True)), within=15
+    )
+
+
+async def test_everything_latched_comes_after_each_restart_of_the_bridge(server: RosbridgeServer) -> None:
+    async with linked(config_of(server.url, 2)) as (link, store):
+        await store.until(ready)
+        link.show_map("robot_0", "floor_0")
+        await came_again(link, store, [0] * 7)
+        for _ in range(RESTARTS):
+            before = counts(link, 2)
+            await server.restart_bridge()
+            await store.until(lambda state: not phase(Phase.UP)(state))
+            await came_again(link, store, before)
+        record = await finished(link, store, PlaceOrder("robot_0", 0, 1))
+        assert record.stage is Stage.CONFIRMED
+
+
+async def test_a_volatile_publisher_is_asked_without_qos_and_that_is_remembered(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.5)
+    play(server, [("volatile-maps", "robot_0")])
+
+    def known(state: FleetState) -> bool:
+        chart = state.robots["robot_0"].charts["floor_0"]
+        return bool(chart.graph and chart.labels and chart.frame)
+
+    async with linked(config_of(server.url, 1)) as (_, store):
+        await store.until(known, within=30)
+        asked = [one for one in server.received if one["op"] == "subscribe" and "graph" in one["topic"]]
+        assert ["qos" in one for one in asked] == [True, False]
+        await server.restart_bridge()
+        await store.until(lambda state: not phase(Phase.UP)(state))
+        await store.until(
+            lambda _: (
+                sum(one["op"] == "subscribe" and "graph" in one["topic"] for one in server.received) == 3
+            )
+        )
+        again = [one for one in server.received if one["op"] == "subscribe" and "graph" in one["topic"]]
+        assert "qos" not in again[-1]
+
+
+async def test_telemetry_is_asked_for_without_qos_and_commands_work(server: RosbridgeServer) -> None:
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(ready)
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
+        asked = {one["topic"]: "qos" in one for one in server.received if one["op"] == "subscribe"}
+    assert not asked["/robot_0/pose"] and not asked["/robot_0/queue"] and asked["/robot_0/floor_0/graph"]
