@@ -11,6 +11,9 @@ from fleet_tui.rosbridge.robot_words import HEALTH_TYPES, LOG_TYPES
 
 # The types in ROS 1 and in ROS 2.
 TYPES = {ROSOUT: LOG_TYPES, DIAGNOSTICS: HEALTH_TYPES}
+# Seconds for which the log of a bridge of ROS 2 is heard after it was asked for topics: only there it says
+# which of them it could not subscribe.
+COMPLAINTS_FOR = 10.0
 # Messages that the bridge keeps for us: robots say several lines at once.
 QUEUE = 100
 
@@ -43,9 +46,16 @@ class Overhearing:
     def subscribe(self, types: Mapping[str, str]) -> None:
         """Ask for them, if they are wanted; what nobody publishes yet may still come."""
         is_ros2 = any("/msg/" in type_ for type_ in types.values())
-        for topic, (ros1, ros2) in TYPES.items() if self._wanted else ():
-            type_ = types.get(topic) or (ros2 if is_ros2 else ros1)
-            self._send(operations.subscribe(operations.Subscription(topic, type_, queue_length=QUEUE)))
+        for topic, (ros1, ros2) in TYPES.items():
+            if self._wanted or (is_ros2 and topic == ROSOUT):
+                type_ = types.get(topic) or (ros2 if is_ros2 else ros1)
+                self._send(operations.subscribe(operations.Subscription(topic, type_, queue_length=QUEUE)))
+        if is_ros2 and not self._wanted:
+            asyncio.get_running_loop().call_later(COMPLAINTS_FOR, self._let_go)
+
+    def _let_go(self) -> None:
+        if not self._wanted:
+            self._send(operations.unsubscribe(ROSOUT))
 
     def _send(self, frame: bytes) -> None:
         try:

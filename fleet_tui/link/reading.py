@@ -47,7 +47,7 @@ class Reading:
 
     def read(
         self, payload: bytes, is_binary: bool, at: float
-    ) -> events.Event | operations.ServiceResponse | None:
+    ) -> events.Event | operations.ServiceResponse | operations.Fragment | None:
         """One frame as what it means."""
         self.counter.all.take(len(payload), at)
         if len(payload) > WORTH_A_PROCESS and not is_binary:
@@ -104,7 +104,11 @@ class Reading:
     def _overhear(self, topic: str, msg: object, at: float) -> None:
         """What changes nothing in the picture."""
         if topic == ROSOUT:
-            self.counter.take_log(robot_words.log_line(msg, at))
+            line = robot_words.log_line(msg, at)
+            self.counter.take_log(line)
+            if (about := robot_words.complaint(line)) and about[0] in self.counter.topics:
+                LOG.warning("the bridge did not subscribe %s: %s", brief(about[0]), about[1])
+                self.counter.topics[about[0]].not_subscribed = f"the bridge says: {about[1]}"
         else:
             self.counter.take_health(robot_words.diagnoses(msg, at))
 

@@ -23,6 +23,8 @@ LOG = logging.getLogger(__name__)
 ROSAPI_TIMEOUT = 2.0
 # A bridge too old for CBOR says nothing: after this many seconds the map is asked for as JSON.
 CBOR_PATIENCE = 20.0
+# A bridge of ROS 2 is never too old, but sends no CBOR larger than its max_message_size: only pieces of JSON.
+CBOR_PATIENCE_ROS2 = 8.0
 # A bridge behind which roscore was restarted stays silent until it is asked anew. A robot that is only
 # switched off is asked for again and again, each time after twice as long. Seconds; a real bridge takes
 # 20 ms for each topic, and has not finished before that.
@@ -50,6 +52,8 @@ class Subscriber:
         self._first_again = FIRST_AGAIN + FOR_EACH_TOPIC * len(wanted)
         self._types: dict[str, str] = {}
         self._refused: set[str] = set()
+        self._as_json: set[str] = set()
+        """Maps that never came as CBOR."""
         self._map: Wanted | None = None
         self.overhearing = Overhearing(connection, self._ask_types)
         self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
@@ -66,8 +70,10 @@ class Subscriber:
         self._task = asyncio.ensure_future(self._begin())
 
     async def _begin(self) -> None:
-        await self._subscribe_to(self._robots)
+        self._types = await self._ask_types()
+        # First, to hear what the bridge has to say of the others.
         self.overhearing.subscribe(self._types)
+        self._subscribe_to(self._robots)
         self._look_after_latched()
 
     def _look_after_latched(self) -> None:
@@ -123,7 +129,8 @@ class Subscriber:
         for wanted in self._of(robots):
             self._unsubscribe(wanted)
         await asyncio.sleep(let_go)
-        await self._subscribe_to(robots)
+        self._types = await self._ask_types()
+        self._subscribe_to(robots)
 
     def _of(self, robots: Collection[str]) -> list[Wanted]:
         return [
@@ -132,8 +139,7 @@ class Subscriber:
             if one.robot in robots and (not one.kind.heavy or one is self._map)
         ]
 
-    async def _subscribe_to(self, robots: Collection[str]) -> None:
-        self._types = await self._ask_types()
+    def _subscribe_to(self, robots: Collection[str]) -> None:
         for wanted in self._of(robots):
             self._subscribe(wanted)
 
@@ -153,7 +159,7 @@ class Subscriber:
             return {}
         return {str(topic): str(type_) for topic, type_ in zip(topics, types, strict=False)}
 
-    def _subscribe(self, wanted: Wanted, compression: str = "") -> None:
+    def _subscribe(self, wanted: Wanted) -> None:
         problem = type_problem(wanted, self._types, self._profile)
         if problem:
             if wanted.subscription.topic not in self._refused:
@@ -167,7 +173,7 @@ class Subscriber:
         asked = replace(
             asked,
             type=self._types.get(asked.topic, asked.type),
-            compression=compression or asked.compression,
+            compression="none" if asked.topic in self._as_json else asked.compression,
             latched=wanted.kind.per_floor and self._is_ros2 and self._latched.wants_qos(asked.topic),
         )
         try:
@@ -176,12 +182,14 @@ class Subscriber:
             return
         # Where rosapi answers it says whether there is a map at all.
         if asked.compression == "cbor" and (asked.topic in self._types or not self._types):
-            asyncio.get_running_loop().call_later(CBOR_PATIENCE, self._ask_plainly, wanted)
+            patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self._types else CBOR_PATIENCE
+            asyncio.get_running_loop().call_later(patience, self._ask_plainly, wanted)
 
     def _ask_plainly(self, wanted: Wanted) -> None:
         if self._map is wanted and wanted.subscription.topic not in self._reading.maps_heard:
             self._unsubscribe(wanted)
-            self._subscribe(wanted, "none")
+            self._as_json.add(wanted.subscription.topic)
+            self._subscribe(wanted)
 
     def _unsubscribe(self, wanted: Wanted) -> None:
         try:

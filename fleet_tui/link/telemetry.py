@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 
 from fleet_tui.config.schema import Config
+from fleet_tui.errors import WireError
 from fleet_tui.link.backlog import Backlog, Frame
 from fleet_tui.link.calls import Calls
 from fleet_tui.link.map_process import WORTH_A_PROCESS, topic_of
@@ -23,10 +24,11 @@ from fleet_tui.model.bounds import brief
 from fleet_tui.model.link import Phase
 from fleet_tui.robots.interface import Interface
 from fleet_tui.rosbridge import operations
+from fleet_tui.rosbridge.fragments import Fragments
 
 LOG = logging.getLogger(__name__)
 
-Read = events.Event | operations.ServiceResponse | None
+Read = events.Event | operations.ServiceResponse | operations.Fragment | None
 
 # Larger frames are decoded beside the loop, so that small ones don't wait.
 HEAVY_BYTES = 100_000
@@ -65,6 +67,7 @@ class Telemetry:
         self.show_map = self._subscriber.show_map
         self.overhear = self._subscriber.overhearing.listen
         self.counter = self._reading.counter
+        self._fragments = Fragments(int(bridge.max_message_mb * 1e6))
         self._backlog = Backlog(self.connection, self._reading, self._read_frame)
         writer.before_tick.append(self._look)
         writer.backlogs.append(self._backlog.age)
@@ -101,6 +104,7 @@ class Telemetry:
         self.services.stop()
         self._sourcing.stop()
         self._backlog.clear()
+        self._fragments.clear()
         self._calls.on_lost()
         now = time.monotonic()
         self.counter.lost(reason, now)
@@ -148,17 +152,29 @@ class Telemetry:
         self._take(self._reading.too_large(head, is_binary, size, self._heard))
 
     def _take_frame(self, payload: bytes, is_binary: bool, at: float, read: Read) -> None:
-        """Tell what a frame that came at `at` was read as."""
-        if self._writer.tap is not None:
+        """Tell what a frame that came at `at` was read as. Of pieces only the whole message is recorded."""
+        if self._writer.tap is not None and not isinstance(read, operations.Fragment):
             self._writer.tap.heard(self._link, "topics", payload, is_binary, at)
         if isinstance(read, operations.ServiceResponse):
             self._calls.on_response(read)
+        elif isinstance(read, operations.Fragment):
+            self._put_together(read)
         elif read is not None:
             if isinstance(read, events.MessageRejected | events.FrameRejected):
                 self._log_once(read.text)
             elif isinstance(read, events.Telemetry):
                 self._robots_spoke[read.robot] = read.at
             self._writer.store.tell(read)
+
+    def _put_together(self, piece: operations.Fragment) -> None:
+        try:
+            whole = self._fragments.add(piece)
+        except WireError as problem:
+            self.counter.dropped += 1
+            self._take(events.FrameRejected(self._link, str(problem)))
+            return
+        if whole is not None:
+            self.on_frame(whole, False)
 
     def _take(self, rejected: events.Event) -> None:
         """Tell what could not be read, or was not even asked for."""

@@ -10,7 +10,7 @@ from fleet_tui.model.apply import apply
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.robots import KINDS
-from fleet_tui.rosbridge.operations import ServiceResponse
+from fleet_tui.rosbridge.operations import Fragment, ServiceResponse
 
 
 class Frames:
@@ -46,6 +46,6 @@ class Frames:
             case Heard(channel="topics", link=link) if link in self._readings:
                 at = record.at if record.came is None else record.came
                 read = self._readings[link].read(record.payload, record.binary, at)
-                if read is not None and not isinstance(read, ServiceResponse):
+                if read is not None and not isinstance(read, ServiceResponse | Fragment):
                     return apply(state, read)
         return state

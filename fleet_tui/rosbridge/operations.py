@@ -4,6 +4,8 @@ Written from what a real rosbridge_server 0.11 sends: see the transcripts in tes
 """
 
 import hashlib
+import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -36,10 +38,19 @@ class Status(msgspec.Struct, frozen=True):
     text: str
 
 
+class Fragment(msgspec.Struct, frozen=True):
+    """Piece `num` (from 0) of `total` of a message that the bridge cut up; `id` tells it from others."""
+
+    id: str
+    data: str
+    num: int
+    total: int
+
+
 LARGEST_ANSWER = 4 * 2**20
 """Bytes of the values of an answer, or of what a bridge says; larger ones are not read."""
 
-Operation = Publish | ServiceResponse | Status
+Operation = Publish | ServiceResponse | Status | Fragment
 
 
 class _Frame(msgspec.Struct):
@@ -52,6 +63,9 @@ class _Frame(msgspec.Struct):
     values: msgspec.Raw = msgspec.Raw(b"null")
     result: bool = True
     level: str = ""
+    data: str = ""
+    num: int = -1
+    total: int = 0
 
 
 _decoder = msgspec.json.Decoder(_Frame)
@@ -64,7 +78,7 @@ def _values(raw: msgspec.Raw) -> Any:
 
 
 def decode(payload: bytes) -> Operation | None:
-    """A text frame as an operation, None for one that a client has no use for.
+    """Decode a text frame into an operation, None for one that a client has no use for.
 
     Raises WireError for a frame that is no operation.
     """
@@ -75,12 +89,35 @@ def decode(payload: bytes) -> Operation | None:
                 return Publish(frame.topic, frame.msg)
             case "service_response":
                 return ServiceResponse(frame.id or "", _values(frame.values), frame.result)
+            case "fragment":
+                return Fragment(frame.id or "", frame.data, frame.num, frame.total)
             case "status":
                 text = _values(frame.msg)
                 return Status(frame.level, text if isinstance(text, str) else str(text))
     except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as problem:
+        if (lenient := _decode_leniently(payload)) is not None:
+            return lenient
         raise WireError(f"frame of {len(payload):,} bytes: {problem}") from None
     return None
+
+
+# A bridge of ROS 2 writes these bare in arrays of fixed length, such as every covariance: that is no JSON.
+_BARE = re.compile(rb"[\[,:]\s*(?:NaN|-?Infinity)\b")
+LARGEST_LENIENT = 2**20
+"""Bytes of a frame that is read once more with them."""
+
+
+def _decode_leniently(payload: bytes) -> Publish | None:
+    """A published message with bare NaN or Infinity, as plain values; None for anything else."""
+    if len(payload) > LARGEST_LENIENT or not _BARE.search(payload):
+        return None
+    try:
+        frame = json.loads(payload)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(frame, dict) or frame.get("op") != "publish" or not isinstance(frame.get("topic"), str):
+        return None
+    return Publish(frame["topic"], frame.get("msg"))
 
 
 def decode_cbor(payload: bytes) -> Operation | None:

@@ -2,12 +2,13 @@
 
 import base64
 import binascii
+import re
 
 import msgspec
 
 from fleet_tui.errors import WireError
 from fleet_tui.model.bounds import LONGEST_NAME, brief
-from fleet_tui.model.robot_words import Diagnosis, LogLine
+from fleet_tui.model.robot_words import Diagnosis, LogLine, Severity
 from fleet_tui.rosbridge.messages import Stamp, reader
 
 LONGEST_TEXT = 2000
@@ -69,6 +70,19 @@ def log_line(msg: object, at: float) -> LogLine:
     log = _read_log(msg)
     stamp = log.header.stamp.seconds or log.stamp.seconds
     return LogLine(at, log.level, brief(log.name, LONGEST_NAME), brief(log.msg, LONGEST_TEXT), stamp)
+
+
+# With the id of the operation, which for us names the topic.
+_COMPLAINT = re.compile(r"\[id: subscribe:(?P<topic>[^\]]+)\]\s*(?:subscribe:\s*)?(?P<reason>.+)", re.DOTALL)
+
+
+def complaint(line: LogLine) -> tuple[str, str] | None:
+    """Find why a bridge of ROS 2 did not take a subscription of ours: topic and reason. It says so only in
+    its own log; None for any other line."""
+    if "rosbridge" not in line.node or (line.severity or Severity.DEBUG) < Severity.ERROR:
+        return None
+    found = _COMPLAINT.search(line.text)
+    return (found["topic"], found["reason"]) if found else None
 
 
 def byte(value: int | str | list[int]) -> int:

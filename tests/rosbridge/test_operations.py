@@ -2,6 +2,7 @@
 
 import base64
 import json
+import math
 from typing import Any
 
 import cbor2
@@ -11,7 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.errors import WireError
+from fleet_tui.rosbridge.fragments import MOST_MESSAGES, Fragments
 from fleet_tui.rosbridge.operations import (
+    Fragment,
     Publish,
     ServiceResponse,
     Status,
@@ -22,7 +25,7 @@ from fleet_tui.rosbridge.operations import (
     subscribe,
     unsubscribe,
 )
-from tests.fleets import recording
+from tests.fleets import WIRE, recording
 
 TEXTS = ["telemetry-and-orders.jsonl", "rosapi-and-scan.jsonl", "map-json.jsonl.gz"]
 
@@ -94,7 +97,7 @@ def test_a_bridge_that_speaks_up() -> None:
     assert decode(b'{"op":"status","level":"error","msg":{"a":1}}') == Status("error", "{'a': 1}")
 
 
-@pytest.mark.parametrize("op", ["png", "fragment", "nonsense", "", "subscribe"])
+@pytest.mark.parametrize("op", ["png", "nonsense", "", "subscribe"])
 def test_an_operation_without_use_is_passed_over(op: str) -> None:
     assert decode(json.dumps({"op": op, "data": "x"}).encode()) is None
     assert decode_cbor(cbor2.dumps({"op": op, "topic": "/a", "msg": 1})) is None
@@ -110,7 +113,6 @@ def test_an_operation_without_use_is_passed_over(op: str) -> None:
         b'{"topic":"/a"}',
         b'{"op":7}',
         b'{"op":"publish","topic":7,"msg":{}}',
-        b'{"op":"publish","topic":"/a","msg":NaN}',
         b'{"op":"publish","topic":"\xff","msg":{}}',
         b'{"op":"publish","topic":"/a","msg":' + b"[" * 100_000 + b"]" * 100_000 + b"}",
         b'{"op":"service_response","id":"a","values":' + b"9" * 5000 + b"}",
@@ -216,3 +218,64 @@ def test_a_call_arrives_as_it_was_meant(service: str, args: dict[str, object]) -
         return  # half of a surrogate pair: no name in a config can hold one
     asked = {"op": "call_service", "id": "c1", "service": service, "args": args, "timeout": 2.5}
     assert json.loads(frame) == asked
+
+
+ROS2 = sorted(path.name for path in WIRE.glob("ros2-*.jsonl*"))
+
+
+@pytest.mark.parametrize("name", ROS2)
+def test_no_frame_of_a_bridge_of_ros_2_is_dropped_or_misread(name: str) -> None:
+    pieces, cut_up = Fragments(10_000_000), 0
+    for line in recording(name):
+        if line["dir"] != "in":
+            continue
+        if "binary" in line:
+            operation = decode_cbor(base64.b64decode(line["binary"]))
+            assert isinstance(operation, Publish) and operation.topic
+            continue
+        frame = json.loads(line["text"])  # which takes bare NaN as well
+        operation = decode(line["text"].encode())
+        if isinstance(operation, Fragment):
+            cut_up += 1
+            whole = pieces.add(operation)
+            if whole is None:
+                continue
+            frame, operation = json.loads(whole), decode(whole)
+        if frame["op"] == "publish":
+            assert isinstance(operation, Publish) and operation.topic == frame["topic"]
+            raw = isinstance(operation.msg, msgspec.Raw)
+            said = json.loads(bytes(operation.msg)) if raw else operation.msg
+            assert repr(said) == repr(frame["msg"])
+        elif frame["op"] == "service_response":
+            assert operation == ServiceResponse(frame["id"], frame["values"], frame["result"])
+    assert bool(cut_up) is ("fragments" in name)
+
+
+def test_bare_numbers_that_are_no_json_are_read_as_they_are_meant() -> None:
+    read = decode(b'{"op":"publish","topic":"/a","msg":{"c":[NaN,-Infinity, Infinity,1.5],"t":"NaN"}}')
+    assert isinstance(read, Publish)
+    assert repr(read.msg) == repr({"c": [math.nan, -math.inf, math.inf, 1.5], "t": "NaN"})
+    for bad in (b'{"op":"publish","topic":"/a","msg":[NaN}', b'{"op":"publish","topic":7,"msg":[NaN]}'):
+        with pytest.raises(WireError):
+            decode(bad)
+
+
+def piece(id_: str, num: int, total: int, data: str = "x") -> Fragment:
+    return Fragment(id_, data, num, total)
+
+
+def test_pieces_are_put_together_in_any_order_and_bounded() -> None:
+    pieces = Fragments(limit=10)
+    assert [pieces.add(one) for one in (piece("a", 1, 2, "B"), piece("b", 0, 1, "C"))] == [None, b"C"]
+    assert pieces.add(piece("a", 0, 2, "A")) == b"AB"
+    for wrong in (piece("a", 2, 2), piece("a", -1, 2), piece("a", 0, 0), piece("a", 0, 10**6)):
+        with pytest.raises(WireError):
+            pieces.add(wrong)
+    with pytest.raises(WireError, match="over the limit"):
+        pieces.add(piece("a", 0, 2, "x" * 11))
+    for n in range(MOST_MESSAGES + 1):
+        assert pieces.add(piece(str(n), 0, 2, "A")) is None
+    assert pieces.add(piece("0", 1, 2, "B")) is None  # its first piece was let go
+    assert pieces.add(piece(str(MOST_MESSAGES), 1, 2, "B")) == b"AB"
+    pieces.clear()
+    assert pieces.add(piece("3", 1, 2, "B")) is None

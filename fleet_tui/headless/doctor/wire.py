@@ -8,8 +8,6 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
 
-import msgspec
-
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.headless.doctor.facts import TopicFacts
@@ -19,25 +17,14 @@ from fleet_tui.link.reading import ROSOUT
 from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.link.transport import Connection
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
-from fleet_tui.model.robot_words import Severity
 from fleet_tui.rosbridge import operations
 from fleet_tui.rosbridge.operations import Subscription
-from fleet_tui.rosbridge.robot_words import log_line
+from fleet_tui.rosbridge.robot_words import complaint, log_line
 
 HEAVY_BYTES = 100_000
 QUEUE = 100  # lines of the log that the bridge keeps for us
-# As the bridge logs what it can't do: with the id of the operation, which for us names the topic.
-COMPLAINT = re.compile(r"\[id: subscribe:(?P<topic>[^\]]+)\]\s*(?:subscribe:\s*)?(?P<reason>.+)", re.DOTALL)
 NAMED = re.compile(r'"topic":\s*"(?P<topic>[^"]+)"')
 FROZEN = "it takes connections and does not answer: restart it"
-
-
-class _Fragment(msgspec.Struct, tag_field="op", tag="fragment"):
-    """A piece of a message that is larger than the bridge sends at once."""
-
-    data: str
-    num: int
-    total: int
 
 
 @dataclass(slots=True)
@@ -198,24 +185,21 @@ class Wire:
             self.heard[read.topic].take(read.msg, at)
         elif isinstance(read, operations.Publish) and read.topic == ROSOUT:
             self._overheard(read.msg, at)
-        elif read is None:
-            self._fragment(payload)
+        elif isinstance(read, operations.Fragment):
+            self._fragment(read)
         return read if isinstance(read, operations.ServiceResponse) else None
 
     def _overheard(self, msg: object, at: float) -> None:
         with suppress(WireError):
             said = log_line(msg, at)
-            about = COMPLAINT.search(said.text)
-            if about and "rosbridge" in said.node and (said.severity or 0) >= Severity.ERROR:
-                self.complaints[about["topic"]] = about["reason"]
+            if about := complaint(said):
+                self.complaints[about[0]] = about[1]
 
-    def _fragment(self, payload: bytes) -> None:
+    def _fragment(self, piece: operations.Fragment) -> None:
         """Note the size of a message that comes in pieces, by its first one."""
-        with suppress(msgspec.MsgspecError):
-            piece = msgspec.json.decode(payload, type=_Fragment)
-            named = NAMED.search(piece.data.replace("\\/", "/")) if piece.num == 0 else None
-            if named and named["topic"] in self.heard:
-                self.heard[named["topic"]].fragmented = len(piece.data) * piece.total
+        named = NAMED.search(piece.data.replace("\\/", "/")) if piece.num == 0 else None
+        if named and named["topic"] in self.heard:
+            self.heard[named["topic"]].fragmented = len(piece.data) * piece.total
 
     def _answered(self, response: operations.ServiceResponse | None) -> None:
         if response is not None:

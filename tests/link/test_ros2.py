@@ -1,11 +1,11 @@
-"""Maps, graphs and labels behind a bridge of ROS 2: they come whoever came first, after each restart."""
+"""A bridge of ROS 2: latched topics come whoever came first, large maps in pieces, its log is heard."""
 
 import os
 from collections.abc import AsyncIterator
 
 import pytest
 
-from fleet_tui.link import latched, transport
+from fleet_tui.link import latched, subscriber, transport
 from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
@@ -89,3 +89,32 @@ async def test_telemetry_is_asked_for_without_qos_and_commands_work(server: Rosb
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
         asked = {one["topic"]: "qos" in one for one in server.received if one["op"] == "subscribe"}
     assert not asked["/robot_0/pose"] and not asked["/robot_0/queue"] and asked["/robot_0/floor_0/graph"]
+
+
+async def test_a_map_larger_than_the_bridge_sends_at_once_comes_as_json_in_pieces(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(subscriber, "CBOR_PATIENCE_ROS2", 1.0)
+    server.max_message_size = 60_000
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(ready)
+        link.show_map("robot_0", "floor_0")
+        state = await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+        asked = [
+            one["compression"]
+            for one in server.received
+            if one.get("topic") == "/robot_0/floor_0/map" and one["op"] == "subscribe"
+        ]
+    assert asked[0] == "cbor" and asked[-1] == "none"
+    assert not state.links["rosbridge"].faults
+
+
+async def test_why_the_bridge_did_not_subscribe_a_topic_is_in_the_log(
+    server: RosbridgeServer, caplog: pytest.LogCaptureFixture
+) -> None:
+    play(server, [("unsourced", "robot_0")])
+    async with linked(config_of(server.url, 1)) as (link, store):
+        topic = link.counters["rosbridge"].topics["/robot_0/queue"]
+        await store.until(lambda _: topic.not_subscribed)
+        assert topic.not_subscribed.startswith("the bridge says: Unable to import oh_ressources")
+    assert "the bridge did not subscribe /robot_0/queue: Unable to import" in caplog.text
