@@ -13,7 +13,7 @@ from websockets.asyncio.client import connect
 
 from fleet_tui.config.profile import SERVICES, TOPICS
 from fleet_tui.config.schema import Config
-from fleet_tui.demo import demo_config
+from fleet_tui.demo import demo_config, simulated
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
@@ -42,11 +42,8 @@ def process() -> Iterator[subprocess.Popen[str]]:
 @pytest.fixture
 def fast() -> Iterator[str]:
     """The URL of a fleet on ROS 2 whose time runs fifty times as fast."""
-    command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0", "--ros", "2", "--speed", "50"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout is not None
-        yield process.stdout.readline().strip()
-        process.terminate()
+    with simulated(3, 1, speed=50.0, ros="2") as url:
+        yield url
 
 
 async def test_it_speaks_the_dialect_and_runs_at_the_speed_that_is_asked_for(fast: str) -> None:
@@ -56,7 +53,7 @@ async def test_it_speaks_the_dialect_and_runs_at_the_speed_that_is_asked_for(fas
         ask = {"op": "subscribe", "topic": "/robot_0/queue", "type": "oh_ressources/msg/ActionQueue"}
         await client.send(json.dumps(ask))
         async with asyncio.timeout(30):  # at its own pace a robot drives an order for half a minute
-            while json.loads(await client.recv())["msg"]["last_order_id"] < 10:
+            while json.loads(await client.recv())["msg"]["last_order_id"] < 3:
                 pass
 
 
