@@ -8,7 +8,7 @@ from fleet_tui.model.events import Event
 from fleet_tui.screens.order_actions import OrderActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.view.text import visible
-from fleet_tui.widgets.bindings import EAGER
+from fleet_tui.widgets.bindings import OPENING_ACTIONS, SELECTING_ACTIONS
 
 if TYPE_CHECKING:
     from fleet_tui.screens.why import Why
@@ -21,8 +21,11 @@ class CommandActions(OrderActions):
     why: "Why"
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """What opens something does not reach through what is open already."""
-        return action not in EAGER or not any(overlay.is_open for overlay in self.query(Overlay))
+        """What comes before all else does not reach through what is open already."""
+        if action not in OPENING_ACTIONS | SELECTING_ACTIONS:
+            return True
+        opened = [overlay for overlay in self.query(Overlay) if overlay.is_open]
+        return not opened or (action in SELECTING_ACTIONS and opened == [self.why])
 
     def action_pause(self) -> None:
         """Pause the selected robot, at once."""

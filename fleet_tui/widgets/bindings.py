@@ -8,8 +8,13 @@ from textual.keys import _character_to_key
 from fleet_tui.keys import KEYS
 
 # What opens something to type in comes before all else: the next key, which may already be on its
-# way, belongs there.
-EAGER = frozenset({"order", "help", "palette", "audit", "diagnostics", "filter", "go_to_time"})
+# way, belongs there. What it is opened for must not come after it.
+OPENING = frozenset({"order", "help", "palette", "audit", "diagnostics", "filter", "go_to_time"})
+SELECTING = frozenset(key.id for key in KEYS if key.action.startswith(("step_", "robot(")))
+EAGER = OPENING | SELECTING
+OPENING_ACTIONS, SELECTING_ACTIONS = (
+    frozenset(key.action.partition("(")[0] for key in KEYS if key.id in ids) for ids in (OPENING, SELECTING)
+)
 
 
 def bindings(pane: str) -> list[BindingType]:

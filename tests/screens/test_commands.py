@@ -71,6 +71,15 @@ async def test_keys_typed_right_after_o_belong_to_the_form(server: RosbridgeServ
         assert sent(server) == []
 
 
+async def test_a_robot_that_is_selected_in_the_same_packet_gets_the_order(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        for keys, robot in (("]oBase\rConsumidores\r", "robot_1"), ("1oBase\rConsumidores\r", "robot_0")):
+            server.calls.clear()
+            one_packet(it, keys)
+            await it.until(lambda _: server.calls)
+            assert server.calls[0][0].startswith(f"/{robot}/")
+
+
 async def test_a_whole_order_in_one_packet(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, "oBase\rConsumidores\rp")

@@ -3,7 +3,8 @@
 from textual.widgets import Input
 
 from fleet_tui.model.commands import PlaceOrder
-from fleet_tui.model.events import BatteryReported
+from fleet_tui.model.events import BatteryReported, QueueReported
+from fleet_tui.model.order import OrderQueue
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
@@ -213,6 +214,8 @@ async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServ
         one_packet(it, ":robot_0 Base > Store\r")
         await it.shows("robot_0 was never seen: send anyway?")
         it.store.tell(BatteryReported("robot_0", it.store.state.now, 50.0))
+        await it.shows("whether it takes the order can't be seen: send anyway?")
+        it.store.tell(QueueReported("robot_0", it.store.state.now, OrderQueue(0, -1, ())))
         await it.shows("Send it?")
         assert it.app.main.query_one(Confirm).is_open
         await it.press("y")
