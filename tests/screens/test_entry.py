@@ -214,7 +214,7 @@ async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServ
         one_packet(it, ":robot_0 Base > Store\r")
         await it.shows("robot_0 was never seen: send anyway?")
         it.store.tell(BatteryReported("robot_0", it.store.state.now, 50.0))
-        await it.shows("whether it takes the order can't be seen: send anyway?")
+        await it.shows("the queue of robot_0 has not come")
         it.store.tell(QueueReported("robot_0", it.store.state.now, OrderQueue(0, -1, ())))
         await it.shows("Send it?")
         assert it.app.main.query_one(Confirm).is_open
