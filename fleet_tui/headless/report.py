@@ -4,7 +4,8 @@ import math
 from typing import Any
 
 from fleet_tui.headless.session import missing
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import FleetState, behind_text
+from fleet_tui.model.lag import BEHIND
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.order import STATUS_WORDS
 from fleet_tui.model.robot import Reading, Robot
@@ -89,14 +90,14 @@ def _robot(state: FleetState, robot: Robot) -> Values:
 
 def attention(state: FleetState) -> list[str]:
     """One line for each thing that is not as it should be; empty when all is well."""
-    lines = []
+    lines = [behind_text(state)] if state.behind >= BEHIND else []
     for link in state.links.values():
         if link.phase is not Phase.UP:
             lines.append(f"{link.name}: no link to {link.url}: {link.reason or 'nothing answers'}")
         elif link.command_path in NO_WAY:
             lines.append(f"{link.name}: commands don't get through: {link.command_reason}")
     for alarm in state.alarms:
-        if alarm.holds and alarm.condition.kind not in ("link", "commands"):
+        if alarm.holds and alarm.condition.kind not in ("link", "commands", "behind"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")
     for robot in state.robots.values():
         absent = missing(robot)

@@ -101,12 +101,12 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.UNKNOWN: _SEEN,
     Stage.REFUSED: frozenset(),
     Stage.NOT_SENT: frozenset(),
-    # Orders only: any other command has ended.
+    # Of an order; a pause can only be lost, and any other command has ended.
     Stage.CONFIRMED: ORDER_ENDS,
     # A robot that was frozen obeys when it wakes.
     Stage.NOT_CONFIRMED: frozenset({Stage.LATE}),
     Stage.LATE: ORDER_ENDS,
-    Stage.TAKEN: frozenset(),
+    Stage.TAKEN: frozenset({Stage.LOST}),
     Stage.DONE: frozenset(),
     Stage.CANCELLED: frozenset(),
     Stage.CANCELLED_ELSEWHERE: frozenset(),

@@ -18,11 +18,13 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.confirmation import find_order, is_overtaken
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest
+from fleet_tui.model.reason import last_command
 from fleet_tui.model.robot import Robot
 
 LATE_ORDER, LATE_OTHER = 600.0, 60.0
 """Seconds after `not confirmed` in which what a robot does still counts as the command carried out late."""
 
+_TAKEN = frozenset({Stage.CONFIRMED, Stage.TAKEN, Stage.LATE})
 _REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
 _MAY_HAVE_REMOVED = _REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED}
 
@@ -34,7 +36,18 @@ def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
         return record
     if record.stage is Stage.NOT_CONFIRMED:
         return _carried_out_late(state, robot, record)
+    if isinstance(record.command, PauseRobot):
+        return _lost_pause(state, robot, record)
     return _ended(state, robot, record) if record.has_open_order else record
+
+
+def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
+    """A pause that a robot took is gone where it was started anew, unless a later command stands for it."""
+    if robot.pause_lost_at is None or robot.pause_lost_at < record.at or record.stage not in _TAKEN:
+        return record
+    if last_command(state, robot, PauseRobot, ResumeRobot) is not record:
+        return record
+    return record.advanced(Step(Stage.LOST, state.now, f"{STARTED_OVER}: it is not paused any more"))
 
 
 def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:

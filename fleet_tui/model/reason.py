@@ -58,7 +58,7 @@ def last_command(state: FleetState, robot: Robot, *kinds: type[Command]) -> Comm
     return next((one for one in ours if isinstance(one.command, kinds)), None)
 
 
-_UNDONE = frozenset({Stage.CHECKED, Stage.NOT_SENT, Stage.REFUSED})
+_UNDONE = frozenset({Stage.CHECKED, Stage.NOT_SENT, Stage.REFUSED, Stage.LOST})
 
 
 def own_pause(state: FleetState, robot: Robot) -> CommandRecord | None:

@@ -104,6 +104,13 @@ def _metres_to_end(robot: Robot, order: Order) -> float | None:
     return math.dist((robot.pose.value.x, robot.pose.value.y), (vertex.x, vertex.y))
 
 
+def _without_lost_pause(robot: Robot, event: events.QueueReported) -> Robot:
+    """A robot whose order ids start over was started anew: nothing that was asked of it holds any more."""
+    if not robot.paused_by_us or event.queue.last_order_id >= robot.orders.last_order_id:
+        return robot
+    return replace(robot, paused_by_us=False, paused_at=None, pause_lost_at=event.at)
+
+
 def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
     """An order to nowhere is counted once, when it first shows."""
     queue, at = event.queue, event.at
@@ -113,7 +120,7 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
             robot = with_fault(robot, line)
     heard = robot.queue.at if robot.queue else None
     traces, gone = trace_queue(robot.traces, queue, at, heard, partial(_metres_to_end, robot))
-    robot = replace(robot, queue=Reading(queue, at))
+    robot = replace(_without_lost_pause(robot, event), queue=Reading(queue, at))
     if event.fault:
         # Orders were left out of it: whether the others are gone is unknown.
         return with_fault(replace(robot, traces={**robot.traces, **traces}), event.fault)

@@ -54,7 +54,8 @@ class Robot(Struct, frozen=True, eq=False):
     is coarser: where it got to, and since when it gets no further; `jumps` are the metres of its
     pose's last leaps that no robot drives, each with its time; `fault_at` is when bad data came last;
     `says_paused`: it has a topic for that, heard or not; `traces` are the orders in its queue by id,
-    `gone` those that left it, the newest last."""
+    `gone` those that left it, the newest last; `pause_lost_at` is when it started anew while under our own
+    pause, which that ended."""
 
     name: str
     number: int
@@ -76,6 +77,7 @@ class Robot(Struct, frozen=True, eq=False):
     paused: Reading[bool] | None = None
     paused_by_us: bool = False
     paused_at: Pose | None = None
+    pause_lost_at: float | None = None
     heard: float | None = None
     clock: StampClock | None = None
     faults: int = 0

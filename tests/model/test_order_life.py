@@ -10,6 +10,7 @@ from fleet_tui.model.commands import (
     CommandRecord,
     PauseRobot,
     PlaceOrder,
+    ResumeRobot,
     Stage,
 )
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported, QueueReported
@@ -186,3 +187,24 @@ def test_a_robot_that_echoes_nothing_of_ours_is_believed_in_the_end() -> None:
     state = told(state, echoed(T0 + 1, 77, 5), tick(T0 + 1))
     assert first(state).stage is ACCEPTED
     assert first(told(state, tick(T0 + PATIENCE + 0.1))).order_id == 5
+
+
+@pytest.mark.parametrize("says", [True, False])
+def test_a_pause_that_a_restart_of_the_robot_ended_is_told(says: bool) -> None:
+    told_by_topic: list[Event] = [PausedReported(R0, T0 + 1, True)] if says else []
+    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
+    state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), *told_by_topic, tick(T0 + 1))
+    assert first(state).stage is (Stage.CONFIRMED if says else Stage.TAKEN)
+    state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
+    record = first(state)
+    assert record.stage is Stage.LOST and record.words.endswith("it is not paused any more")
+    assert alarm_texts(state)[0].startswith("lost: pause (the robot's order ids started over")
+    assert not state.robots[R0].paused_by_us
+
+
+def test_a_pause_that_was_resumed_before_the_restart_is_not_lost() -> None:
+    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
+    state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0 + 1))
+    state = told(state, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 1.5), tick(T0 + 2))
+    state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
+    assert first(state).stage is Stage.TAKEN and not alarm_texts(state)
