@@ -109,7 +109,7 @@ class MainScreen(Navigation):
         pane = "anywhere" if self.in_overlay else self._focused_pane()
         self.hints.show(*hints(self.keys, pane, can_command=not self.read_only))
         self.announce(state)
-        if self.simple is not None:
+        if self.simple is not None and self.simple.children:  # none while the console ends
             self.simple.show()
 
     def _show_floor(self, state: FleetState) -> None:
