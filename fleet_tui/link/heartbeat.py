@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from fleet_tui.errors import LinkError
 from fleet_tui.link.calls import Calls, NoAnswerError
@@ -15,6 +15,13 @@ from fleet_tui.rosbridge.operations import ServiceResponse
 SERVICE = "/rosapi/fleet_tui_heartbeat"
 """A service that nobody offers: the bridge itself says so, in 1-2 ms, whatever rosapi and robots do."""
 EVERY, TIMEOUT = 5.0, 5.0
+LOOK_EVERY = 3
+"""Beats between two looks at the services: a master that was restarted quickly is not noticed otherwise."""
+
+
+def some(names: Sequence[str]) -> str:
+    """Name the first three."""
+    return ", ".join(names[:3]) + (", …" if len(names) > 3 else "")
 
 
 class Heartbeat:
@@ -78,16 +85,19 @@ class Heartbeat:
         """Tell whether the robots' services are there, if the bridge answers at all."""
         if self.path not in (CommandPath.ALIVE, CommandPath.UNREGISTERED):
             return
-        robots = self._services.unregistered
-        if not robots:
-            self._set(CommandPath.ALIVE)
-        elif self._services.is_total:
+        gone, absent = self._services.unregistered, self._services.without_any
+        if self._services.is_total:
             self._set(CommandPath.UNREGISTERED, "the robots' nodes are not registered: restart them")
+        elif gone:
+            self._set(CommandPath.UNREGISTERED, f"nodes of {some(gone)} are not registered: restart them")
+        elif absent:
+            wrong = f"no service of {some(absent)} is there: restart its node, or correct [profile.services]"
+            self._set(CommandPath.UNREGISTERED, wrong)
         else:
-            names = ", ".join(robots[:3]) + (", …" if len(robots) > 3 else "")
-            self._set(CommandPath.UNREGISTERED, f"nodes of {names} are not registered: restart them")
+            self._set(CommandPath.ALIVE)
 
     async def _beat(self) -> None:
+        beats = 0
         while True:
             began = time.monotonic()
             try:
@@ -102,4 +112,7 @@ class Heartbeat:
             else:
                 now = time.monotonic()
                 self._round_trips.take(now - began, now)
+            beats += 1
+            if beats % LOOK_EVERY == 0:
+                self._services.look()
             await asyncio.sleep(EVERY)

@@ -2,7 +2,7 @@
 
 import asyncio
 import logging
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 
 from fleet_tui.errors import LinkError
 from fleet_tui.link.calls import Calls
@@ -29,6 +29,9 @@ class Services:
         self._types: dict[str, str] = {}
         self._seen: set[str] = set()
         self._gone: set[str] = set()
+        self._absent: set[str] = set()
+        """Robots of which rosapi listed no service, though they may speak."""
+        self._speak: set[str] = set()
         self._rosapi_answered = False
         self._master_was_gone = False
         self._task: asyncio.Task[None] | None = None
@@ -44,6 +47,17 @@ class Services:
     def is_total(self) -> bool:
         """Whether that holds for every robot whose services were ever seen."""
         return bool(self._gone) and self._gone == self._seen
+
+    @property
+    def without_any(self) -> list[str]:
+        """The robots that speak and of which no service was ever there, by name."""
+        return sorted(self._absent & self._speak)
+
+    def heard(self, robots: Collection[str]) -> None:
+        """Take note of which robots speak."""
+        if not self._absent <= self._speak and self._absent & set(robots) - self._speak:
+            self._speak |= set(robots)
+            self.changed()
 
     def look(self) -> None:
         """Ask rosapi, unless that is under way."""
@@ -76,6 +90,7 @@ class Services:
         elif result:
             robot = self._wanted[service].robot
             self._seen.add(service)
+            self._absent.discard(robot)
             self._set_gone({name for name in self._gone if self._wanted[name].robot != robot})
 
     def _set_gone(self, gone: set[str]) -> None:
@@ -108,7 +123,11 @@ class Services:
         there = self._wanted.keys() & {name for name in listed if isinstance(name, str)}
         self._rosapi_answered, self._master_was_gone = True, False
         self._seen |= there
+        ever = {self._wanted[name].robot for name in self._seen}
+        absent, self._absent = self._absent, {one.robot for one in self._wanted.values()} - ever
         self._set_gone(self._seen - there)
+        if absent != self._absent:
+            self.changed()
         await self._ask_types(name for name in self._wanted if name in there and name not in self._types)
 
     async def _ask_types(self, names: Iterable[str]) -> None:

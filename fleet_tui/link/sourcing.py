@@ -13,8 +13,8 @@ from fleet_tui.model.sourcing import ALWAYS_THERE, Listening, unsourced_package
 
 LOG = logging.getLogger(__name__)
 
-LOOK_AFTER = 8.0
-"""Seconds after which a topic that somebody publishes should have come."""
+LOOK_AFTER, FOR_EACH_TOPIC = 4.0, 0.03
+"""Seconds after which a topic that somebody publishes should have come: a bridge subscribes one by one."""
 ROSAPI_TIMEOUT = 2.0
 MOST_ASKED = 20
 """Topics whose publishers are asked for: the package is the same for all."""
@@ -47,7 +47,7 @@ class Sourcing:
 
     async def _look(self) -> None:
         before = {one.subscription.topic: self._count(one) for one in self._wanted}
-        await asyncio.sleep(LOOK_AFTER)
+        await asyncio.sleep(LOOK_AFTER + FOR_EACH_TOPIC * len(before))
         silent = [one for one in self._wanted if self._count(one) == before[one.subscription.topic]]
         suspects = [one for one in silent if one.subscription.type.partition("/")[0] not in ALWAYS_THERE]
         publishers = {one.subscription.topic: await self._publishers(one) for one in suspects[:MOST_ASKED]}

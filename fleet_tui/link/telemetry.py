@@ -79,6 +79,7 @@ class Telemetry:
         if now > self._next_look:
             self._next_look = now + LOOK_EVERY
             self._subscriber.look(now, self._robots_spoke)
+            self.services.heard(self._robots_spoke)
 
     def silence(self) -> float:
         """Seconds since the last message on this connection, 0 as long as none has come."""

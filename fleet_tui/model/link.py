@@ -58,8 +58,7 @@ class LinkState(Struct, frozen=True):
         """What to do about messages that the bridge lacks, empty where it has all."""
         if not self.unsourced:
             return ""
-        lacks = f"rosbridge runs without the messages of {self.unsourced}"
-        return f"{lacks}: source the workspace that has {self.unsourced} before starting rosbridge"
+        return f"rosbridge lacks the messages of {self.unsourced}: source their workspace, then restart it"
 
     @property
     def is_starting(self) -> bool:

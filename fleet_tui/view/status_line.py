@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-from fleet_tui.model.conditions import OVERLOADED
 from fleet_tui.model.fleet import FleetState, age, behind_text
 from fleet_tui.model.lag import BEHIND
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
@@ -54,7 +53,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.unsourced:
         yield f" {visible(link.unsourced_text)}", Ink.ALARM
     if link.late >= BEHIND:
-        yield f" {link.late:.1f} s late: {OVERLOADED}", Ink.WARN
+        yield f" {link.late:.1f} s late: the bridge is overloaded", Ink.WARN
     if link.faults:
         yield f" {link.faults} bad frames", Ink.WARN
 

@@ -111,3 +111,27 @@ async def test_a_service_of_another_type_is_not_called(server: RosbridgeServer) 
     assert record.stage is Stage.NOT_SENT
     assert f"{RESUME} has type nav2_msgs/srv/ManageLifecycleNodes, not std_srvs/Trigger" in record.words
     assert [service for service, _ in server.calls] == [PAUSE]
+
+
+async def test_services_that_go_unnoticed_are_missed_by_the_next_look(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(heartbeat, "EVERY", 0.1)
+    async with linked(config_of(server.url, 2)) as (_, store):
+        await store.until(ready)
+        server.services.clear()
+        state = await store.until(path(CommandPath.UNREGISTERED))
+        reason = state.links["rosbridge"].command_reason
+        assert reason == "the robots' nodes are not registered: restart them"
+
+
+async def test_a_robot_that_speaks_and_has_no_services_is_told_from_the_start(
+    server: RosbridgeServer,
+) -> None:
+    for name in list(server.services):
+        if "robot_1" in name:
+            del server.services[name]
+    async with linked(config_of(server.url, 3)) as (_, store):  # nothing is ever heard of robot_2
+        state = await store.until(path(CommandPath.UNREGISTERED))
+        reason = state.links["rosbridge"].command_reason
+        assert reason == "no service of robot_1 is there: restart its node, or correct [profile.services]"

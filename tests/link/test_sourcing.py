@@ -21,8 +21,7 @@ async def test_a_bridge_without_the_messages_is_told_with_the_remedy(
     async with linked(config_of(server.url, 2)) as (_, store):
         state = await store.until(lambda state: state.links["rosbridge"].unsourced)
         assert state.links["rosbridge"].unsourced_text == (
-            "rosbridge runs without the messages of OH_ressources:"
-            " source the workspace that has OH_ressources before starting rosbridge"
+            "rosbridge lacks the messages of OH_ressources: source their workspace, then restart it"
         )
         state = await store.until(
             lambda state: any(alarm.condition.kind == "messages" for alarm in state.alarms)
