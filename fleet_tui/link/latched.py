@@ -6,7 +6,7 @@ A volatile publisher never delivers to that, and then to no client: so without i
 """
 
 import asyncio
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 
 from fleet_tui.link.reading import Reading
 from fleet_tui.link.subscriptions import Wanted
@@ -31,28 +31,30 @@ class Latched:
         self._subscribe, self._unsubscribe = subscribe, unsubscribe
         self._volatile: set[str] = set()
         """Topics that are asked for without `qos`. What worked stays, on later connections too."""
+        self._counts: dict[str, int] = {}
+        """By topic: how many messages had come when it was asked for on this connection."""
         self._task: asyncio.Task[None] | None = None
 
     def wants_qos(self, topic: str) -> bool:
         """Whether a topic is to be asked for as transient local and reliable."""
         return topic not in self._volatile
 
-    def start(self, per_topic: float) -> None:
-        """Look after what was just asked for; a bridge takes `per_topic` seconds for each subscription."""
+    def start(self, asked: Collection[Wanted], per_topic: float) -> None:
+        """Look after what was just `asked` for, beside what was before: a latched value comes once, so what
+        has come is left alone. A bridge takes `per_topic` seconds for each subscription."""
         self.stop()
-        counts = {_topic(one): self._count(one) for one in self._wanted()}
-        patience = FIRST_PATIENCE + per_topic * len(counts)
-        self._task = asyncio.ensure_future(self._look(counts, patience))
+        self._counts |= {_topic(one): self._count(one) for one in asked}
+        self._task = asyncio.ensure_future(self._look(FIRST_PATIENCE + per_topic * len(asked)))
 
     def stop(self) -> None:
         """Look no more."""
         if self._task is not None:
             self._task.cancel()
 
-    async def _look(self, counts: dict[str, int], patience: float) -> None:
+    async def _look(self, patience: float) -> None:
         while True:
             await asyncio.sleep(patience)
-            silent = [one for one in self._wanted() if self._count(one) == counts.get(_topic(one), 0)]
+            silent = [one for one in self._wanted() if self._count(one) == self._counts.get(_topic(one), 0)]
             if not silent:
                 return
             for one in silent:

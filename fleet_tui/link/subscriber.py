@@ -74,11 +74,8 @@ class Subscriber:
         # First, to hear what the bridge has to say of the others.
         self.overhearing.subscribe(self._types)
         self._subscribe_to(self._robots)
-        self._look_after_latched()
-
-    def _look_after_latched(self) -> None:
         if self._is_ros2:
-            self._latched.start(FOR_EACH_TOPIC)
+            self._latched.start(self._of_latched(), FOR_EACH_TOPIC)
 
     @property
     def _is_ros2(self) -> bool:
@@ -208,4 +205,5 @@ class Subscriber:
         self._map = wanted
         if wanted is not None and self._connection.is_connected:
             self._subscribe(wanted)
-            self._look_after_latched()
+            if self._is_ros2:
+                self._latched.start([wanted], FOR_EACH_TOPIC)

@@ -51,8 +51,8 @@ def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
 def _is_of_another_life(other: CommandRecord, record: CommandRecord, last: int) -> bool:
     """Whether the robot has begun to count anew between two commands: an id seen before the second one
     was given was above the last one known when it was."""
-    outcome = other.outcome
-    decided = outcome is not None and outcome.at <= record.issued_at
+    claimed = other.time_of(Stage.LATE) or other.time_of(Stage.CONFIRMED)
+    decided = claimed is not None and claimed <= record.issued_at
     return other.order_id is not None and decided and other.order_id > last
 
 
@@ -75,6 +75,14 @@ def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: 
         if order.id > last and order.id not in taken and order.end == end and start in (None, order.start)
     ]
     return _by_echo(ids, queue, record) if by_echo else min(ids, default=None)
+
+
+def is_given_again(state: FleetState, record: CommandRecord) -> bool:
+    """Tell whether the same command was given since and is not decided: what is seen now is that one."""
+    return any(
+        other.command == record.command and other.issued_at > record.issued_at and not other.is_decided
+        for other in state.commands
+    )
 
 
 def _by_echo(ids: list[int], queue: OrderQueue, record: CommandRecord) -> int | None:

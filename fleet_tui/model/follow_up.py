@@ -15,9 +15,9 @@ from fleet_tui.model.commands import (
     Stage,
     Step,
 )
-from fleet_tui.model.confirmation import find_order, is_overtaken
+from fleet_tui.model.confirmation import find_order, is_given_again, is_overtaken
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest
+from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest, listed_end
 from fleet_tui.model.reason import last_command
 from fleet_tui.model.robot import Robot
 
@@ -52,12 +52,19 @@ def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> Comma
 
 def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
     assert record.order_id is not None
-    gone = latest(robot.gone, record.order_id, record.at)
+    # Not since it was confirmed: a queue may be read after a tick that is later than its arrival.
+    gone = latest(robot.gone, record.order_id, record.issued_at) or _listed(robot, record.order_id)
     if gone is None:
         return record
     stage = _end_stage(state, record, gone)
     reason = "by this console" if stage is Stage.CANCELLED else gone.reason
     return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
+
+
+def _listed(robot: Robot, order_id: int) -> GoneOrder | None:
+    """Find the end of an order that was over when it was first seen."""
+    over = (order for order in robot.orders.orders if order.id == order_id and order.is_over)
+    return next((listed_end(order, robot.queue.at) for order in over if robot.queue), None)
 
 
 def _end_stage(state: FleetState, record: CommandRecord, gone: GoneOrder) -> Stage:
@@ -98,7 +105,8 @@ def _removes(record: CommandRecord, order_id: int) -> bool:
 def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
     match record.command:
         case PlaceOrder() | PlaceOrderWithCargo():
-            order_id = find_order(state, robot, record) if state.now - record.at < LATE_ORDER else None
+            waits = state.now - record.at < LATE_ORDER and not is_given_again(state, record)
+            order_id = find_order(state, robot, record) if waits else None
             if order_id is None:
                 return record
             late = record.advanced(_late(state, record, f"order {order_id}"))

@@ -4,6 +4,7 @@ A robot of the source only shows that an order is gone. It was done unless somet
 one rule, for the orders of this console and for all others.
 """
 
+import math
 from collections.abc import Callable, Iterable, Mapping
 
 from msgspec import Struct
@@ -14,24 +15,33 @@ from fleet_tui.model.order import Order, OrderQueue
 
 ARRIVES = 2.0
 """Metres from its last vertex within which a robot was, if it drove the order and did not just lose it."""
-NEARER = 0.5
-"""Metres by which a robot must have come nearer for that to be kept: poses come ten times a second."""
+MOVED, SEEN_AGAIN = 0.5, 0.5
+"""Metres, and seconds at its end, from which on a new place is kept: poses come ten times a second."""
+LEFT_WITHIN = 3.0
+"""Seconds before a queue that still shows an order in which the robot may have been at its end. Before that
+it was there for something else: many orders begin where they end, and fetch from elsewhere."""
 BLIND_AFTER = 5.0
 """Seconds without a queue after which an order may have been driven unseen."""
 
 STARTED_OVER = "the robot's order ids started over"
 
-Away = Callable[[Order], float | None]
-"""Metres from the robot to an order's last vertex: infinite on another floor, None where unknown."""
+Away = Callable[[Order], tuple[float, float] | None]
+"""Metres from the robot to an order's last vertex, infinite on another floor, and the monotonic second at
+which that was heard; None where unknown."""
 
 
 class OrderTrace(Struct, frozen=True):
-    """An order in the queue: whether it was `begun`, and since then how near the robot came to its end;
-    `nearest` in metres, None where that is unknown."""
+    """An order in the queue: whether it was `begun`, and since then how many `metres` the robot is from its
+    end, None where that is unknown; `arrived_at` is when it was there last (monotonic)."""
 
     order: Order
     begun: bool = False
-    nearest: float | None = None
+    metres: float | None = None
+    arrived_at: float | None = None
+
+    def was_driven(self, heard: float | None) -> bool:
+        """Whether the robot was at its end when it left the queue; `heard` is when a queue last showed it."""
+        return self.arrived_at is not None and (heard is None or self.arrived_at >= heard - LEFT_WITHIN)
 
 
 class GoneOrder(Struct, frozen=True):
@@ -45,16 +55,18 @@ class GoneOrder(Struct, frozen=True):
 
 
 def trace_movement(traces: Mapping[int, OrderTrace], current: int, away: Away) -> Mapping[int, OrderTrace]:
-    """Keep how near a robot came to the end of the order that it drives."""
+    """Keep where a robot is on its way to the end of the order that it drives."""
     trace = traces.get(current)
-    if trace is None or not trace.begun or (trace.nearest is not None and trace.nearest <= ARRIVES):
+    seen = away(trace.order) if trace is not None and trace.begun else None
+    if trace is None or seen is None:
         return traces
-    metres = away(trace.order)
-    if metres is None:
+    metres, at = seen
+    moved = trace.metres is None or (metres != trace.metres and abs(metres - trace.metres) >= MOVED)
+    arrived = metres <= ARRIVES and (trace.arrived_at is None or at - trace.arrived_at >= SEEN_AGAIN)
+    if not moved and not arrived:
         return traces
-    if trace.nearest is not None and ARRIVES < metres > trace.nearest - NEARER:
-        return traces
-    return {**traces, current: replace(trace, nearest=metres)}
+    arrived_at = at if metres <= ARRIVES else trace.arrived_at
+    return {**traces, current: replace(trace, metres=metres, arrived_at=arrived_at)}
 
 
 def trace_queue(
@@ -102,22 +114,26 @@ def _end_of(
     if listed is not None and not _is_same(order, listed):
         return gone(Stage.LOST, STARTED_OVER)
     if listed is not None:
-        return gone(Stage.CANCELLED if listed.status == "C" else Stage.DONE, "as the robot reports")
+        return listed_end(listed, at)
     if queue.last_order_id < order.id:
         return gone(Stage.LOST, STARTED_OVER)
-    if trace.nearest is not None and trace.nearest <= ARRIVES:
+    if trace.was_driven(heard):
         return gone(Stage.DONE, "driven to its end")
     if heard is not None and at - heard > BLIND_AFTER:
         blind = f"it left the queue while none came for {at - heard:.0f} s"
         return gone(Stage.LOST, f"{blind}: it may have been driven")
     if not trace.begun:
         return gone(Stage.LOST, "it left the queue before it was begun")
-    if trace.nearest is not None:
-        metres = (
-            "on another floor" if trace.nearest == float("inf") else f"{trace.nearest:.0f} m from its end"
-        )
-        return gone(Stage.LOST, f"it left the queue with the robot {metres}")
+    if trace.metres is not None:
+        where = "on another floor" if trace.metres == math.inf else f"{trace.metres:.0f} m from its end"
+        return gone(Stage.LOST, f"it left the queue with the robot {where}")
     return gone(Stage.DONE, "left the queue after it was begun")
+
+
+def listed_end(order: Order, at: float) -> GoneOrder:
+    """The end of an order that the robot lists as over."""
+    stage = Stage.CANCELLED if order.status == "C" else Stage.DONE
+    return GoneOrder(order, at, stage, "as the robot reports")
 
 
 def latest(gone: Iterable[GoneOrder], order_id: int, since: float) -> GoneOrder | None:

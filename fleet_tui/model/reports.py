@@ -7,7 +7,7 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events
-from fleet_tui.model.bounds import LONGEST_NAME, brief
+from fleet_tui.model.bounds import LONGEST_NAME, MOST_ORDERS, brief
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.movement import gets_on, is_apart, leap
 from fleet_tui.model.order import Order, OrderQueue
@@ -22,7 +22,8 @@ CLOCK_STEP = 0.5
 BRAKING_DISTANCE = 0.5
 JUMPS_KEPT, JUMPS_WITHIN = 100, 10.0
 # Ended orders are kept for the commands that placed them, which are looked at ten times a second.
-GONE_FOR = 60.0
+GONE_FOR, GONE_KEPT = 60.0, 2 * MOST_ORDERS
+TRACES_KEPT = 2 * MOST_ORDERS
 
 
 def _set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
@@ -94,14 +95,16 @@ def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
     ]
 
 
-def _metres_to_end(robot: Robot, order: Order) -> float | None:
+def _metres_to_end(robot: Robot, order: Order) -> tuple[float, float] | None:
     chart = robot.charts.get(robot.floor or "")
     if robot.pose is None or chart is None or chart.graph is None:
         return None
+    # Like the queue's, the time of arrival: a bridge may be late with both.
+    at = max(robot.pose.at, robot.clock.at if robot.clock else robot.pose.at)
     vertex = chart.graph.vertices.get(order.end)
     if vertex is None:
-        return math.inf
-    return math.dist((robot.pose.value.x, robot.pose.value.y), (vertex.x, vertex.y))
+        return math.inf, at
+    return math.dist((robot.pose.value.x, robot.pose.value.y), (vertex.x, vertex.y)), at
 
 
 def _without_lost_pause(robot: Robot, event: events.QueueReported) -> Robot:
@@ -123,9 +126,11 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
     robot = replace(_without_lost_pause(robot, event), queue=Reading(queue, at))
     if event.fault:
         # Orders were left out of it: whether the others are gone is unknown.
-        return with_fault(replace(robot, traces={**robot.traces, **traces}), event.fault)
+        older = {id_: trace for id_, trace in robot.traces.items() if id_ not in traces}
+        kept = list((older | dict(traces)).items())[-TRACES_KEPT:]
+        return with_fault(replace(robot, traces=dict(kept)), event.fault)
     recent = (one for one in robot.gone if at - one.at < GONE_FOR) if gone else robot.gone
-    return replace(robot, traces=traces, gone=(*recent, *gone))
+    return replace(robot, traces=traces, gone=(*recent, *gone)[-GONE_KEPT:])
 
 
 def apply_report(robot: Robot, event: events.Telemetry) -> Robot:

@@ -51,6 +51,8 @@ _NEVER_ARRIVED = re.compile(
 )
 """What a bridge says of a call that it did not pass on. Whatever else failed may have run: the node died
 or its handler threw in the middle, or the bridge did not wait any longer."""
+_THREW = re.compile(r"^service .*responded with an error: ")
+"""How a bridge introduces what a handler threw: that may contain the same words."""
 
 _ALREADY = {
     PauseRobot: re.compile(r"\balready paused\b", re.IGNORECASE),
@@ -76,7 +78,8 @@ def judge(
     """
     if not result:
         text = brief(said(values))
-        return (Stage.REFUSED if _NEVER_ARRIVED.search(text) else Stage.UNKNOWN), text
+        refused = _NEVER_ARRIVED.search(text) and not _THREW.search(text)
+        return (Stage.REFUSED if refused else Stage.UNKNOWN), text
     fields = values if isinstance(values, dict) else {}
     success, words = fields.get("success"), fields.get("status", fields.get("message"))
     if not isinstance(success, bool) and not ("success" not in fields and isinstance(words, str)):
@@ -85,5 +88,5 @@ def judge(
     already = _ALREADY.get(type(command))
     if already is not None and already.search(text, 0, LONGEST_JUDGED):
         return Stage.ACCEPTED, brief(text)
-    refused = success is False or any(pattern.search(text, 0, LONGEST_JUDGED) for pattern in refusals)
-    return (Stage.REFUSED if refused else Stage.ACCEPTED), brief(text)
+    declined = success is False or any(pattern.search(text, 0, LONGEST_JUDGED) for pattern in refusals)
+    return (Stage.REFUSED if declined else Stage.ACCEPTED), brief(text)

@@ -78,6 +78,26 @@ async def test_a_volatile_publisher_is_asked_without_qos_and_that_is_remembered(
         await store.until(lambda _: asked_with_qos(server) == [True, False, False])
 
 
+async def test_what_has_come_is_left_alone_when_a_map_is_shown(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(ready)
+        await store.until(lambda _: all(counts(link)[:3]))
+        monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.3)
+        link.show_map("robot_0", "floor_0")
+        await store.until(lambda _: counts(link)[3])
+        link.show_map("robot_0", "")
+        server.muted.add("/robot_0/floor_0/map")
+        link.show_map("robot_0", "floor_0")
+        await store.until(lambda _: asked_for(server, "unsubscribe", "floor_0/map") > 1)
+        assert not asked_for(server, "unsubscribe", "graph") and asked_with_qos(server) == [True]
+
+
+def asked_for(server: RosbridgeServer, op: str, topic: str) -> int:
+    return sum(one["op"] == op and topic in one["topic"] for one in server.received if "topic" in one)
+
+
 def asked_with_qos(server: RosbridgeServer) -> list[bool]:
     """Whether each subscription of a graph, one after the other, asked for a QoS."""
     return ["qos" in one for one in server.received if one["op"] == "subscribe" and "graph" in one["topic"]]

@@ -229,7 +229,7 @@ class Life(RuleBasedStateMachine):
     def __init__(self) -> None:
         super().__init__()
         self.state, self.now, self.id = up(), T0, 0
-        self.ended: dict[int, CommandRecord] = {}
+        self.seen: dict[int, CommandRecord] = {}
 
     def tell(self, *facts: Event) -> None:
         self.state = told(self.state, *facts)
@@ -266,11 +266,13 @@ class Life(RuleBasedStateMachine):
         self.tell(link_up(self.now) if is_up else link_lost(self.now))
 
     @invariant()
-    def an_end_is_the_end(self) -> None:
+    def an_outcome_stays_and_an_order_is_the_doing_of_one_command(self) -> None:
         for record in self.state.commands:
-            assert self.ended.setdefault(record.id, record) == record or not self.ended[record.id].is_decided
-            self.ended[record.id] = record
-        claimed = [record.order_id for record in self.state.commands if record.order_id is not None]
+            before = self.seen.get(record.id, record)
+            assert record.steps[: len(before.steps)] == before.steps
+            assert before.outcome in (None, record.outcome)
+            self.seen[record.id] = record
+        claimed = [record.order_id for record in self.state.commands if record.has_open_order]
         assert len(claimed) == len(set(claimed))
 
     def teardown(self) -> None:

@@ -77,6 +77,47 @@ def test_the_end_of_an_order_is_told(facts: list[Event], stage: Stage, reason: s
     assert len(found) == needs_somebody
 
 
+def test_an_order_that_begins_at_its_end_is_not_done_until_the_robot_is_back() -> None:
+    """Many orders fetch from elsewhere what belongs where the robot is."""
+    away = [pose(T0 + 3 + n, 3.0 + 4 * n) for n in range(10)]
+    begun: list[Event] = [pose(T0 + 1.5, 3.0), driving(T0 + 2), *away, driving(T0 + 13)]
+    lost = first(given(*begun, gone(T0 + 14), tick(T0 + 14)))
+    assert lost.stage is Stage.LOST and "with the robot 36 m from its end" in lost.words
+    back: list[Event] = [pose(T0 + 20, 3.0), pose(T0 + 21, 3.0), gone(T0 + 21.5), tick(T0 + 22)]
+    assert first(given(*begun, driving(T0 + 20), *back)).stage is Stage.DONE
+
+
+def test_a_robot_that_waits_at_the_end_for_long_has_driven_there() -> None:
+    waits: list[Event] = [fact for n in range(3, 60) for fact in (pose(T0 + n, 3.0), driving(T0 + n))]
+    assert first(given(driving(T0 + 2), *waits, gone(T0 + 60), tick(T0 + 60))).stage is Stage.DONE
+
+
+@pytest.mark.parametrize(("letter", "stage"), [("D", Stage.DONE), ("C", Stage.CANCELLED_ELSEWHERE)])
+def test_an_order_that_was_over_when_it_was_first_seen_has_ended(letter: str, stage: Stage) -> None:
+    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
+    state = told(state, queue(T0 + 9, (5, 0, END, letter)), tick(T0 + 9), tick(T0 + 9.1))
+    assert (first(state).stage, first(state).order_id) == (stage, 5)
+
+
+def test_a_queue_that_came_before_the_tick_that_confirmed_and_was_read_after_it_ends_the_order() -> None:
+    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
+    state = told(state, driving(T0 + 1), tick(T0 + 2))
+    assert first(state).stage is Stage.CONFIRMED
+    assert first(told(state, gone(T0 + 1.9), tick(T0 + 2.1))).stage is Stage.DONE
+
+
+def test_orders_of_queues_that_can_never_be_read_whole_are_not_kept_for_ever() -> None:
+    state = fleet()
+    for n in range(9):
+        orders = [(1000 * n + i, 0, END, "Q") for i in range(500)]
+        state = told(state, replace(queue(T0 + n, *orders), fault="bad"))
+    kept = state.robots[R0].traces
+    assert 500 <= len(kept) <= 1000 and 8499 in kept
+    for n in range(9):
+        state = told(state, queue(T0 + 10 + n, *((1000 * n + i, 0, END, "Q") for i in range(500))))
+    assert len(state.robots[R0].gone) <= 1000
+
+
 def test_a_robot_that_is_not_known_to_be_elsewhere_has_driven_what_it_began() -> None:
     unplaced = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
     state = told(unplaced, *commanded(1, ORDER, SENT, ACCEPTED), driving(T0 + 1), tick(T0 + 1))
@@ -124,6 +165,17 @@ def test_an_order_that_is_taken_late_is_told_and_the_failure_is_cleared(seconds:
     (alarm,) = (alarm for alarm in state.alarms if alarm.condition.kind == "command")
     assert alarm.needs_acknowledgement and alarm.text.startswith("carried out late: order 0 -> 7 (order 5, ")
     assert first(told(state, gone(T0 + seconds + 1), tick(T0 + seconds + 1))).stage is Stage.DONE
+
+
+def test_an_order_that_is_given_again_and_taken_is_the_second_one() -> None:
+    state = told(not_confirmed(ORDER, gone(T0 - 1, 4)), gone(T0 + 9, 4), tick(T0 + 10))
+    state = told(state, *commanded(2, ORDER, SENT, ACCEPTED, at=T0 + 10), driving(T0 + 11), tick(T0 + 11))
+    assert [(one.stage, one.order_id) for one in state.commands] == [
+        (Stage.NOT_CONFIRMED, None),
+        (Stage.CONFIRMED, 5),
+    ]
+    both = told(state, queue(T0 + 12, DRIVEN, (6, 0, END, "Q"), current=5), tick(T0 + 12))
+    assert [(one.stage, one.order_id) for one in both.commands] == [(Stage.LATE, 6), (Stage.CONFIRMED, 5)]
 
 
 def test_an_order_of_the_same_ends_long_after_is_another_one() -> None:

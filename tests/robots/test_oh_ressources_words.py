@@ -264,6 +264,20 @@ def test_each_recorded_failure_of_a_call_is_told_apart(name: str) -> None:
             assert stage is (Stage.REFUSED if refused else Stage.UNKNOWN), words
 
 
+@pytest.mark.parametrize(
+    "said",
+    [
+        "'<' not supported between instances of 'NoneType' and 'int'",
+        "Message type Graph does not have a field vertex",
+        "field data message requires an int",
+    ],
+)
+def test_what_a_handler_throws_is_no_refusal_whatever_its_words(said: str) -> None:
+    text = f'service [/r1/x] responded with an error: b"error processing request: {said}"'
+    assert KINDS["oh_ressources"](Profile()).outcome(ORDER, text, False)[0] is Stage.UNKNOWN
+    assert KINDS["oh_ressources"](Profile()).outcome(ORDER, said, False)[0] is Stage.REFUSED
+
+
 def test_which_words_refuse_is_the_profiles() -> None:
     judge = KINDS["oh_ressources"](Profile(refusals=("^no$",))).outcome
     assert judge(ORDER, {"status": "no"}, True)[0] is Stage.REFUSED
