@@ -43,7 +43,7 @@ def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
 
 def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
     """A pause that a robot took is gone where it was started anew, unless a later command stands for it."""
-    if robot.pause_lost_at is None or robot.pause_lost_at < record.at or record.stage not in _TAKEN:
+    if robot.pause_lost_at is None or robot.pause_lost_at < record.issued_at or record.stage not in _TAKEN:
         return record
     if last_command(state, robot, PauseRobot, ResumeRobot) is not record:
         return record
