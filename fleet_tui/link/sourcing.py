@@ -2,7 +2,7 @@
 
 import asyncio
 import logging
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 
 from fleet_tui.errors import LinkError
 from fleet_tui.link.calls import Calls
@@ -29,9 +29,12 @@ class Sourcing:
         calls: Calls,
         wanted: Iterable[Wanted],
         reading: Reading,
+        types: Callable[[], Mapping[str, str]],
         tell: Callable[[MessagesUnsourced], None],
     ) -> None:
+        """`types` gives the type of each topic as the bridge spells it."""
         self._link, self._calls, self._reading, self._tell = link, calls, reading, tell
+        self._types = types
         self._wanted = [one for one in wanted if not one.kind.heavy]
         self._task: asyncio.Task[None] | None = None
 
@@ -49,18 +52,21 @@ class Sourcing:
         before = {one.subscription.topic: self._count(one) for one in self._wanted}
         await asyncio.sleep(LOOK_AFTER + FOR_EACH_TOPIC * len(before))
         silent = [one for one in self._wanted if self._count(one) == before[one.subscription.topic]]
-        suspects = [one for one in silent if one.subscription.type.partition("/")[0] not in ALWAYS_THERE]
+        suspects = [one for one in silent if self._type(one).partition("/")[0] not in ALWAYS_THERE]
         publishers = {one.subscription.topic: await self._publishers(one) for one in suspects[:MOST_ASKED]}
         listening = [
             Listening(
                 one.robot,
-                one.subscription.type,
+                self._type(one),
                 0 if one in suspects[MOST_ASKED:] else publishers.get(one.subscription.topic),
                 one not in silent,
             )
             for one in self._wanted
         ]
         self._tell(MessagesUnsourced(self._link, unsourced_package(listening) or ""))
+
+    def _type(self, one: Wanted) -> str:
+        return self._types().get(one.subscription.topic, one.subscription.type)
 
     def _count(self, one: Wanted) -> int:
         return self._reading.counter.topics[one.subscription.topic].count

@@ -50,7 +50,8 @@ class Subscriber:
         self._wanted, self._profile = wanted, profile
         self._robots = {one.robot for one in wanted.values()}
         self._first_again = FIRST_AGAIN + FOR_EACH_TOPIC * len(wanted)
-        self._types: dict[str, str] = {}
+        self.types: dict[str, str] = {}
+        """Type by topic, as rosapi told last; empty where it doesn't."""
         self._refused: set[str] = set()
         self._as_json: set[str] = set()
         """Maps that never came as CBOR."""
@@ -70,9 +71,9 @@ class Subscriber:
         self._task = asyncio.ensure_future(self._begin())
 
     async def _begin(self) -> None:
-        self._types = await self._ask_types()
+        self.types = await self._ask_types()
         # First, to hear what the bridge has to say of the others.
-        self.overhearing.subscribe(self._types)
+        self.overhearing.subscribe(self.types)
         self._subscribe_to(self._robots)
         if self._is_ros2:
             self._latched.start(self._of_latched(), FOR_EACH_TOPIC)
@@ -80,7 +81,7 @@ class Subscriber:
     @property
     def _is_ros2(self) -> bool:
         """Whether the bridge may be one of ROS 2: as the types say, where rosapi tells them."""
-        return not self._types or any("/msg/" in type_ for type_ in self._types.values())
+        return not self.types or any("/msg/" in type_ for type_ in self.types.values())
 
     def _of_latched(self) -> list[Wanted]:
         """The latched topics that are asked for, as far as rosapi knows that they exist."""
@@ -89,7 +90,7 @@ class Subscriber:
             for one in self._of(self._robots)
             if one.kind.per_floor
             and one.subscription.topic not in self._refused
-            and (not self._types or one.subscription.topic in self._types)
+            and (not self.types or one.subscription.topic in self.types)
         ]
 
     def stop(self) -> None:
@@ -126,7 +127,7 @@ class Subscriber:
         for wanted in self._of(robots):
             self._unsubscribe(wanted)
         await asyncio.sleep(let_go)
-        self._types = await self._ask_types()
+        self.types = await self._ask_types()
         self._subscribe_to(robots)
 
     def _of(self, robots: Collection[str]) -> list[Wanted]:
@@ -157,7 +158,7 @@ class Subscriber:
         return {str(topic): str(type_) for topic, type_ in zip(topics, types, strict=False)}
 
     def _subscribe(self, wanted: Wanted) -> None:
-        problem = type_problem(wanted, self._types, self._profile)
+        problem = type_problem(wanted, self.types, self._profile)
         if problem:
             if wanted.subscription.topic not in self._refused:
                 self._refused.add(wanted.subscription.topic)
@@ -169,7 +170,7 @@ class Subscriber:
         # ROS 2 writes the same type with a middle part: the bridge wants its own spelling back.
         asked = replace(
             asked,
-            type=self._types.get(asked.topic, asked.type),
+            type=self.types.get(asked.topic, asked.type),
             compression="none" if asked.topic in self._as_json else asked.compression,
             latched=wanted.kind.per_floor and self._is_ros2 and self._latched.wants_qos(asked.topic),
         )
@@ -178,8 +179,8 @@ class Subscriber:
         except LinkError:
             return
         # Where rosapi answers it says whether there is a map at all.
-        if asked.compression == "cbor" and (asked.topic in self._types or not self._types):
-            patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self._types else CBOR_PATIENCE
+        if asked.compression == "cbor" and (asked.topic in self.types or not self.types):
+            patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
             asyncio.get_running_loop().call_later(patience, self._ask_plainly, wanted)
 
     def _ask_plainly(self, wanted: Wanted) -> None:

@@ -63,7 +63,9 @@ class Telemetry:
             self.connection, self._calls, wanted, config.profile, self._reading, self._take
         )
         self.services = Services(self._calls, wanted_services(config, link))
-        self._sourcing = Sourcing(link, self._calls, wanted.values(), self._reading, writer.take)
+        self._sourcing = Sourcing(
+            link, self._calls, wanted.values(), self._reading, lambda: self._subscriber.types, writer.take
+        )
         self.show_map = self._subscriber.show_map
         self.overhear = self._subscriber.overhearing.listen
         self.counter = self._reading.counter
