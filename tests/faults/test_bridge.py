@@ -101,7 +101,7 @@ async def test_this_console_is_behind(monkeypatch: pytest.MonkeyPatch) -> None:
         return read(self, payload, is_binary, at)
 
     monkeypatch.setattr(Reading, "read", slow)
-    async with linked(usual(server.url, 10)) as (_, store):
+    async with linked(usual(server.url, 10)) as (link, store):
         await store.until(ready)
         slowness = 0.05
         watch = Stopwatch(store)
@@ -109,6 +109,7 @@ async def test_this_console_is_behind(monkeypatch: pytest.MonkeyPatch) -> None:
         assert "this console is " in shown(store.state) and " s behind" in shown(store.state)
         assert {alarm.condition.source for alarm in store.state.alarms} == {"console"}
         assert all_online(store.state)
+        await store.until(lambda _: link.counters["rosbridge"].overtaken)
         slowness = 0.0
         watch.start()
         healed = await watch.until(lambda state: state.behind < BEHIND and all_online(state))

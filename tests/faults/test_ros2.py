@@ -5,6 +5,7 @@ from collections.abc import AsyncIterator
 import pytest
 
 from fleet_tui.demo import demo_config
+from fleet_tui.link import latched
 from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import play, wire
@@ -44,7 +45,10 @@ async def test_the_bridge_gives_a_call_up(server: RosbridgeServer) -> None:
     report("ROS 2: the bridge gives a call up", "after 5 s; the robot answers after 6", seen, None, healed)
 
 
-async def test_the_bridge_is_restarted_with_latched_topics(server: RosbridgeServer) -> None:
+async def test_the_bridge_is_restarted_with_latched_topics(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 4.0)
     async with linked(usual(server.url, 2)) as (link, store):
         await store.until(ready)
         names = [f"/robot_{n}/floor_0/{name}" for n in (0, 1) for name in ("graph", "labeled_vertices")]
@@ -59,6 +63,8 @@ async def test_the_bridge_is_restarted_with_latched_topics(server: RosbridgeServ
                 ready(state) and all(topic.count > then for topic, then in zip(topics, before, strict=True))
             )
         )
+        asked = [one for one in server.received if one["op"] == "subscribe" and one["topic"] == names[0]]
+        assert len(asked) == 2, "it came only when it was asked for once more"
         record = await finished(link, store, PlaceOrder("robot_0", 19, 0))
         assert record.stage is Stage.CONFIRMED
     seen = "connection lost; then graphs and labels again"
