@@ -1,9 +1,13 @@
 """A console's link that goes through a fault proxy, and a stopwatch."""
 
+import os
 import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 
+from msgspec.structs import replace
+
+from fleet_tui.config.schema import Config
 from fleet_tui.link.fleet_link import FleetLink
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.fleet import FleetState
@@ -18,6 +22,14 @@ PLANTED = ("robot_1", "battery")
 """The alarm that is there before the fault."""
 
 Holds = Callable[[FleetState], object]
+
+
+def usual(url: str, robots: int) -> Config:
+    """A config with the usual limits, or shorter ones unless it is the true ones that are to be measured."""
+    config = config_of(url, robots)
+    if "FLEET_TUI_FAULTS" in os.environ:
+        return config
+    return replace(config, alarms=replace(config.alarms, no_answer_after=1.0, not_confirmed_after=1.0))
 
 
 class Stopwatch:

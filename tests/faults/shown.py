@@ -1,0 +1,13 @@
+"""What an operator reads: the top line, the fleet, the alarms, the line of commands, what needs attention."""
+
+from fleet_tui.headless.status import table
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.view.command_line import message_line
+from fleet_tui.view.status_line import console_notes
+
+
+def shown(state: FleetState) -> str:
+    """All of it as one text."""
+    notes = console_notes(state, read_only=False, armed=True, standstill=0.0)
+    commands = "".join(text for text, _ in message_line(state, "", 0.0, 500)) if state.commands else ""
+    return "\n".join([*notes, table(state), commands])

@@ -1,0 +1,118 @@
+"""What a bridge of ROS 1 lacks while it answers, and a console that does not keep up."""
+
+import time
+
+import pytest
+
+from fleet_tui.link.reading import Reading
+from fleet_tui.link.telemetry import Read
+from fleet_tui.model.checks import problems
+from fleet_tui.model.commands import PauseRobot, PlaceOrder, ResumeRobot, Stage, Wish
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.lag import BEHIND
+from fleet_tui.model.link import CommandPath
+from fleet_tui.model.problem import Rights
+from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
+from tests.faults.kept import linked
+from tests.faults.report import report
+from tests.faults.shown import shown
+from tests.faults.through import Holds, Stopwatch, fresh, lost, usual
+from tests.linked import finished, path, ready
+
+UNREGISTERED = "the robots' nodes are not registered: restart them"
+
+
+def raised(kind: str) -> Holds:
+    """There is an alarm of this kind that holds."""
+    return lambda state: any(alarm.condition.kind == kind and alarm.holds for alarm in state.alarms)
+
+
+def all_online(state: FleetState) -> bool:
+    """No robot counts as offline."""
+    return all(map(state.is_online, state.robots.values()))
+
+
+@pytest.mark.parametrize("fault", ["frozen-rosapi", "dead-rosapi"])
+async def test_rosapi_is_frozen_or_dead(server: RosbridgeServer, fault: str) -> None:
+    async with linked(usual(server.url, 2)) as (link, store):
+        await store.until(ready)
+        play(server, [(fault, "robot_0")])
+        round_trips = link.counters["rosbridge"].round_trips
+        beats = len(round_trips.took)
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
+        await store.until(lambda _: len(round_trips.took) >= beats + 2)
+        await server.drop_clients()
+        await store.until(lost())
+        watch = Stopwatch(store)
+        healed = await watch.until(fresh())
+        assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.CONFIRMED
+        assert not round_trips.unanswered and path(CommandPath.ALIVE)(store.state)
+        assert not raised("commands")(store.state)
+    seen = "nothing: commands and topics go on, after a reconnect too"
+    report(fault.replace("-", " "), "its services don't answer, or aren't there", seen, None, healed)
+
+
+async def test_the_master_is_back_and_the_nodes_are_not(server: RosbridgeServer) -> None:
+    async with linked(usual(server.url, 2)) as (link, store):
+        await store.until(ready)
+        server.master_alive = False
+        await store.until(path(CommandPath.DEAD))
+        services = dict(server.services)
+        server.services.clear()
+        server.master_alive = True
+        watch = Stopwatch(store)
+        noticed = await watch.until(lambda state: UNREGISTERED in shown(state))
+        record = await finished(link, store, ResumeRobot("robot_0"))
+        assert record.stage is Stage.REFUSED and record.words.endswith("does not exist")
+        server.services.update(services)
+        watch.start()
+        healed = await watch.until(path(CommandPath.ALIVE))
+        await store.until(lambda state: not raised("commands")(state))
+    report("the ROS master is back, the nodes are not", "no service exists", UNREGISTERED, noticed, healed)
+
+
+async def test_a_bridge_without_the_robots_messages(server: RosbridgeServer) -> None:
+    play(server, [("unsourced", "robot_0")])
+    async with linked(usual(server.url, 2)) as (_, store):
+        await store.until(path(CommandPath.ALIVE))
+        watch = Stopwatch(store)
+        noticed = await watch.until(raised("messages"))
+        remedy = "source the workspace that has OH_ressources before starting rosbridge"
+        assert remedy in shown(store.state)
+        asked = problems(store.state, Wish((PlaceOrder("robot_0", 19, 0),)), Rights())
+        assert "queue unheard" in [problem.check for problem in asked]
+        server.unsourced.clear()
+        await server.restart_bridge()
+        watch.start()
+        healed = await watch.until(lambda state: ready(state) and remedy not in shown(state))
+    seen = f"rosbridge runs without the messages of OH_ressources: {remedy}"
+    report("a bridge without the robots' messages", "started without their workspace", seen, noticed, healed)
+
+
+async def test_this_console_is_behind(monkeypatch: pytest.MonkeyPatch) -> None:
+    server = RosbridgeServer(World(robots=10, floors=1, seed=1, quiet=True))
+    await server.start()
+    read, slowness = Reading.read, 0.0
+
+    def slow(self: Reading, payload: bytes, is_binary: bool, at: float) -> Read:
+        time.sleep(slowness)
+        return read(self, payload, is_binary, at)
+
+    monkeypatch.setattr(Reading, "read", slow)
+    async with linked(usual(server.url, 10)) as (link, store):
+        await store.until(ready)
+        slowness = 0.05
+        watch = Stopwatch(store)
+        noticed = await watch.until(raised("behind"), within=60)
+        assert "this console is " in shown(store.state) and " s behind" in shown(store.state)
+        assert {alarm.condition.source for alarm in store.state.alarms} == {"console"}
+        assert all_online(store.state)
+        await store.until(lambda _: link.counters["rosbridge"].overtaken)
+        slowness = 0.0
+        watch.start()
+        healed = await watch.until(lambda state: state.behind < BEHIND and all_online(state))
+    await server.stop()
+    seen = "this console is 2.4 s behind, one alarm; no robot is blamed"
+    report("this console is behind", "each message takes it 50 ms, 200 come a second", seen, noticed, healed)

@@ -1,0 +1,131 @@
+"""What a bridge of ROS 2 does to those who ask it as they would ask one of ROS 1."""
+
+from collections.abc import AsyncIterator
+
+import pytest
+
+from fleet_tui.demo import demo_config
+from fleet_tui.link import latched
+from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.simulator.faults import play, wire
+from fleet_tui.simulator.ros.ros2 import ROS2
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
+from tests.faults.kept import linked
+from tests.faults.report import report
+from tests.faults.shown import shown
+from tests.faults.test_bridge import all_online, raised
+from tests.faults.through import Stopwatch, lost, usual
+from tests.linked import finished, ready
+
+
+@pytest.fixture
+async def server() -> AsyncIterator[RosbridgeServer]:
+    """Two quiet robots behind a bridge of ROS 2."""
+    running = RosbridgeServer(World(robots=2, floors=1, seed=1, quiet=True), dialect=ROS2)
+    await running.start()
+    yield running
+    await running.stop()
+
+
+async def test_the_bridge_gives_a_call_up(server: RosbridgeServer) -> None:
+    play(server, [("slow-answer", "robot_0")])
+    async with linked(usual(server.url, 2)) as (link, store):
+        await store.until(ready)
+        watch = Stopwatch(store)
+        link.submit(PlaceOrder("robot_0", 19, 0))
+        healed = await watch.until(
+            lambda state: state.commands and state.commands[-1].stage is Stage.CONFIRMED
+        )
+        stages = {step.stage for step in store.state.commands[-1].steps}
+        assert stages & {Stage.UNKNOWN, Stage.NO_ANSWER} and Stage.REFUSED not in stages
+        assert not raised("command")(store.state)
+    seen = "no answer or outcome unknown; confirmed once the order is seen in the queue"
+    report("ROS 2: the bridge gives a call up", "after 5 s; the robot answers after 6", seen, None, healed)
+
+
+async def test_the_bridge_is_restarted_with_latched_topics(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 4.0)
+    async with linked(usual(server.url, 2)) as (link, store):
+        await store.until(ready)
+        names = [f"/robot_{n}/floor_0/{name}" for n in (0, 1) for name in ("graph", "labeled_vertices")]
+        topics = [link.counters["rosbridge"].topics[name] for name in names]
+        before = [topic.count for topic in topics]
+        watch = Stopwatch(store)
+        await server.restart_bridge()
+        noticed = await watch.until(lost())
+        watch.start()
+        healed = await watch.until(
+            lambda state: (
+                ready(state) and all(topic.count > then for topic, then in zip(topics, before, strict=True))
+            )
+        )
+        asked = [one for one in server.received if one["op"] == "subscribe" and one["topic"] == names[0]]
+        assert len(asked) == 2, "it came only when it was asked for once more"
+        record = await finished(link, store, PlaceOrder("robot_0", 19, 0))
+        assert record.stage is Stage.CONFIRMED
+    seen = "connection lost; then graphs and labels again"
+    report("ROS 2: the bridge is restarted", "latched topics, asked for at once", seen, noticed, healed)
+
+
+async def test_maps_and_graphs_are_published_volatile(server: RosbridgeServer) -> None:
+    play(server, [("volatile-maps", "robot_0"), ("volatile-maps", "robot_1")])
+    async with linked(usual(server.url, 2)) as (link, store):
+        watch = Stopwatch(store)
+        healed = await watch.until(ready)
+        assert (await finished(link, store, PlaceOrder("robot_0", 19, 0))).stage is Stage.CONFIRMED
+    seen = "nothing: they are asked for once more, without qos"
+    report("ROS 2: graphs are published volatile", f"every {wire.AGAIN:g} s, not latched", seen, None, healed)
+
+
+async def test_a_map_is_larger_than_the_bridges_messages(server: RosbridgeServer) -> None:
+    server.max_message_size = 60_000
+    async with linked(usual(server.url, 2)) as (link, store):
+        await store.until(ready)
+        watch = Stopwatch(store)
+        link.show_map("robot_0", "floor_0")
+        healed = await watch.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+        assert not store.state.links["rosbridge"].faults
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
+    seen = "no map yet; then the map, from pieces of JSON"
+    report("ROS 2: a map over max_message_size", "it never comes as cbor", seen, None, healed)
+
+
+async def test_the_bridge_is_overloaded(server: RosbridgeServer) -> None:
+    def in_time(state: FleetState) -> bool:
+        return not raised("late")(state) and all_online(state)
+
+    async with linked(usual(server.url, 2)) as (_, store):
+        await store.until(ready)
+        server.capacity = 20.0
+        watch = Stopwatch(store)
+        noticed = await watch.until(raised("late"), within=60)
+        assert "late: the bridge is overloaded: fewer topics" in shown(store.state)
+        assert not raised("behind")(store.state) and all_online(store.state)
+        server.capacity = None
+        watch.start()
+        healed = await watch.until(in_time)
+    seen = "messages come 2.4 s late: the bridge is overloaded: ..., one alarm; no robot is blamed"
+    report("ROS 2: an overloaded bridge", "it carries half of what comes", seen, noticed, healed)
+
+
+async def test_rosapi_has_died(server: RosbridgeServer) -> None:
+    """Nobody tells how this bridge spells the types then: the config must."""
+    play(server, [("dead-rosapi", "robot_0")])
+    config = demo_config(usual(server.url, 2), server.url, 2, 1, ros="2")
+    async with linked(config) as (link, store):
+        watch = Stopwatch(store)
+        healed = await watch.until(ready)
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
+        assert not raised("commands")(store.state)
+    seen = "nothing: commands and telemetry go on"
+    report(
+        "ROS 2: rosapi has died",
+        "of a question of another client; the config has ROS 2's types",
+        seen,
+        None,
+        healed,
+    )
