@@ -15,9 +15,9 @@ from fleet_tui.headless.sending import LINK_WITHIN, How, Sending, reaches, unrep
 from fleet_tui.headless.session import session
 from fleet_tui.journal.audit import auditing
 from fleet_tui.log_file import state_folder
-from fleet_tui.model.batches import pauses, summary
+from fleet_tui.model.batches import summary
 from fleet_tui.model.checks import no_link
-from fleet_tui.model.commands import ResumeRobot, Wish
+from fleet_tui.model.commands import PauseRobot, ResumeRobot, Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import ALL, find_robot, parse_words
 from fleet_tui.model.problem import Rights
@@ -180,12 +180,13 @@ def pause(config: Config, word: str, asked: How, as_json: bool, say: Say) -> int
 
 def said(outcomes: Iterable[Outcome], as_json: bool, say: Say, given: Sending | None = None) -> int:
     """Say each outcome when it is there, and how many robots as a whole; the exit code of all."""
-    codes = list[int]()
+    codes, before = list[int](), len(given.records) if given else 0
     for outcome in outcomes:
         tell(outcome, as_json, say)
         codes.append(outcome.code)
-    if given is not None and len(codes) > 1 and not as_json:
-        for batch in pauses(given.records)[-1:]:
-            what, words = summary(given.state, batch)
-            say(visible(f"{what}: {words}"), err=exit_code(codes) != DONE)
+    # Of several bridges the slower ones were told later: all of it is one request.
+    batch = given.records[before:] if given and not as_json else []
+    if given and len(batch) > 1 and all(isinstance(one.command, PauseRobot | ResumeRobot) for one in batch):
+        what, words = summary(given.state, batch)
+        say(visible(f"{what}: {words}"), err=exit_code(codes) != DONE)
     return exit_code(codes)

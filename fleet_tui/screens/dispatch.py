@@ -31,7 +31,7 @@ class Dispatch(Part):
         super().__init__()
         self._given: dict[tuple[Command, ...], float] = {}
         self.said, self._said_at = "", 0.0
-        self._held = Held(lambda wish: self._give_held(wish))
+        self._held = Held(lambda wish: self._give_held(wish), lambda problem: self.say(problem))
 
     @property
     def state(self) -> FleetState:
@@ -52,7 +52,7 @@ class Dispatch(Part):
         that is asked."""
         may_send = self.armed and not self.read_only
         ready = self._held.hold(self.state, wish, time.monotonic()) if may_send else wish
-        if ready is not wish:
+        if ready != wish:
             self.note("waiting for the link")
         if ready is None:
             sent()

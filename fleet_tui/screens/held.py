@@ -1,6 +1,7 @@
 """Requests made while the console starts: they wait a moment for the link instead of being refused."""
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
@@ -10,37 +11,57 @@ from fleet_tui.model.fleet import FleetState
 LINK_WITHIN, PAUSE_WITHIN = 1.0, 5.0
 """Seconds after which a request, and one to pause, no longer waits for the first connection."""
 
+LATEST = 0.5
+"""Seconds after that within which the console must look again: a request is not sent long after its key."""
+
 Give = Callable[[Wish], None]
+
+
+class _Waiting(NamedTuple):
+    wish: Wish
+    since: float
+
+    @property
+    def pauses(self) -> bool:
+        return all(isinstance(one, PauseRobot) for one in self.wish.commands)
+
+    @property
+    def until(self) -> float:
+        return self.since + (PAUSE_WITHIN if self.pauses else LINK_WITHIN)
 
 
 class Held:
     """Keeps requests until the link of their robots is there, or the time is up."""
 
-    def __init__(self, give: Give) -> None:
-        self._give = give
-        self._waiting: list[tuple[Wish, float]] = []
+    def __init__(self, give: Give, refuse: Callable[[str], None]) -> None:
+        """`refuse` is told why a request is not sent."""
+        self._give, self._refuse = give, refuse
+        self._waiting: list[_Waiting] = []
 
     def hold(self, state: FleetState, wish: Wish, now: float) -> Wish | None:
         """Keep what has to wait. Returns what need not, None where that is nothing."""
-        starting = tuple(one for one in wish.commands if _is_starting(state, one))
-        if not starting:
-            return wish
-        pauses = all(isinstance(one, PauseRobot) for one in starting)
-        until = now + (PAUSE_WITHIN if pauses else LINK_WITHIN)
-        self._waiting.append((replace(wish, commands=starting), until))
-        rest = tuple(one for one in wish.commands if one not in starting)
-        return replace(wish, commands=rest) if rest else None
+        return self._keep_starting(state, _Waiting(wish, now))
 
     def release(self, state: FleetState, now: float) -> None:
         """Give what need not wait any longer; where the time is up, the checks say why it is not sent."""
-        if not self._waiting:
-            return
         waiting, self._waiting = self._waiting, []
-        for wish, until in waiting:
-            if now < until and any(_is_starting(state, one) for one in wish.commands):
-                self._waiting.append((wish, until))
+        for one in waiting:
+            ready = self._keep_starting(state, one) if now < one.until else one.wish
+            if ready is None:
+                continue
+            if now > one.until + LATEST and not one.pauses:
+                self._refuse(f"not sent: it waited {now - one.since:.1f} s for the link: give it again")
             else:
-                self._give(wish)
+                self._give(ready)
+
+    def _keep_starting(self, state: FleetState, one: _Waiting) -> Wish | None:
+        """Keep the commands whose link is not there yet, whatever the other links do."""
+        commands = one.wish.commands
+        starting = tuple(command for command in commands if _is_starting(state, command))
+        if starting:
+            self._waiting.append(_Waiting(replace(one.wish, commands=starting), one.since))
+        rest = tuple(command for command in commands if command not in starting)
+        return replace(one.wish, commands=rest) if rest else None
 
 
 def _is_starting(state: FleetState, command: Command) -> bool:

@@ -36,6 +36,12 @@ async def test_every_command_of_the_language_from_standard_input(
     assert paused == {"robot_0": True, "robot_1": False}
 
 
+async def test_each_line_is_summed_up_once(server: RosbridgeServer, folder: Path) -> None:
+    lines = "robot_0 Base > Consumidores > Base\npause all\nrobot_0 Base > Consumidores > Base\n"
+    done = await run(folder, "run", "-", "--yes", "--keep-going", stdin=lines)
+    assert (done.out + done.err).count("pause all: 2 confirmed") == 1
+
+
 async def test_a_dry_run_sends_nothing(server: RosbridgeServer, folder: Path) -> None:
     (folder / "batch").write_text(TWICE + "clear robot_1\n")
     done = await run(folder, "run", "batch", "--dry-run")
