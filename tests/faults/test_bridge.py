@@ -79,7 +79,7 @@ async def test_a_bridge_without_the_robots_messages(server: RosbridgeServer) -> 
         await store.until(path(CommandPath.ALIVE))
         watch = Stopwatch(store)
         noticed = await watch.until(raised("messages"))
-        remedy = "source the workspace that has OH_ressources before starting rosbridge"
+        remedy = "rosbridge lacks the messages of OH_ressources: source their workspace, then restart it"
         assert remedy in shown(store.state)
         asked = problems(store.state, Wish((PlaceOrder("robot_0", 19, 0),)), Rights())
         assert "queue unheard" in [problem.check for problem in asked]
@@ -87,8 +87,9 @@ async def test_a_bridge_without_the_robots_messages(server: RosbridgeServer) -> 
         await server.restart_bridge()
         watch.start()
         healed = await watch.until(lambda state: ready(state) and remedy not in shown(state))
-    seen = f"rosbridge runs without the messages of OH_ressources: {remedy}"
-    report("a bridge without the robots' messages", "started without their workspace", seen, noticed, healed)
+    report(
+        "a bridge without the robots' messages", "started without their workspace", remedy, noticed, healed
+    )
 
 
 async def test_this_console_is_behind(monkeypatch: pytest.MonkeyPatch) -> None:
