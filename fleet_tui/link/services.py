@@ -5,7 +5,7 @@ import logging
 from collections.abc import Callable, Collection, Iterable, Mapping
 
 from fleet_tui.errors import LinkError
-from fleet_tui.link.calls import Calls
+from fleet_tui.link.calls import Calls, NoAnswerError
 from fleet_tui.link.subscriptions import WantedService
 from fleet_tui.model.bounds import brief
 from fleet_tui.rosbridge.operations import ServiceResponse
@@ -14,6 +14,8 @@ from fleet_tui.rosbridge.type_names import same_type
 LOG = logging.getLogger(__name__)
 
 ROSAPI_TIMEOUT = 5.0
+AGAIN = 5.0
+"""Seconds after which rosapi is asked again where it did not answer: it may have been busy."""
 
 
 class Services:
@@ -106,12 +108,23 @@ class Services:
         expected = self._wanted[service].type
         if same_type(found, expected):
             return ""
+        # Another node may have it by now: the next call goes by what is there then.
+        self.look()
         return f"{service} has type {found}, not {expected}"
 
     async def _look(self) -> None:
-        response = await self._ask("services", {})
-        if response is None:
-            return
+        while True:
+            try:
+                await self._take_services(await self._ask("services", {}))
+            except NoAnswerError as problem:
+                LOG.info("services are not looked up yet: %s", problem)
+            except LinkError:
+                return
+            else:
+                return
+            await asyncio.sleep(AGAIN)
+
+    async def _take_services(self, response: ServiceResponse) -> None:
         if not response.result or not isinstance(response.values, dict):
             if self._rosapi_answered and self._master_was_gone and _does_not_exist(response.values):
                 # rosapi is a node like the robots': the new master knows none of them.
@@ -128,23 +141,21 @@ class Services:
         self._set_gone(self._seen - there)
         if absent != self._absent:
             self.changed()
-        await self._ask_types(name for name in self._wanted if name in there and name not in self._types)
+        await self._ask_types([name for name in self._wanted if name in there and not self._is_right(name)])
+
+    def _is_right(self, name: str) -> bool:
+        return name in self._types and same_type(self._types[name], self._wanted[name].type)
 
     async def _ask_types(self, names: Iterable[str]) -> None:
-        for name in list(names):
+        for name in names:
             response = await self._ask("service_type", {"service": name})
-            if response is None:
-                return
             found = response.values.get("type") if isinstance(response.values, dict) else None
             if response.result and isinstance(found, str) and found:
                 self._types[name] = brief(found)
 
-    async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse | None:
-        try:
-            return await self._calls.call(f"/rosapi/{question}", args, ROSAPI_TIMEOUT)
-        except LinkError as problem:
-            LOG.info("services are not looked up: %s", problem)
-            return None
+    async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse:
+        """Ask rosapi. Raises LinkError."""
+        return await self._calls.call(f"/rosapi/{question}", args, ROSAPI_TIMEOUT)
 
 
 def _does_not_exist(values: object) -> bool:

@@ -15,6 +15,8 @@ LOG = logging.getLogger(__name__)
 
 LOOK_AFTER, FOR_EACH_TOPIC = 4.0, 0.03
 """Seconds after which a topic that somebody publishes should have come: a bridge subscribes one by one."""
+AGAIN = 2.0
+"""Seconds between looks whether a package that is lacking, as it seems, has been heard of after all."""
 ROSAPI_TIMEOUT = 2.0
 MOST_ASKED = 20
 """Topics whose publishers are asked for: the package is the same for all."""
@@ -39,7 +41,8 @@ class Sourcing:
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
-        """Look once on this connection: what a bridge lacks it lacks until it is restarted."""
+        """Look once on this connection: what a bridge lacks it lacks until it is restarted. Of a package that
+        was only slow something comes later."""
         self.stop()
         self._task = asyncio.ensure_future(self._look())
 
@@ -63,7 +66,14 @@ class Sourcing:
             )
             for one in self._wanted
         ]
-        self._tell(MessagesUnsourced(self._link, unsourced_package(listening) or ""))
+        package = unsourced_package(listening) or ""
+        self._tell(MessagesUnsourced(self._link, package))
+        lacking = [one for one in silent if self._type(one).partition("/")[0] == package]
+        while lacking:
+            await asyncio.sleep(AGAIN)
+            if any(self._count(one) != before[one.subscription.topic] for one in lacking):
+                self._tell(MessagesUnsourced(self._link, ""))
+                return
 
     def _type(self, one: Wanted) -> str:
         return self._types().get(one.subscription.topic, one.subscription.type)

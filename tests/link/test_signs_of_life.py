@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from fleet_tui.link import heartbeat
+from fleet_tui.config.profile import SERVICES
+from fleet_tui.link import heartbeat, services
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.link import CommandPath
@@ -61,7 +62,7 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
         await store.until(ready)
         server.master_alive = False
         await store.until(path(CommandPath.DEAD))
-        services = dict(server.services)
+        there = dict(server.services)
         server.services.clear()
         server.rosapi_alive = rosapi_returns
         server.master_alive = True
@@ -69,14 +70,14 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
         assert state.links["rosbridge"].command_reason == (
             "the robots' nodes are not registered: restart them"
         )
-        server.services.update({name: one for name, one in services.items() if "robot_0" in name})
+        server.services.update({name: one for name, one in there.items() if "robot_0" in name})
         server.rosapi_alive = True
         state = await store.until(
             lambda state: (
                 state.links["rosbridge"].command_reason == "nodes of robot_1 are not registered: restart them"
             )
         )
-        server.services.update(services)
+        server.services.update(there)
         await store.until(path(CommandPath.ALIVE))
 
 
@@ -135,3 +136,34 @@ async def test_a_robot_that_speaks_and_has_no_services_is_told_from_the_start(
         state = await store.until(path(CommandPath.UNREGISTERED))
         reason = state.links["rosbridge"].command_reason
         assert reason == "no service of robot_1 is there: restart its node, or correct [profile.services]"
+
+
+async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Behind the subscriptions of a large fleet the question runs out: the call must not leave for that."""
+    monkeypatch.setattr(services, "ROSAPI_TIMEOUT", 0.2)
+    monkeypatch.setattr(services, "AGAIN", 0.1)
+    right = server.services[RESUME]
+    server.services[RESUME] = replace(right, name="nav2_msgs/srv/ManageLifecycleNodes")
+    server.silent_services.add("/rosapi/service_type")
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(ready)
+        await store.until(lambda _: asked_for_type(server) > 1)
+        server.silent_services.clear()
+        before = asked_for_type(server)
+        await store.until(lambda _: asked_for_type(server) > before + len(SERVICES) - 1)
+        await finished(link, store, PauseRobot("robot_0"))
+        assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
+        server.services[RESUME] = right
+        # A refusal asks again: the next one goes by what is there now.
+        before = asked_for_type(server)
+        await finished(link, store, ResumeRobot("robot_0"))
+        await store.until(lambda _: asked_for_type(server) > before)
+        await finished(link, store, PauseRobot("robot_0"))
+        assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.CONFIRMED
+
+
+def asked_for_type(server: RosbridgeServer) -> int:
+    """How often the type of a service was asked for."""
+    return sum(one.get("service") == "/rosapi/service_type" for one in server.received)
