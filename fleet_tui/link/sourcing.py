@@ -15,6 +15,8 @@ LOG = logging.getLogger(__name__)
 
 LOOK_AFTER = 8.0
 """Seconds after which a topic that somebody publishes should have come."""
+AGAIN = 2.0
+"""Seconds between looks whether a package that is lacking, as it seems, has been heard of after all."""
 ROSAPI_TIMEOUT = 2.0
 MOST_ASKED = 20
 """Topics whose publishers are asked for: the package is the same for all."""
@@ -36,7 +38,8 @@ class Sourcing:
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
-        """Look once on this connection: what a bridge lacks it lacks until it is restarted."""
+        """Look once on this connection: what a bridge lacks it lacks until it is restarted. A package that
+        was only slow is heard of later."""
         self.stop()
         self._task = asyncio.ensure_future(self._look())
 
@@ -49,7 +52,7 @@ class Sourcing:
         before = {one.subscription.topic: self._count(one) for one in self._wanted}
         await asyncio.sleep(LOOK_AFTER)
         silent = [one for one in self._wanted if self._count(one) == before[one.subscription.topic]]
-        suspects = [one for one in silent if one.subscription.type.partition("/")[0] not in ALWAYS_THERE]
+        suspects = [one for one in silent if _package(one) not in ALWAYS_THERE]
         publishers = {one.subscription.topic: await self._publishers(one) for one in suspects[:MOST_ASKED]}
         listening = [
             Listening(
@@ -60,7 +63,14 @@ class Sourcing:
             )
             for one in self._wanted
         ]
-        self._tell(MessagesUnsourced(self._link, unsourced_package(listening) or ""))
+        package = unsourced_package(listening) or ""
+        self._tell(MessagesUnsourced(self._link, package))
+        lacking = [one for one in silent if _package(one) == package]
+        while lacking:
+            await asyncio.sleep(AGAIN)
+            if any(self._count(one) != before[one.subscription.topic] for one in lacking):
+                self._tell(MessagesUnsourced(self._link, ""))
+                return
 
     def _count(self, one: Wanted) -> int:
         return self._reading.counter.topics[one.subscription.topic].count
@@ -75,3 +85,7 @@ class Sourcing:
             return 0
         nodes = response.values.get("publishers") if isinstance(response.values, dict) else None
         return len(nodes) if response.result and isinstance(nodes, list) else 0
+
+
+def _package(wanted: Wanted) -> str:
+    return wanted.subscription.type.partition("/")[0]

@@ -39,3 +39,15 @@ async def test_a_bridge_that_has_them_is_not_suspected(
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(lambda _: store.told(MessagesUnsourced))
         assert not store.state.links["rosbridge"].unsourced
+
+
+async def test_a_node_that_was_only_slow_is_no_longer_suspected_when_it_speaks(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
+    monkeypatch.setattr(sourcing, "AGAIN", 0.1)
+    server.muted.update(f"/robot_0/{name}" for name in ("queue", "floor_0/graph", "floor_0/labeled_vertices"))
+    async with linked(config_of(server.url, 1)) as (_, store):
+        await store.until(lambda state: state.links["rosbridge"].unsourced)
+        server.muted.clear()
+        await store.until(lambda state: not state.links["rosbridge"].unsourced)
