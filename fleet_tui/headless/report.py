@@ -4,8 +4,8 @@ import math
 from typing import Any
 
 from fleet_tui.headless.session import missing
-from fleet_tui.model.fleet import FleetState, behind_text
-from fleet_tui.model.lag import BEHIND
+from fleet_tui.model.conditions import behind, late
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.order import STATUS_WORDS
 from fleet_tui.model.robot import Reading, Robot
@@ -29,6 +29,7 @@ def _link(state: FleetState, link: LinkState) -> Values:
         "last_message_s": _age(state, link.heard),
         "commands": link.command_path.value,
         "commands_reason": link.command_reason or None,
+        "late_s": round(link.late, 1),
         "bad_frames": link.faults,
     }
 
@@ -90,14 +91,16 @@ def _robot(state: FleetState, robot: Robot) -> Values:
 
 def attention(state: FleetState) -> list[str]:
     """One line for each thing that is not as it should be; empty when all is well."""
-    lines = [behind_text(state)] if state.behind >= BEHIND else []
+    # Said before they have lasted long enough for an alarm: this command does not wait for that.
+    lagging = [behind(state), *(late(state, link, {}) for link in state.links.values())]
+    lines = [f"{one.source}: {one.text}" for one in lagging if one is not None]
     for link in state.links.values():
         if link.phase is not Phase.UP:
             lines.append(f"{link.name}: no link to {link.url}: {link.reason or 'nothing answers'}")
         elif link.command_path in NO_WAY:
             lines.append(f"{link.name}: commands don't get through: {link.command_reason}")
     for alarm in state.alarms:
-        if alarm.holds and alarm.condition.kind not in ("link", "commands", "behind"):
+        if alarm.holds and alarm.condition.kind not in ("link", "commands"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")
     for robot in state.robots.values():
         absent = missing(robot)
@@ -117,6 +120,7 @@ def report(state: FleetState) -> Values:
     return {
         "version": VERSION,
         "time": state.wall,
+        "behind_s": round(state.behind, 1),
         "links": [_link(state, link) for link in state.links.values()],
         "robots": [_robot(state, robot) for robot in state.robots.values()],
         "alarms": [
@@ -148,9 +152,8 @@ def changes(before: Values, after: Values) -> Values:
 
 
 def _ageless(entry: Values) -> Values:
-    kept = {
-        name: value for name, value in entry.items() if name not in ("since_s", "last_message_s", "heard_s")
-    }
+    ages = ("since_s", "last_message_s", "heard_s", "late_s")
+    kept = {name: value for name, value in entry.items() if name not in ages}
     if kept.get("pose"):
         kept["pose"] = {name: value for name, value in kept["pose"].items() if name != "age_s"}
     return kept

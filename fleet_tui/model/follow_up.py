@@ -79,11 +79,12 @@ def _end_stage(state: FleetState, record: CommandRecord, gone: GoneOrder) -> Sta
 
 
 def _removals(state: FleetState, record: CommandRecord, gone: GoneOrder) -> set[Stage]:
-    """Where the commands of this console stand that were to take the order out of the queue."""
+    """Where this console's other commands since `record` stand that were to remove an order."""
     return {
         other.stage
         for other in state.commands
         if other.command.robot == record.command.robot
+        and other.id != record.id
         and record.issued_at <= other.issued_at <= gone.at
         and _removes(other, gone.order.id)
     }
@@ -117,6 +118,7 @@ def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) ->
                 and one.stage is not Stage.DONE
                 and one.reason != STARTED_OVER
                 and _removes(record, one.order.id)
+                and not _removals(state, record, one) & _MAY_HAVE_REMOVED
                 for one in robot.gone
             )
         case PauseRobot():
@@ -133,7 +135,17 @@ def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) ->
 def _reports_pause(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> bool:
     paused = robot.paused
     reported = paused is not None and paused.at > record.at and paused.value is wanted
-    return reported and not is_overtaken(state, record)
+    return reported and not is_overtaken(state, record) and not _is_repeated(state, record)
+
+
+def _is_repeated(state: FleetState, record: CommandRecord) -> bool:
+    """Whether the same was asked again since and reached the robot, as far as is known: that one did it."""
+    return any(
+        other.command == record.command
+        and other.issued_at > record.issued_at
+        and other.stage not in (Stage.REFUSED, Stage.NOT_SENT)
+        for other in state.commands
+    )
 
 
 def _late(state: FleetState, record: CommandRecord, shown: str) -> Step:

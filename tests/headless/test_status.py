@@ -9,9 +9,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
-from fleet_tui.headless.report import changes
+from fleet_tui.headless.report import attention, changes, report
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.fleets import LINK, T0, fleet, link_up, tick, told
 from tests.headless.running import config_file, run, started
 
 
@@ -133,6 +135,16 @@ async def test_watch_says_what_changes_as_json_lines(server: RosbridgeServer, tm
     assert changed["attention"] == ["robot_0: battery 5 %"] or "battery" in changed["attention"][0]
     process.send_signal(signal.SIGINT)
     assert await asyncio.wait_for(process.wait(), 10) == 130
+
+
+def test_a_console_that_is_behind_and_a_bridge_that_is_late_need_attention_at_once() -> None:
+    up = told(fleet(), link_up(T0), tick(T0))
+    assert not any("behind" in line or "late" in line for line in attention(up))
+    state = replace(up, behind=2.4)
+    assert "console: this console is 2.4 s behind" in attention(state) and report(state)["behind_s"] == 2.4
+    state = replace(up, links={LINK: replace(up.links[LINK], late=3.0)})
+    assert attention(state)[0].startswith("rosbridge: messages come 3.0 s late: the bridge is overloaded")
+    assert report(state)["links"][0]["late_s"] == 3.0 and not changes(report(up), report(state)).get("links")
 
 
 def test_ages_alone_are_no_change() -> None:

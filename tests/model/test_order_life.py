@@ -199,6 +199,24 @@ def test_a_pause_that_is_obeyed_late_is_told() -> None:
     assert alarm_texts(state)[0].startswith("carried out late: pause (reported by the robot, 12 s after")
 
 
+def test_a_pause_that_was_given_again_and_worked_is_not_carried_out_late() -> None:
+    waiting = not_confirmed(PauseRobot(R0), PausedReported(R0, T0, False))
+    again = commanded(2, PauseRobot(R0), SENT, ACCEPTED, at=T0 + 10)
+    state = told(waiting, *again, PausedReported(R0, T0 + 11, True), tick(T0 + 11), tick(T0 + 12))
+    assert [one.stage for one in state.commands] == [Stage.NOT_CONFIRMED, Stage.CONFIRMED]
+    refused = commanded(2, PauseRobot(R0), SENT, Stage.REFUSED, at=T0 + 10)
+    state = told(waiting, *refused, PausedReported(R0, T0 + 11, True), tick(T0 + 11))
+    assert first(state).stage is Stage.LATE
+
+
+@pytest.mark.parametrize("again", [CancelOrder(R0, 5), ClearOrders(R0)])
+def test_a_cancel_that_another_one_did_is_not_carried_out_late(again: Command) -> None:
+    waiting = not_confirmed(CancelOrder(R0, 5), graph(0, 1, 2, END), pose(T0), queue(T0 - 1, QUEUED))
+    state = told(waiting, queue(T0 + 9, QUEUED), *commanded(2, again, SENT, ACCEPTED, at=T0 + 10))
+    state = told(state, gone(T0 + 11), tick(T0 + 11), tick(T0 + 12))
+    assert [one.stage for one in state.commands] == [Stage.NOT_CONFIRMED, Stage.CONFIRMED]
+
+
 def test_where_no_topic_tells_a_pause_its_late_answer_does() -> None:
     state = told(fleet(), link_up(T0 - 9), tick(T0), *commanded(1, PauseRobot(R0), SENT, Stage.NO_ANSWER))
     state = told(state, tick(T0 + PATIENCE + 0.1))
