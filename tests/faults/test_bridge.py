@@ -34,8 +34,11 @@ def all_online(state: FleetState) -> bool:
     return all(map(state.is_online, state.robots.values()))
 
 
-@pytest.mark.parametrize("fault", ["frozen-rosapi", "dead-rosapi"])
-async def test_rosapi_is_frozen_or_dead(server: RosbridgeServer, fault: str) -> None:
+@pytest.mark.parametrize(
+    ("fault", "made_by"),
+    [("frozen-rosapi", "its services don't answer"), ("dead-rosapi", "its services don't exist")],
+)
+async def test_rosapi_is_frozen_or_dead(server: RosbridgeServer, fault: str, made_by: str) -> None:
     async with linked(usual(server.url, 2)) as (link, store):
         await store.until(ready)
         play(server, [(fault, "robot_0")])
@@ -51,7 +54,7 @@ async def test_rosapi_is_frozen_or_dead(server: RosbridgeServer, fault: str) -> 
         assert not round_trips.unanswered and path(CommandPath.ALIVE)(store.state)
         assert not raised("commands")(store.state)
     seen = "nothing: commands and topics go on, after a reconnect too"
-    report(fault.replace("-", " "), "its services don't answer, or aren't there", seen, None, healed)
+    report(f"a {fault.replace('-', ' ')}", made_by, seen, None, healed)
 
 
 async def test_the_master_is_back_and_the_nodes_are_not(server: RosbridgeServer) -> None:
