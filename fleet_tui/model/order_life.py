@@ -15,8 +15,8 @@ from fleet_tui.model.order import Order, OrderQueue
 
 ARRIVES = 2.0
 """Metres from its last vertex within which a robot was, if it drove the order and did not just lose it."""
-MOVED, SEEN_AGAIN = 0.5, 0.5
-"""Metres, and seconds at its end, from which on a new place is kept: poses come ten times a second."""
+SEEN_AGAIN = 0.5
+"""Seconds at its end after which that is kept anew: poses come ten times a second."""
 LEFT_WITHIN = 3.0
 """Seconds before a queue that still shows an order in which the robot may have been at its end. Before that
 it was there for something else: many orders begin where they end, and fetch from elsewhere."""
@@ -31,12 +31,11 @@ which that was heard; None where unknown."""
 
 
 class OrderTrace(Struct, frozen=True):
-    """An order in the queue: whether it was `begun`, and since then how many `metres` the robot is from its
-    end, None where that is unknown; `arrived_at` is when it was there last (monotonic)."""
+    """An order in the queue: whether it was `begun`; `arrived_at` is when, since then, the robot was at its
+    end last (monotonic)."""
 
     order: Order
     begun: bool = False
-    metres: float | None = None
     arrived_at: float | None = None
 
     def was_driven(self, heard: float | None) -> bool:
@@ -54,19 +53,19 @@ class GoneOrder(Struct, frozen=True):
     reason: str
 
 
-def trace_movement(traces: Mapping[int, OrderTrace], current: int, away: Away) -> Mapping[int, OrderTrace]:
-    """Keep where a robot is on its way to the end of the order that it drives."""
-    trace = traces.get(current)
-    seen = away(trace.order) if trace is not None and trace.begun else None
-    if trace is None or seen is None:
-        return traces
-    metres, at = seen
-    moved = trace.metres is None or (metres != trace.metres and abs(metres - trace.metres) >= MOVED)
-    arrived = metres <= ARRIVES and (trace.arrived_at is None or at - trace.arrived_at >= SEEN_AGAIN)
-    if not moved and not arrived:
-        return traces
-    arrived_at = at if metres <= ARRIVES else trace.arrived_at
-    return {**traces, current: replace(trace, metres=metres, arrived_at=arrived_at)}
+def trace_movement(traces: Mapping[int, OrderTrace], away: Away) -> Mapping[int, OrderTrace]:
+    """Keep when a robot was at the end of an order that it has begun."""
+    arrived = {
+        id_: replace(trace, arrived_at=seen[1])
+        for id_, trace in traces.items()
+        if trace.begun and (seen := away(trace.order)) is not None and _is_news(trace, *seen)
+    }
+    return {**traces, **arrived} if arrived else traces
+
+
+def _is_news(trace: OrderTrace, metres: float, at: float) -> bool:
+    last = trace.arrived_at
+    return metres <= ARRIVES and (last is None or at - last >= SEEN_AGAIN)
 
 
 def trace_queue(
@@ -78,14 +77,14 @@ def trace_queue(
     """
     listed = {order.id: order for order in queue.orders}
     gone = [
-        _end_of(trace, listed.get(id_), queue, at, heard)
+        _end_of(trace, listed.get(id_), queue, at, heard, away)
         for id_, trace in traces.items()
         if _is_over(trace, listed.get(id_))
     ]
     still = {
         id_: _traced(traces.get(id_), order, queue) for id_, order in listed.items() if not order.is_over
     }
-    return trace_movement(still, queue.current_order_id, away), gone
+    return trace_movement(still, away), gone
 
 
 def _traced(before: OrderTrace | None, order: Order, queue: OrderQueue) -> OrderTrace:
@@ -104,7 +103,7 @@ def _is_over(trace: OrderTrace, listed: Order | None) -> bool:
 
 
 def _end_of(
-    trace: OrderTrace, listed: Order | None, queue: OrderQueue, at: float, heard: float | None
+    trace: OrderTrace, listed: Order | None, queue: OrderQueue, at: float, heard: float | None, away: Away
 ) -> GoneOrder:
     order = trace.order
 
@@ -124,10 +123,15 @@ def _end_of(
         return gone(Stage.LOST, f"{blind}: it may have been driven")
     if not trace.begun:
         return gone(Stage.LOST, "it left the queue before it was begun")
-    if trace.metres is not None:
-        where = "on another floor" if trace.metres == math.inf else f"{trace.metres:.0f} m from its end"
-        return gone(Stage.LOST, f"it left the queue with the robot {where}")
-    return gone(Stage.DONE, "left the queue after it was begun")
+    seen = away(order)
+    if seen is None:
+        return gone(Stage.DONE, "left the queue after it was begun")
+    metres, seen_at = seen
+    if at - seen_at > BLIND_AFTER:
+        blind = f"it left the queue while no pose came for {at - seen_at:.0f} s"
+        return gone(Stage.LOST, f"{blind}: it may have been driven")
+    where = "on another floor" if metres == math.inf else f"{metres:.0f} m from its end"
+    return gone(Stage.LOST, f"it left the queue with the robot {where}")
 
 
 def listed_end(order: Order, at: float) -> GoneOrder:

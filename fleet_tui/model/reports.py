@@ -79,7 +79,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         paused_by_us=robot.paused_by_us and not driving,
         paused_at=None if driving else stood_at,
     )
-    traces = trace_movement(robot.traces, robot.orders.current_order_id, partial(_metres_to_end, robot))
+    traces = trace_movement(robot.traces, partial(_metres_to_end, robot))
     return robot if traces is robot.traces else replace(robot, traces=traces)
 
 

@@ -63,6 +63,11 @@ def alarm_texts(state: FleetState) -> list[str]:
         ([driving(T0 + 2), pose(T0 + 2, 2.9), gone(T0 + 3, 0)], Stage.LOST, "order ids started over"),
         ([queue(T0 + 2, (5, 3, 4, "W"), current=5)], Stage.LOST, "order ids started over"),
         ([driving(T0 + 2), gone(T0 + 44)], Stage.LOST, "none came for 42 s: it may have been driven"),
+        (
+            [*(driving(T0 + n) for n in range(2, 44)), gone(T0 + 44)],
+            Stage.LOST,
+            "no pose came for 45 s: it may have been driven",
+        ),
         ([queue(T0 + 2, (5, 0, END, "C"))], Stage.CANCELLED_ELSEWHERE, "as the robot reports"),
         ([driving(T0 + 2), pose(T0 + 2, 0.5)], Stage.CONFIRMED, "seen in the queue as order 5"),
     ],
@@ -84,6 +89,17 @@ def test_an_order_that_begins_at_its_end_is_not_done_until_the_robot_is_back() -
     assert lost.stage is Stage.LOST and "with the robot 36 m from its end" in lost.words
     back: list[Event] = [pose(T0 + 20, 3.0), pose(T0 + 21, 3.0), gone(T0 + 21.5), tick(T0 + 22)]
     assert first(given(*begun, driving(T0 + 20), *back)).stage is Stage.DONE
+
+
+def test_a_robot_that_does_not_say_which_order_it_drives_has_driven_the_one_in_process() -> None:
+    facts: list[Event] = [
+        queue(T0 + 2, DRIVEN),
+        pose(T0 + 3, 3.0),
+        pose(T0 + 4, 9.0),
+        gone(T0 + 4.5),
+        tick(T0 + 5),
+    ]
+    assert first(given(*facts)).stage is Stage.DONE
 
 
 def test_a_robot_that_waits_at_the_end_for_long_has_driven_there() -> None:
