@@ -32,11 +32,12 @@ which that was heard; None where unknown."""
 
 class OrderTrace(Struct, frozen=True):
     """An order in the queue: whether it was `begun`; `arrived_at` is when, since then, the robot was at its
-    end last (monotonic)."""
+    end last (monotonic); `request_id` is what the queue echoed while it was the newest, 0 for nothing."""
 
     order: Order
     begun: bool = False
     arrived_at: float | None = None
+    request_id: int = 0
 
     def was_driven(self, heard: float | None) -> bool:
         """Whether the robot was at its end when it left the queue; `heard` is when a queue last showed it."""
@@ -90,7 +91,8 @@ def trace_queue(
 def _traced(before: OrderTrace | None, order: Order, queue: OrderQueue) -> OrderTrace:
     begun = order.status == "W" or order.id == queue.current_order_id
     if before is None or not _is_same(before.order, order):
-        return OrderTrace(order, begun)
+        is_newest = order.id == queue.last_order_id
+        return OrderTrace(order, begun, request_id=queue.request_id if is_newest else 0)
     return replace(before, order=order, begun=before.begun or begun)
 
 

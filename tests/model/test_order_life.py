@@ -267,6 +267,16 @@ def test_two_consoles_that_give_the_same_order_in_one_instant_claim_one_each() -
         assert ids == {111: 5, 222: 6}
 
 
+def test_an_order_of_another_console_is_not_ours_carried_out_late_once_it_is_no_longer_the_newest() -> None:
+    state = told(not_confirmed(ORDER, gone(T0 - 1, 4)), echoed(T0 + 100, 777, 5), tick(T0 + 100))
+    further = OrderQueue(6, -1, (Order(5, 0, END, "Q"), Order(6, 1, 2, "Q")), 888)
+    state = told(state, QueueReported(R0, T0 + 110, further), tick(T0 + 110))
+    assert first(state).stage is Stage.NOT_CONFIRMED
+    ours = OrderQueue(7, -1, (*further.orders, Order(7, 0, END, "Q")), 1)
+    state = told(state, QueueReported(R0, T0 + 120, ours), tick(T0 + 120))
+    assert (first(state).stage, first(state).order_id) == (Stage.LATE, 7)
+
+
 def test_a_robot_that_echoes_nothing_of_ours_is_believed_in_the_end() -> None:
     state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(111, ORDER, SENT, ACCEPTED))
     state = told(state, echoed(T0 + 1, 77, 5), tick(T0 + 1))
