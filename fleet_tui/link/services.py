@@ -29,6 +29,8 @@ class Services:
         """`wanted` are the services by name."""
         self._calls, self._wanted = calls, wanted
         self._types: dict[str, str] = {}
+        self._sure: set[str] = set()
+        """Services whose types were told on this connection, and are right."""
         self._seen: set[str] = set()
         self._gone: set[str] = set()
         self._rosapi_answered = False
@@ -52,9 +54,10 @@ class Services:
         if self._task is None or self._task.done():
             self._task = asyncio.ensure_future(self._look())
 
-    def forget_types(self) -> None:
-        """Ask for the types again: behind a new connection there may be other nodes."""
-        self._types.clear()
+    def doubt_types(self) -> None:
+        """Ask for the types again: behind a new connection there may be other nodes. Until the answer what
+        was known holds: no call leaves in between."""
+        self._sure.clear()
         self.stop()
         self.look()
 
@@ -121,11 +124,9 @@ class Services:
         there = self._wanted.keys() & {name for name in listed if isinstance(name, str)}
         self._rosapi_answered, self._master_was_gone = True, False
         self._seen |= there
+        self._sure &= there
         self._set_gone(self._seen - there)
-        await self._ask_types([name for name in self._wanted if name in there and not self._is_right(name)])
-
-    def _is_right(self, name: str) -> bool:
-        return name in self._types and same_type(self._types[name], self._wanted[name].type)
+        await self._ask_types([name for name in self._wanted if name in there - self._sure])
 
     async def _ask_types(self, names: Iterable[str]) -> None:
         for name in names:
@@ -133,6 +134,8 @@ class Services:
             found = response.values.get("type") if isinstance(response.values, dict) else None
             if response.result and isinstance(found, str) and found:
                 self._types[name] = brief(found)
+                if same_type(found, self._wanted[name].type):
+                    self._sure.add(name)
 
     async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse:
         """Ask rosapi. Raises LinkError."""
