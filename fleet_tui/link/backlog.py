@@ -43,6 +43,8 @@ class Backlog:
             self._arrived.popleft()
         if unread:
             self._arrived.append((now, read + unread))
+        else:  # under TLS a socket holds more bytes than are handed over
+            self._arrived.clear()
         self._age = now - self._arrived[0][0] if self._arrived else 0.0
         gathered = next((now - since for since, _ in self._newest.values()), 0.0)
         return max(self._age, gathered)

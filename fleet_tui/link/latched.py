@@ -59,10 +59,12 @@ class Latched:
                 return
             for one in silent:
                 self._unsubscribe(one)
-            await asyncio.sleep(LET_GO)
-            self._volatile ^= {_topic(one) for one in silent}
-            for one in silent:
-                self._subscribe(one)
+            try:
+                await asyncio.sleep(LET_GO)
+            finally:  # also where a map is shown meanwhile, which looks after all of them anew
+                self._volatile ^= {_topic(one) for one in silent}
+                for one in silent:
+                    self._subscribe(one)
             patience = min(2 * patience, LONGEST_PATIENCE)
 
     def _count(self, one: Wanted) -> int:

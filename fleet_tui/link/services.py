@@ -29,8 +29,11 @@ class Services:
         """`wanted` are the services by name."""
         self._calls, self._wanted = calls, wanted
         self._types: dict[str, str] = {}
+        self._sure: set[str] = set()
+        """Services whose types were told on this connection, and are right."""
         self._seen: set[str] = set()
         self._gone: set[str] = set()
+        self._missed: set[str] = set()
         self._absent: set[str] = set()
         """Robots of which rosapi listed no service, though they may speak."""
         self._speak: set[str] = set()
@@ -66,9 +69,10 @@ class Services:
         if self._task is None or self._task.done():
             self._task = asyncio.ensure_future(self._look())
 
-    def forget_types(self) -> None:
-        """Ask for the types again: behind a new connection there may be other nodes."""
-        self._types.clear()
+    def doubt_types(self) -> None:
+        """Ask for the types again: behind a new connection there may be other nodes. Until the answer what
+        was known holds: no call leaves in between."""
+        self._sure.clear()
         self.stop()
         self.look()
 
@@ -138,13 +142,18 @@ class Services:
         self._seen |= there
         ever = {self._wanted[name].robot for name in self._seen}
         absent, self._absent = self._absent, {one.robot for one in self._wanted.values()} - ever
-        self._set_gone(self._seen - there)
+        self._sure &= there
+        self._miss(self._seen - there)
         if absent != self._absent:
             self.changed()
-        await self._ask_types([name for name in self._wanted if name in there and not self._is_right(name)])
+        await self._ask_types([name for name in self._wanted if name in there - self._sure])
 
-    def _is_right(self, name: str) -> bool:
-        return name in self._types and same_type(self._types[name], self._wanted[name].type)
+    def _miss(self, missing: set[str]) -> None:
+        """Services are gone that two looks in a row missed: a bridge that just started knows only some."""
+        first, self._missed = missing - self._missed - self._gone, missing
+        self._set_gone(missing - first)
+        if first:
+            asyncio.get_running_loop().call_later(AGAIN, self.look)
 
     async def _ask_types(self, names: Iterable[str]) -> None:
         for name in names:
@@ -152,6 +161,8 @@ class Services:
             found = response.values.get("type") if isinstance(response.values, dict) else None
             if response.result and isinstance(found, str) and found:
                 self._types[name] = brief(found)
+                if same_type(found, self._wanted[name].type):
+                    self._sure.add(name)
 
     async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse:
         """Ask rosapi. Raises LinkError."""

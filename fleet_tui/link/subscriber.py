@@ -55,6 +55,7 @@ class Subscriber:
         self._refused: set[str] = set()
         self._as_json: set[str] = set()
         """Maps that never came as CBOR."""
+        self._plainly: asyncio.TimerHandle | None = None
         self._map: Wanted | None = None
         self.overhearing = Overhearing(connection, self._ask_types)
         self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
@@ -96,6 +97,8 @@ class Subscriber:
     def stop(self) -> None:
         """There is nobody to ask any more."""
         self._latched.stop()
+        if self._plainly is not None:
+            self._plainly.cancel()
         if self._task is not None:
             self._task.cancel()
 
@@ -181,7 +184,7 @@ class Subscriber:
         # Where rosapi answers it says whether there is a map at all.
         if asked.compression == "cbor" and (asked.topic in self.types or not self.types):
             patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
-            asyncio.get_running_loop().call_later(patience, self._ask_plainly, wanted)
+            self._plainly = asyncio.get_running_loop().call_later(patience, self._ask_plainly, wanted)
 
     def _ask_plainly(self, wanted: Wanted) -> None:
         if self._map is wanted and wanted.subscription.topic not in self._reading.maps_heard:

@@ -98,7 +98,7 @@ class Telemetry:
         self._writer.take(events.LinkChanged(self._link, now, Phase.UP))
         self._spoke = 0.0
         self._subscriber.start(now)
-        self.services.forget_types()
+        self.services.doubt_types()
         self._sourcing.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:

@@ -74,7 +74,11 @@ def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: 
         for order in queue.orders
         if order.id > last and order.id not in taken and order.end == end and start in (None, order.start)
     ]
-    return _by_echo(ids, queue, record) if by_echo else min(ids, default=None)
+    if not by_echo:
+        return min(ids, default=None)
+    own = (0, record.id, record.before.request_id)
+    ids = [id_ for id_ in ids if id_ not in robot.traces or robot.traces[id_].request_id in own]
+    return _by_echo(ids, queue, record)
 
 
 def is_given_again(state: FleetState, record: CommandRecord) -> bool:
@@ -141,7 +145,7 @@ def _paused(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool
     sent = record.time_of(Stage.SENT) or record.issued_at
     if robot.paused is not None:
         if robot.paused.at > sent and robot.paused.value is wanted:
-            return Step(Stage.CONFIRMED, state.now, "it told so itself")
+            return Step(Stage.CONFIRMED, state.now, "reported by the robot")
         return None
     if wanted and record.before.moving:
         stopped = _stopped(state, robot, record)

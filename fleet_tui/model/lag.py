@@ -36,7 +36,7 @@ def with_lags(state: FleetState, now: float, unread: float) -> FleetState:
     lags = {name: stamp_lag(state, name, now) for name in state.links}
     if unread < BEHIND:
         return replace(state, behind=unread, links=_late(state.links, lags))
-    own = max(unread, *lags.values())
+    own = max([unread, *lags.values()])
     return replace(state, behind=own, links=_late(state.links, dict.fromkeys(lags, 0.0)))
 
 

@@ -15,8 +15,8 @@ from fleet_tui.model.order import Order, OrderQueue
 
 ARRIVES = 2.0
 """Metres from its last vertex within which a robot was, if it drove the order and did not just lose it."""
-MOVED, SEEN_AGAIN = 0.5, 0.5
-"""Metres, and seconds at its end, from which on a new place is kept: poses come ten times a second."""
+SEEN_AGAIN = 0.5
+"""Seconds at its end after which that is kept anew: poses come ten times a second."""
 LEFT_WITHIN = 3.0
 """Seconds before a queue that still shows an order in which the robot may have been at its end. Before that
 it was there for something else: many orders begin where they end, and fetch from elsewhere."""
@@ -31,13 +31,13 @@ which that was heard; None where unknown."""
 
 
 class OrderTrace(Struct, frozen=True):
-    """An order in the queue: whether it was `begun`, and since then how many `metres` the robot is from its
-    end, None where that is unknown; `arrived_at` is when it was there last (monotonic)."""
+    """An order in the queue: whether it was `begun`; `arrived_at` is when, since then, the robot was at its
+    end last (monotonic); `request_id` is what the queue echoed while it was the newest, 0 for nothing."""
 
     order: Order
     begun: bool = False
-    metres: float | None = None
     arrived_at: float | None = None
+    request_id: int = 0
 
     def was_driven(self, heard: float | None) -> bool:
         """Whether the robot was at its end when it left the queue; `heard` is when a queue last showed it."""
@@ -54,44 +54,52 @@ class GoneOrder(Struct, frozen=True):
     reason: str
 
 
-def trace_movement(traces: Mapping[int, OrderTrace], current: int, away: Away) -> Mapping[int, OrderTrace]:
-    """Keep where a robot is on its way to the end of the order that it drives."""
-    trace = traces.get(current)
-    seen = away(trace.order) if trace is not None and trace.begun else None
-    if trace is None or seen is None:
-        return traces
-    metres, at = seen
-    moved = trace.metres is None or (metres != trace.metres and abs(metres - trace.metres) >= MOVED)
-    arrived = metres <= ARRIVES and (trace.arrived_at is None or at - trace.arrived_at >= SEEN_AGAIN)
-    if not moved and not arrived:
-        return traces
-    arrived_at = at if metres <= ARRIVES else trace.arrived_at
-    return {**traces, current: replace(trace, metres=metres, arrived_at=arrived_at)}
+def trace_movement(traces: Mapping[int, OrderTrace], away: Away) -> Mapping[int, OrderTrace]:
+    """Keep when a robot was at the end of an order that it has begun."""
+    arrived = {
+        id_: replace(trace, arrived_at=seen[1])
+        for id_, trace in traces.items()
+        if trace.begun and (seen := away(trace.order)) is not None and _is_news(trace, *seen)
+    }
+    return {**traces, **arrived} if arrived else traces
+
+
+def _is_news(trace: OrderTrace, metres: float, at: float) -> bool:
+    last = trace.arrived_at
+    return metres <= ARRIVES and (last is None or at - last >= SEEN_AGAIN)
 
 
 def trace_queue(
-    traces: Mapping[int, OrderTrace], queue: OrderQueue, at: float, heard: float | None, away: Away
+    traces: Mapping[int, OrderTrace],
+    queue: OrderQueue,
+    at: float,
+    before: tuple[float, int] | None,
+    away: Away,
 ) -> tuple[Mapping[int, OrderTrace], list[GoneOrder]]:
-    """Compare a queue with the orders that were open before it; `heard` is when the queue came last.
+    """Compare a queue with the orders that were open before it; `before`: when the queue came last, and how
+    far its ids had counted then.
 
     Returns the orders that are open now, and those that have ended.
     """
     listed = {order.id: order for order in queue.orders}
+    heard = before[0] if before else None
+    starts_over = before is not None and queue.last_order_id < before[1]
     gone = [
-        _end_of(trace, listed.get(id_), queue, at, heard)
+        _end_of(trace, listed.get(id_), heard, at, starts_over, away)
         for id_, trace in traces.items()
         if _is_over(trace, listed.get(id_))
     ]
     still = {
         id_: _traced(traces.get(id_), order, queue) for id_, order in listed.items() if not order.is_over
     }
-    return trace_movement(still, queue.current_order_id, away), gone
+    return trace_movement(still, away), gone
 
 
 def _traced(before: OrderTrace | None, order: Order, queue: OrderQueue) -> OrderTrace:
     begun = order.status == "W" or order.id == queue.current_order_id
     if before is None or not _is_same(before.order, order):
-        return OrderTrace(order, begun)
+        is_newest = order.id == queue.last_order_id
+        return OrderTrace(order, begun, request_id=queue.request_id if is_newest else 0)
     return replace(before, order=order, begun=before.begun or begun)
 
 
@@ -104,30 +112,38 @@ def _is_over(trace: OrderTrace, listed: Order | None) -> bool:
 
 
 def _end_of(
-    trace: OrderTrace, listed: Order | None, queue: OrderQueue, at: float, heard: float | None
+    trace: OrderTrace,
+    listed: Order | None,
+    heard: float | None,
+    at: float,
+    starts_over: bool,
+    away: Away,
 ) -> GoneOrder:
-    order = trace.order
-
-    def gone(stage: Stage, reason: str) -> GoneOrder:
-        return GoneOrder(order, at, stage, reason)
-
-    if listed is not None and not _is_same(order, listed):
-        return gone(Stage.LOST, STARTED_OVER)
-    if listed is not None:
+    if listed is not None and listed.is_over and _is_same(trace.order, listed):
         return listed_end(listed, at)
-    if queue.last_order_id < order.id:
-        return gone(Stage.LOST, STARTED_OVER)
+    if listed is not None or starts_over:
+        return GoneOrder(trace.order, at, Stage.LOST, STARTED_OVER)
+    stage, reason = _unlisted_end(trace, heard, at, away)
+    return GoneOrder(trace.order, at, stage, reason)
+
+
+def _unlisted_end(trace: OrderTrace, heard: float | None, at: float, away: Away) -> tuple[Stage, str]:
     if trace.was_driven(heard):
-        return gone(Stage.DONE, "driven to its end")
+        return Stage.DONE, "driven to its end"
     if heard is not None and at - heard > BLIND_AFTER:
         blind = f"it left the queue while none came for {at - heard:.0f} s"
-        return gone(Stage.LOST, f"{blind}: it may have been driven")
+        return Stage.LOST, f"{blind}: it may have been driven"
     if not trace.begun:
-        return gone(Stage.LOST, "it left the queue before it was begun")
-    if trace.metres is not None:
-        where = "on another floor" if trace.metres == math.inf else f"{trace.metres:.0f} m from its end"
-        return gone(Stage.LOST, f"it left the queue with the robot {where}")
-    return gone(Stage.DONE, "left the queue after it was begun")
+        return Stage.LOST, "it left the queue before it was begun"
+    seen = away(trace.order)
+    if seen is None:
+        return Stage.DONE, "left the queue after it was begun"
+    metres, seen_at = seen
+    if at - seen_at > BLIND_AFTER:
+        blind = f"it left the queue while no pose came for {at - seen_at:.0f} s"
+        return Stage.LOST, f"{blind}: it may have been driven"
+    where = "on another floor" if metres == math.inf else f"{metres:.0f} m from its end"
+    return Stage.LOST, f"it left the queue with the robot {where}"
 
 
 def listed_end(order: Order, at: float) -> GoneOrder:

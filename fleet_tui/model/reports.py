@@ -79,7 +79,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         paused_by_us=robot.paused_by_us and not driving,
         paused_at=None if driving else stood_at,
     )
-    traces = trace_movement(robot.traces, robot.orders.current_order_id, partial(_metres_to_end, robot))
+    traces = trace_movement(robot.traces, partial(_metres_to_end, robot))
     return robot if traces is robot.traces else replace(robot, traces=traces)
 
 
@@ -121,8 +121,8 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
     for line in lost_vertices(robot, queue):
         if line not in before:
             robot = with_fault(robot, line)
-    heard = robot.queue.at if robot.queue else None
-    traces, gone = trace_queue(robot.traces, queue, at, heard, partial(_metres_to_end, robot))
+    last = (robot.queue.at, robot.orders.last_order_id) if robot.queue else None
+    traces, gone = trace_queue(robot.traces, queue, at, last, partial(_metres_to_end, robot))
     robot = replace(_without_lost_pause(robot, event), queue=Reading(queue, at))
     if event.fault:
         # Orders were left out of it: whether the others are gone is unknown.

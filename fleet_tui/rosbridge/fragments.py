@@ -36,7 +36,9 @@ class Fragments:
         message.pieces[piece.num] = piece.data
         if message.size > self._limit:
             del self._messages[piece.id]
-            raise WireError(f"a message in {piece.total} pieces is over the limit of {self._limit:,} bytes")
+            raise WireError(
+                f"a message in {piece.total} pieces is over the limit of {self._limit:,} characters"
+            )
         if len(message.pieces) < message.total:
             while len(self._messages) > MOST_MESSAGES:
                 del self._messages[next(iter(self._messages))]

@@ -107,17 +107,20 @@ LARGEST_LENIENT = 2**20
 """Bytes of a frame that is read once more with them."""
 
 
-def _decode_leniently(payload: bytes) -> Publish | None:
-    """A published message with bare NaN or Infinity, as plain values; None for anything else."""
+def _decode_leniently(payload: bytes) -> Publish | ServiceResponse | None:
+    """Read a message or an answer with bare NaN or Infinity as plain values; None for anything else."""
     if len(payload) > LARGEST_LENIENT or not _BARE.search(payload):
         return None
     try:
         frame = json.loads(payload)
     except (ValueError, RecursionError):
         return None
-    if not isinstance(frame, dict) or frame.get("op") != "publish" or not isinstance(frame.get("topic"), str):
-        return None
-    return Publish(frame["topic"], frame.get("msg"))
+    match frame:
+        case {"op": "publish", "topic": str(topic)}:
+            return Publish(topic, frame.get("msg"))
+        case {"op": "service_response", "id": str(id_), "result": bool(result)}:
+            return ServiceResponse(id_, frame.get("values"), result)
+    return None
 
 
 def decode_cbor(payload: bytes) -> Operation | None:

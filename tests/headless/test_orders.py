@@ -86,11 +86,11 @@ async def test_cancel_and_clear(server: RosbridgeServer, folder: Path) -> None:
 
 async def test_pause_and_resume_one_or_all(server: RosbridgeServer, folder: Path) -> None:
     done = await run(folder, "pause", "--all")
-    assert done.code == 0 and done.out.count("pause: confirmed (it told so itself)\n") == 2
+    assert done.code == 0 and done.out.count("pause: confirmed (reported by the robot)\n") == 2
     assert sorted(asked(server)) == ["robot_0 Pause", "robot_1 Pause"]
     assert done.out.endswith("\npause all: 2 confirmed\n") and "pause all summary" in audited(folder)
     done = await run(folder, "resume", "robot_1")
-    assert done == Ended(0, "robot_1 resume: confirmed (it told so itself)\n", "")
+    assert done == Ended(0, "robot_1 resume: confirmed (reported by the robot)\n", "")
     assert (await run(folder, "resume", "--all")).code == 0
     assert not any(robot.paused for robot in server.world.robots.values())
     assert "robot_1 pause confirmed" in audited(folder)

@@ -8,9 +8,9 @@ from fleet_tui.config.profile import SERVICES
 from fleet_tui.link import heartbeat, services
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import CommandPathChanged
-from fleet_tui.model.link import CommandPath
+from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.linked import finished, linked, path, ready
+from tests.linked import finished, linked, path, phase, ready
 from tests.watched import config_of
 
 PAUSE, RESUME = "/robot_0/Application_layout/Pause", "/robot_0/Application_layout/Resume"
@@ -109,8 +109,13 @@ async def test_a_service_of_another_type_is_not_called(server: RosbridgeServer) 
         )
         await finished(link, store, PauseRobot("robot_0"))
         record = await finished(link, store, ResumeRobot("robot_0"))
-    assert record.stage is Stage.NOT_SENT
-    assert f"{RESUME} has type nav2_msgs/srv/ManageLifecycleNodes, not std_srvs/Trigger" in record.words
+        assert record.stage is Stage.NOT_SENT
+        assert f"{RESUME} has type nav2_msgs/srv/ManageLifecycleNodes, not std_srvs/Trigger" in record.words
+        server.silent_services.add("/rosapi/service_type")
+        await server.restart_bridge()
+        await store.until(lambda state: not phase(Phase.UP)(state))
+        await store.until(ready)
+        assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
     assert [service for service, _ in server.calls] == [PAUSE]
 
 

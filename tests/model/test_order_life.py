@@ -64,6 +64,11 @@ def alarm_texts(state: FleetState) -> list[str]:
         ([driving(T0 + 2), pose(T0 + 2, 2.9), gone(T0 + 3, 0)], Stage.LOST, "order ids started over"),
         ([queue(T0 + 2, (5, 3, 4, "W"), current=5)], Stage.LOST, "order ids started over"),
         ([driving(T0 + 2), gone(T0 + 44)], Stage.LOST, "none came for 42 s: it may have been driven"),
+        (
+            [*(driving(T0 + n) for n in range(2, 44)), gone(T0 + 44)],
+            Stage.LOST,
+            "no pose came for 45 s: it may have been driven",
+        ),
         ([queue(T0 + 2, (5, 0, END, "C"))], Stage.CANCELLED_ELSEWHERE, "as the robot reports"),
         ([driving(T0 + 2), pose(T0 + 2, 0.5)], Stage.CONFIRMED, "seen in the queue as order 5"),
     ],
@@ -85,6 +90,17 @@ def test_an_order_that_begins_at_its_end_is_not_done_until_the_robot_is_back() -
     assert lost.stage is Stage.LOST and "with the robot 36 m from its end" in lost.words
     back: list[Event] = [pose(T0 + 20, 3.0), pose(T0 + 21, 3.0), gone(T0 + 21.5), tick(T0 + 22)]
     assert first(given(*begun, driving(T0 + 20), *back)).stage is Stage.DONE
+
+
+def test_a_robot_that_does_not_say_which_order_it_drives_has_driven_the_one_in_process() -> None:
+    facts: list[Event] = [
+        queue(T0 + 2, DRIVEN),
+        pose(T0 + 3, 3.0),
+        pose(T0 + 4, 9.0),
+        gone(T0 + 4.5),
+        tick(T0 + 5),
+    ]
+    assert first(given(*facts)).stage is Stage.DONE
 
 
 def test_a_robot_that_waits_at_the_end_for_long_has_driven_there() -> None:
@@ -252,6 +268,16 @@ def test_two_consoles_that_give_the_same_order_in_one_instant_claim_one_each() -
         assert ids == {111: 5, 222: 6}
 
 
+def test_an_order_of_another_console_is_not_ours_carried_out_late_once_it_is_no_longer_the_newest() -> None:
+    state = told(not_confirmed(ORDER, gone(T0 - 1, 4)), echoed(T0 + 100, 777, 5), tick(T0 + 100))
+    further = OrderQueue(6, -1, (Order(5, 0, END, "Q"), Order(6, 1, 2, "Q")), 888)
+    state = told(state, QueueReported(R0, T0 + 110, further), tick(T0 + 110))
+    assert first(state).stage is Stage.NOT_CONFIRMED
+    ours = OrderQueue(7, -1, (*further.orders, Order(7, 0, END, "Q")), 1)
+    state = told(state, QueueReported(R0, T0 + 120, ours), tick(T0 + 120))
+    assert (first(state).stage, first(state).order_id) == (Stage.LATE, 7)
+
+
 def test_a_robot_that_echoes_nothing_of_ours_is_believed_in_the_end() -> None:
     state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(111, ORDER, SENT, ACCEPTED))
     state = told(state, echoed(T0 + 1, 77, 5), tick(T0 + 1))
@@ -278,3 +304,14 @@ def test_a_pause_that_was_resumed_before_the_restart_is_not_lost() -> None:
     state = told(state, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 1.5), tick(T0 + 2))
     state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
     assert first(state).stage is Stage.TAKEN and not alarm_texts(state)
+
+
+def test_a_robot_that_does_not_count_its_orders_has_not_started_over() -> None:
+    uncounted = [
+        replace(one, queue=replace(one.queue, last_order_id=0))
+        for one in (queue(T0 + 2, QUEUED), driving(T0 + 3))
+    ]
+    begun = told(fleet(), link_up(T0 - 9), graph(0, 1, 2, END), pose(T0 - 1), gone(T0 - 1, 0), tick(T0))
+    state = told(begun, *commanded(1, ORDER, SENT, ACCEPTED), *uncounted, tick(T0 + 3))
+    state = told(state, pose(T0 + 4, 3.0), gone(T0 + 5, 0), tick(T0 + 5))
+    assert first(state).stage is Stage.DONE

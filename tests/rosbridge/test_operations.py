@@ -255,6 +255,8 @@ def test_bare_numbers_that_are_no_json_are_read_as_they_are_meant() -> None:
     read = decode(b'{"op":"publish","topic":"/a","msg":{"c":[NaN,-Infinity, Infinity,1.5],"t":"NaN"}}')
     assert isinstance(read, Publish)
     assert repr(read.msg) == repr({"c": [math.nan, -math.inf, math.inf, 1.5], "t": "NaN"})
+    answer = decode(b'{"op":"service_response","id":"c","values":{"x":NaN},"result":true}')
+    assert isinstance(answer, ServiceResponse) and repr(answer.values) == "{'x': nan}"
     for bad in (b'{"op":"publish","topic":"/a","msg":[NaN}', b'{"op":"publish","topic":7,"msg":[NaN]}'):
         with pytest.raises(WireError):
             decode(bad)

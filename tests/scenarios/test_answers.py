@@ -75,7 +75,7 @@ async def test_twice(server: RosbridgeServer) -> None:
         pause = await ended(it, 2)
         assert stages(pause) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         assert it.store.state.commands[0] == record
-        await it.shows("pause: confirmed (it told so itself)", "message")
+        await it.shows("pause: confirmed (reported by the robot)", "message")
         assert calls(server) == ["Execute_order", "Pause"]
         assert len(server.world.robots[R0].orders) == 1
 

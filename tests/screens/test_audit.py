@@ -88,7 +88,7 @@ async def test_from_the_palette_at_80_by_24_with_the_marked_record_in_full(
         await it.type("audit")
         await it.press("enter")
         await it.shows("robot_0 pause: accepted")
-        await it.shows("confirmed: it told so itself")
+        await it.shows("confirmed: reported by the robot")
         await it.press("down")
         await it.shows("accepted: paused")
         assert "robot_0" in it.text.splitlines()[0]
