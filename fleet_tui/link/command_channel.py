@@ -47,8 +47,8 @@ class CommandChannel:
         self._timeout = timeout
         self._silence = telemetry.silence
         self._services = telemetry.services
-        # A task that nobody holds may be collected in the middle.
         self._under_way: set[asyncio.Task[None]] = set()
+        self._in_turn = asyncio.Lock()
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
         self._heartbeat = Heartbeat(
@@ -92,8 +92,24 @@ class CommandChannel:
         LOG.warning("an answer of %d bytes was passed over", size)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command that was given at `given_at` (monotonic), before anything else happens."""
+        """Send a command that was given at `given_at` (monotonic), before anything else happens.
+
+        Only where a connection is so new that the types of services are being asked for, it waits a moment,
+        and those given after it behind it; a pause never does.
+        """
         LOG.info("command %d: %s", command_id, command)
+        waits = self._services.is_new or self._in_turn.locked()
+        if isinstance(command, PauseRobot) or not waits:
+            self._submit(command_id, command, given_at)
+        else:
+            self._keep(asyncio.ensure_future(self._submit_in_turn(command_id, command, given_at)))
+
+    async def _submit_in_turn(self, command_id: int, command: Command, given_at: float) -> None:
+        async with self._in_turn:
+            await self._services.settle()
+            self._submit(command_id, command, given_at)
+
+    def _submit(self, command_id: int, command: Command, given_at: float) -> None:
         at = time.monotonic()
         try:
             call = self._send(command, command_id, at - given_at)
@@ -101,7 +117,10 @@ class CommandChannel:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
             return
         self._advance(command_id, Stage.SENT, at=at)
-        task = asyncio.ensure_future(self._wait(command_id, command, call))
+        self._keep(asyncio.ensure_future(self._wait(command_id, command, call)))
+
+    def _keep(self, task: "asyncio.Task[None]") -> None:
+        """A task that nobody holds may be collected in the middle."""
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
 

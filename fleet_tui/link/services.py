@@ -2,7 +2,9 @@
 
 import asyncio
 import logging
+import time
 from collections.abc import Callable, Collection, Iterable, Mapping
+from contextlib import suppress
 
 from fleet_tui.errors import LinkError
 from fleet_tui.link.calls import Calls, NoAnswerError
@@ -13,6 +15,8 @@ from fleet_tui.rosbridge.type_names import same_type
 
 LOG = logging.getLogger(__name__)
 
+SETTLES = 0.5
+"""Seconds of a connection in which commands wait for the types of services."""
 ROSAPI_TIMEOUT = 5.0
 AGAIN = 5.0
 """Seconds after which rosapi is asked again where it did not answer: it may have been busy."""
@@ -39,6 +43,8 @@ class Services:
         self._speak: set[str] = set()
         self._rosapi_answered = False
         self._master_was_gone = False
+        self._begun = -SETTLES
+        self._told = asyncio.Event()
         self._task: asyncio.Task[None] | None = None
         self.changed: Callable[[], None] = lambda: None
         """Called when services have gone, or are there again."""
@@ -74,7 +80,20 @@ class Services:
         was known holds: no call leaves in between."""
         self._sure.clear()
         self.stop()
+        self._begun = time.monotonic()
+        self._told.clear()
         self.look()
+
+    @property
+    def is_new(self) -> bool:
+        """Whether nothing was told on this connection yet, and it is not old enough to go without."""
+        is_young = self._task is None or time.monotonic() - self._begun < SETTLES
+        return is_young and not self._told.is_set()
+
+    async def settle(self) -> None:
+        """Wait for the first look, as long as it may take."""
+        with suppress(TimeoutError):
+            await asyncio.wait_for(self._told.wait(), SETTLES)
 
     def stop(self) -> None:
         """Ask no more."""
@@ -125,6 +144,7 @@ class Services:
             except LinkError:
                 return
             else:
+                self._told.set()
                 return
             await asyncio.sleep(AGAIN)
 

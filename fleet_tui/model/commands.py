@@ -135,11 +135,12 @@ class Before(Struct, frozen=True):
     """What the robot had reported when the command was given: telemetry is read against it.
 
     `last_order_id` is None where no queue had come; `request_id` is the one that the queue echoed.
-    `moving`: its pose had just changed."""
+    `counted` is how far its order ids had counted by its own word. `moving`: its pose had just changed."""
 
     last_order_id: int | None = None
     moving: bool = False
     request_id: int = 0
+    counted: int = 0
 
 
 class CommandRecord(Struct, frozen=True):

@@ -37,7 +37,7 @@ def before(robot: Robot, now: float) -> Before:
     last = max([queue.last_order_id, *(order.id for order in queue.orders)]) if robot.queue else None
     standing = robot.standing
     moving = standing is not None and now - standing.at < STANDS_AFTER
-    return Before(last, moving, queue.request_id)
+    return Before(last, moving, queue.request_id, queue.last_order_id)
 
 
 def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
@@ -62,6 +62,8 @@ def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: 
     queue, command, last = _queue_since(robot, record), record.command, record.before.last_order_id
     if queue is None or last is None:
         return None
+    if queue.last_order_id < record.before.counted:
+        last = 0  # the robot was started anew before it took the order: its ids start over
     taken = {
         other.order_id
         for other in state.commands

@@ -3,13 +3,15 @@
 from collections.abc import Sequence
 
 from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Run, Table, column
 from fleet_tui.view.text import fit, visible
 
-TROUBLE = frozenset(
-    {"refused", "not sent", "not confirmed", "no answer", "outcome unknown", "console closed", "lost"}
-)
+TROUBLE = frozenset(stage.value for stage in (*FAILURES, Stage.NO_ANSWER, Stage.UNKNOWN)) | {
+    "console closed",
+    "lost",
+}
 _INKS = {"confirmed": Ink.GOOD, "raised": Ink.WARN, "raised again": Ink.WARN}
 
 

@@ -23,7 +23,7 @@ def losses(state: FleetState, wish: Wish) -> Iterator[str]:
                 yield f"Cancel order {order_id} of {name}?"
                 yield from (mission(robot, order) for order in orders if order.id == order_id)
             case ClearOrders(name):
-                yield f"Clear all {len(orders)} orders of {name}?"
+                yield f"Clear all {len(orders)} order{'s' * (len(orders) != 1)} of {name}?"
                 yield from (f"  {order.id}  {mission(robot, order)}" for order in orders[:SHOWN])
                 if len(orders) > SHOWN:
                     yield f"  and {len(orders) - SHOWN} more"

@@ -74,6 +74,6 @@ def robot_log_table(
     note += f", last {ago(_wall(lines[-1], offset), state.wall)}" if lines else ""
     title = ("Log of the robots", Ink.TITLE), (note, Ink.DIM), *down(links)
     empty = (
-        "no such line" if lines else "nothing came on /rosout, which is heard only while this screen is open"
+        "no such line" if lines else "nothing came on /rosout, which is listened to while this screen is open"
     )
     return Table(title, rows, empty)

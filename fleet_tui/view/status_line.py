@@ -65,6 +65,8 @@ def _worst(state: FleetState) -> LinkState:
         key=lambda link: (
             link.phase is Phase.UP,
             link.command_path not in NO_WAY,
+            not link.unsourced,
+            link.late < BEHIND,
             link.heard or 0.0,
         ),
     )

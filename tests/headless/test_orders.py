@@ -5,6 +5,7 @@ import json
 import signal
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -281,3 +282,17 @@ def test_no_screen_is_imported(tmp_path: Path) -> None:
 
 def test_one_exit_code_for_several() -> None:
     assert [exit_code(codes) for codes in ([], [0, 0], [3, 3], [0, 3], [0, 1, 2], [2])] == [0, 0, 3, 1, 1, 2]
+
+
+async def test_a_service_of_another_type_is_not_called_by_a_fresh_process(
+    server: RosbridgeServer, folder: Path
+) -> None:
+    """`resume` waits for no report, and so it is there before rosapi has told any type."""
+    service = "/robot_0/Application_layout/Resume"
+    server.services[service] = replace(server.services[service], name="nav2_msgs/srv/ManageLifecycleNodes")
+    done = await run(folder, "resume", "robot_0")
+    assert done.code == 1 and "has type nav2_msgs/srv/ManageLifecycleNodes, not std_srvs/Trigger" in done.err
+    assert not server.calls
+    chain = await run(folder, "order", "robot_0", "Base", "Consumidores", "Base")
+    assert chain.code == 0
+    assert [args["end_point"] for _, args in server.calls] == [19, 0]

@@ -315,3 +315,9 @@ def test_a_robot_that_does_not_count_its_orders_has_not_started_over() -> None:
     state = told(begun, *commanded(1, ORDER, SENT, ACCEPTED), *uncounted, tick(T0 + 3))
     state = told(state, pose(T0 + 4, 3.0), gone(T0 + 5, 0), tick(T0 + 5))
     assert first(state).stage is Stage.DONE
+
+
+def test_an_order_that_a_robot_takes_after_it_was_started_anew_is_found() -> None:
+    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
+    state = told(state, queue(T0 + 1, (1, 0, END, "W"), current=1), tick(T0 + 1))
+    assert (first(state).stage, first(state).order_id) == (Stage.CONFIRMED, 1)

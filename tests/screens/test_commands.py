@@ -174,7 +174,7 @@ async def test_cancel_and_clear_by_mouse(server: RosbridgeServer) -> None:
         await it.pilot.click("#no")
         await it.hides("Cancel order 1")
         await it.pilot.click("#queue", offset=(rows[0].index("[Clear all]") + 2, 0))
-        await it.shows("Clear all 1 orders of robot_0?")
+        await it.shows("Clear all 1 order of robot_0?")
         await it.pilot.click("#yes")
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
         assert sent(server)[-1] == ("Clear_orders", {"robot": "robot_0", "ind": 0})
@@ -382,9 +382,9 @@ async def test_a_click_beside_a_question_is_no(server: RosbridgeServer) -> None:
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
         await it.press("X")
-        await it.shows("Clear all 1 orders")
+        await it.shows("Clear all 1 order")
         await it.pilot.click("#fleet", offset=(5, 1))
-        await it.hides("Clear all 1 orders")
+        await it.hides("Clear all 1 order")
         await it.press("y")
         assert len(server.calls) == 1
 

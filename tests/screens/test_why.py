@@ -63,7 +63,7 @@ async def test_order_and_clear_open_what_they_open_elsewhere(server: RosbridgeSe
         await it.press("enter")
         await it.until(lambda state: state.robots["robot_0"].orders.orders)
         await it.press("w", "X")
-        await it.shows("Clear all 1 orders of robot_0?")
+        await it.shows("Clear all 1 order of robot_0?")
         assert it.app.main.query_one(Confirm).is_open and not is_open(it)
         await it.press("n")
         assert len(server.calls) == 1
