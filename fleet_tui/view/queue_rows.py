@@ -73,7 +73,7 @@ def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving:
         (f"{position:{places}d} {order.id:{ids}d} ", Ink.DIM),
         (fit(mission(robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
     ]
-    room = width - (0 if order.is_over else len(CANCEL) + 1)
+    room = width - 1 - (0 if order.is_over else len(CANCEL))
     runs.append((_status(order, room - width_of(runs)), ink))
     runs.append((f"  cancel {leaving}" if leaving else "", Ink.WARN))
     runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
