@@ -2,11 +2,12 @@
 
 import asyncio
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from fleet_tui.errors import LinkError
 from fleet_tui.link.calls import Calls, NoAnswerError
 from fleet_tui.link.services import Services
+from fleet_tui.model.bounds import some
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.link import CommandPath
@@ -17,11 +18,6 @@ SERVICE = "/rosapi/fleet_tui_heartbeat"
 EVERY, TIMEOUT = 5.0, 5.0
 LOOK_EVERY = 3
 """Beats between two looks at the services: a master that was restarted quickly is not noticed otherwise."""
-
-
-def some(names: Sequence[str]) -> str:
-    """Name the first three."""
-    return ", ".join(names[:3]) + (", …" if len(names) > 3 else "")
 
 
 class Heartbeat:

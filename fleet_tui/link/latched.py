@@ -36,7 +36,7 @@ class Latched:
         self._task: asyncio.Task[None] | None = None
 
     def wants_qos(self, topic: str) -> bool:
-        """Whether a topic is to be asked for as transient local and reliable."""
+        """Tell whether a topic is to be asked for as transient local and reliable."""
         return topic not in self._volatile
 
     def start(self, asked: Collection[Wanted], per_topic: float) -> None:

@@ -56,7 +56,7 @@ class Services:
 
     @property
     def is_total(self) -> bool:
-        """Whether that holds for every robot whose services were ever seen."""
+        """Tell whether that holds for every robot whose services were ever seen."""
         return bool(self._gone) and self._gone == self._seen
 
     @property
@@ -86,7 +86,7 @@ class Services:
 
     @property
     def is_new(self) -> bool:
-        """Whether nothing was told on this connection yet, and it is not old enough to go without."""
+        """Tell whether nothing was told on this connection yet, and it is not old enough to go without."""
         is_young = self._task is None or time.monotonic() - self._begun < SETTLES
         return is_young and not self._told.is_set()
 

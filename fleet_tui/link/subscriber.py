@@ -81,7 +81,7 @@ class Subscriber:
 
     @property
     def _is_ros2(self) -> bool:
-        """Whether the bridge may be one of ROS 2: as the types say, where rosapi tells them."""
+        """Tell whether the bridge may be one of ROS 2: as the types say, where rosapi tells them."""
         return not self.types or any("/msg/" in type_ for type_ in self.types.values())
 
     def _of_latched(self) -> list[Wanted]:

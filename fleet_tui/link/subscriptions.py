@@ -39,11 +39,6 @@ def _subscription(config: Config, kind: TopicKind, robot: RobotEntry, topic: str
     return Subscription(topic, config.profile.type(kind.key), rate, compression)
 
 
-def plain_type(name: str) -> str:
-    """A ROS type without ROS 2's middle part: `std_msgs/msg/Bool` is `std_msgs/Bool`."""
-    return name.replace("/msg/", "/").replace("/srv/", "/")
-
-
 def type_problem(wanted: Wanted, types: Mapping[str, str], profile: Profile) -> str:
     """Why a topic must not be subscribed: with a wrong type it would be lost for every client."""
     found = types.get(wanted.subscription.topic)

@@ -3,13 +3,12 @@
 from collections import defaultdict
 from collections.abc import Sequence
 
+from fleet_tui.model.bounds import some
 from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 
 TOGETHER = 0.3
 """Commands of one kind with less than so many seconds in between are one request."""
-NAMED = 3
-"""Robots that a summary names for each thing that is not well."""
 
 _WORDS = {
     Stage.CONFIRMED: "confirmed",
@@ -74,7 +73,6 @@ def _part(word: str, records: Sequence[CommandRecord]) -> str:
     if word in _WELL:
         return f"{len(records)} {word}"
     robots = list(dict.fromkeys(record.command.robot for record in records))
-    some = ", ".join(robots[:NAMED]) + (", …" if len(robots) > NAMED else "")
     reasons = {record.words for record in records}
     reason = f": {reasons.pop()}" if len(reasons) == 1 and word != "open" else ""
-    return f"{len(records)} {word} ({some}){reason.rstrip(': ')}"
+    return f"{len(records)} {word} ({some(robots)}){reason.rstrip(': ')}"

@@ -1,5 +1,7 @@
 """How much is taken of what others say: what goes beyond is cut, and that is said. See docs/bounds.md."""
 
+from collections.abc import Sequence
+
 LONGEST_NAME = 200
 """Characters of a label, a status or a frame id."""
 LONGEST_WORDS = 500
@@ -20,3 +22,8 @@ def brief(text: str, longest: int = LONGEST_WORDS) -> str:
 def beyond(count: int, most: int, what: str) -> str:
     """What to say of a list that is too long, empty if it isn't."""
     return f"{count:,} {what}: only the first {most:,} are taken" if count > most else ""
+
+
+def some(names: Sequence[str]) -> str:
+    """Name the first three."""
+    return ", ".join(names[:3]) + (", …" if len(names) > 3 else "")

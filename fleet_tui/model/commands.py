@@ -90,7 +90,7 @@ class Stage(Enum):
 
 _SEEN = frozenset({Stage.CONFIRMED, Stage.NOT_CONFIRMED, Stage.TAKEN})
 ORDER_ENDS = frozenset({Stage.DONE, Stage.CANCELLED, Stage.CANCELLED_ELSEWHERE, Stage.LOST})
-"""How an order that was in the queue can end."""
+"""Ends of an order that was in the queue."""
 
 NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.CHECKED: frozenset({Stage.SENT, Stage.NOT_SENT}),
@@ -115,7 +115,7 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
 """The allowed transitions. A stage without a next one is an end."""
 
 OPEN = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
-"""Where the outcome of a command is not known yet."""
+"""Stages in which the outcome of a command is not known yet."""
 
 FAILURES = frozenset(
     {Stage.REFUSED, Stage.NOT_SENT, Stage.NOT_CONFIRMED, Stage.LATE, Stage.CANCELLED_ELSEWHERE, Stage.LOST}
@@ -172,12 +172,12 @@ class CommandRecord(Struct, frozen=True):
 
     @property
     def is_decided(self) -> bool:
-        """Whether its outcome is known. An order lives on after that, until it is done or gone."""
+        """Tell whether its outcome is known. An order lives on after that, until it is done or gone."""
         return self.stage not in OPEN
 
     @property
     def has_open_order(self) -> bool:
-        """Whether the order that it placed is in the robot's queue, as far as is known."""
+        """Tell whether the order that it placed is in the robot's queue, as far as is known."""
         places = isinstance(self.command, PlaceOrder | PlaceOrderWithCargo)
         return places and self.order_id is not None and self.stage in (Stage.CONFIRMED, Stage.LATE)
 

@@ -78,14 +78,14 @@ class FleetState(Struct, frozen=True, eq=False):
         return self.was_obstructed(robot) and not (robot.obstacle and self.is_old(robot.obstacle))
 
     def pause(self, robot: Robot) -> bool | None:
-        """Whether it is paused, None where nothing tells: the robot's own fresh word where it gives one,
+        """Tell whether it is paused, None where nothing tells: the robot's own fresh word where it gives one,
         else our accepted pause."""
         if robot.paused is not None:
             return None if self.is_old(robot.paused) else robot.paused.value
         return True if robot.paused_by_us else None
 
     def is_paused(self, robot: Robot) -> bool:
-        """Whether it is known to be paused."""
+        """Tell whether it is known to be paused."""
         return self.pause(robot) is True
 
     def is_old(self, reading: Reading[Any]) -> bool:

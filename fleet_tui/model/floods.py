@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from fleet_tui.model.alarm import Condition, Key, Priority
+from fleet_tui.model.bounds import some
 from fleet_tui.model.fleet import FleetState
 
 Held = Mapping[Key, Condition]
@@ -87,11 +88,10 @@ def _group(link: str, kind: str, members: Sequence[Condition]) -> Condition:
     flood, names = FLOODS[kind], [one.source for one in members]
     same = {one.text for one in members}
     text = "never seen" if same == {"never seen"} else flood.text
-    some = ", ".join(names[:3]) + (", …" if len(names) > 3 else "")
     return Condition(
         *group_key(link, kind),
         flood.priority,
-        f"{len(names)} robot{'s' * (len(names) != 1)} {text}: {some}",
+        f"{len(names)} robot{'s' * (len(names) != 1)} {text}: {some(names)}",
         flood.over,
         parts=frozenset(names),
     )

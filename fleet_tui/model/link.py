@@ -24,7 +24,7 @@ class CommandPath(Enum):
 
 
 NO_WAY = frozenset({CommandPath.UNREGISTERED, CommandPath.DEAD})
-"""Where commands don't reach all robots."""
+"""States in which commands don't reach all robots."""
 
 OF_BAG = "rosbag://"
 """How the address begins of what is no bridge, but the file that a recording was made of."""
@@ -62,7 +62,7 @@ class LinkState(Struct, frozen=True):
 
     @property
     def is_starting(self) -> bool:
-        """Whether it is tried for the first time: nothing speaks against it yet."""
+        """Tell whether it is tried for the first time: nothing speaks against it yet."""
         if self.phase is Phase.UP:
             return not self.commands_connected and self.command_path is CommandPath.UNTRIED
         return self.phase is Phase.CONNECTING and not self.reason

@@ -18,7 +18,7 @@ class Order(Struct, frozen=True):
 
     @property
     def is_over(self) -> bool:
-        """Whether it is only still listed."""
+        """Tell whether it is only still listed."""
         return self.status in ("D", "C")
 
 

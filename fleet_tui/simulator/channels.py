@@ -35,7 +35,7 @@ class Channel:
     sessions: set["Session"] = field(default_factory=set)
 
     def hears(self, topic: Topic, dialect: Dialect) -> bool:
-        """Whether anything that is published there comes through."""
+        """Tell whether anything that is published there comes through."""
         return self.type == dialect.short(topic.type) and (topic.latched or not self.demanding)
 
 
@@ -98,11 +98,11 @@ class Channels:
         return FIRST + (LAST - FIRST) * (zlib.crc32(topic.name.encode()) % 100) / 100
 
     def hears(self, name: str, topic: Topic) -> bool:
-        """Whether what is published on a topic comes through to those who hold it under this name."""
+        """Tell whether what is published on a topic comes through to those who hold it under this name."""
         return self._channels[name].hears(topic, self._dialect)
 
     def durable(self, name: str) -> bool:
-        """Whether latched values come through."""
+        """Tell whether latched values come through."""
         return self._channels[name].durable
 
     def _type(self, name: str, wanted: str | None, topic: Topic | None) -> str:

@@ -45,11 +45,11 @@ class Guests:
         self._advertised: dict[str, set[Session]] = {}
 
     def owns(self, name: str) -> bool:
-        """Whether a topic or a service is a client's."""
+        """Tell whether a topic or a service is a client's."""
         return name in self._advertised or name in self._offers
 
     def offers(self, service: str) -> bool:
-        """Whether a client offers the service."""
+        """Tell whether a client offers the service."""
         return service in self._offers
 
     def advertise(self, session: "Session", name: str, type_: str, latched: bool) -> None:

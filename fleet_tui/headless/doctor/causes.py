@@ -82,7 +82,7 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
 
 
 def _has_services(profile: Profile, robot: str, rosapi: Rosapi) -> bool:
-    """Whether a robot has services by the names of the profile, or others: those are told one by one."""
+    """Tell whether a robot has services by the names of the profile, or others: those are told one by one."""
     known = {profile.service(key, robot) for key in SERVICES}
     return any(service in known or service.startswith(f"/{robot}/") for service in rosapi.services)
 

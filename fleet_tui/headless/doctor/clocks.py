@@ -38,7 +38,7 @@ def _lateness(facts: BridgeFacts) -> tuple[float, float]:
 
 
 def falls_behind(facts: BridgeFacts) -> bool:
-    """Whether the bridge has more to do than it can; unknown where we ourselves were late."""
+    """Tell whether the bridge has more to do than it can; unknown where we ourselves were late."""
     late, calls = _lateness(facts)
     return (late >= LATE or calls >= SLOW) and facts.behind <= BEHIND
 

@@ -10,7 +10,7 @@ LONG_ENOUGH = 1.5  # seconds without a message that mean anything
 
 
 def is_hidden(topic: str) -> bool:
-    """Whether it belongs to an action: rosapi does not list these."""
+    """Tell whether it belongs to an action: rosapi does not list these."""
     return "/_action/" in topic
 
 
@@ -30,12 +30,12 @@ class Rosapi:
 
     @property
     def is_absent(self) -> bool:
-        """Whether there is none beside the bridge."""
+        """Tell whether there is none beside the bridge."""
         return "does not exist" in self.problem
 
     @property
     def is_silent(self) -> bool:
-        """Whether its node is there and does not answer: we waited long enough, or the bridge did."""
+        """Tell whether its node is there and does not answer: we waited long enough, or the bridge did."""
         words = ("does not answer", "Unable to communicate with service", "Timeout exceeded")
         return any(word in self.problem for word in words)
 
@@ -79,7 +79,7 @@ class TopicFacts:
 
     @property
     def is_silent(self) -> bool:
-        """Whether nothing came in a time that means anything."""
+        """Tell whether nothing came in a time that means anything."""
         return not self.count and self.waited >= LONG_ENOUGH
 
 

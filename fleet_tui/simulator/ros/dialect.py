@@ -20,23 +20,23 @@ class Dialect(Protocol):
     max_message_size: int | None
     """Bytes of a message to a client; text above it comes in fragments, binary never. None = any."""
     reads_binary: bool
-    """Whether a binary frame from a client is read as text."""
+    """Tell whether a binary frame from a client is read as text."""
     never_cbor: Collection[str]
     """Types that never come as CBOR, in the short spelling."""
     lingers: float
     """Seconds for which the bridge keeps a subscription as it is after the last client has let go."""
     logs_operations: bool
-    """Whether subscriptions, and operations without effect, are lines of /rosout."""
+    """Tell whether subscriptions, and operations without effect, are lines of /rosout."""
     fragment_id: int | str
     """The id of a fragment whose message has none."""
     aligned: bool
-    """Whether ROS's own encoding is CDR, in which values are aligned."""
+    """Tell whether ROS's own encoding is CDR, in which values are aligned."""
     keeps_log: bool
-    """Whether a late subscriber of /rosout is told more than each node's last line."""
+    """Tell whether a late subscriber of /rosout is told more than each node's last line."""
     joins_wrong_types: bool
     """Whether a client who asks rightly is added to a subscription of a wrong type, to hang on it too."""
     fragile: bool
-    """Whether rosapi ends with an exception in one of its handlers."""
+    """Tell whether rosapi ends with an exception in one of its handlers."""
     params: Mapping[str, object]
     """The parameters that rosapi knows from the start."""
     discovers: bool
@@ -61,7 +61,7 @@ class Dialect(Protocol):
         """The ROS 1 name under which the definition of one of rosapi's services stands."""
 
     def importable(self, type_: str) -> bool:
-        """Whether the bridge can load a message type; it has packages of which nothing is known here."""
+        """Tell whether the bridge can load a message type; it has packages of which nothing is known here."""
 
     def fixed(self, items: list[float]) -> object:
         """An array of fixed length as the bridge holds it."""

@@ -52,7 +52,7 @@ class Ros1:
         return f"rosapi/{name}"
 
     def importable(self, type_: str) -> bool:
-        """Whether a known package defines it."""
+        """Tell whether a known package defines it."""
         return type_ in MESSAGES or type_.partition("/")[0] not in PACKAGES
 
     def fixed(self, items: list[float]) -> object:

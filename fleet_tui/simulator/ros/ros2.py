@@ -91,7 +91,7 @@ class Ros2:
         return f"rosapi_msgs/{name}" if f"rosapi_msgs/{name}" in SERVICES else f"rosapi/{name}"
 
     def importable(self, type_: str) -> bool:
-        """Whether the package's name is possible, and a known package defines it."""
+        """Tell whether the package's name is possible, and a known package defines it."""
         package = type_.partition("/")[0]
         known = type_ in _MESSAGES_BY_SHORT_NAME or package not in {name.lower() for name in PACKAGES}
         return known and package == package.lower()
