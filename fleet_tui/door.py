@@ -9,7 +9,7 @@ from fleet_tui.model.events import Event
 from fleet_tui.store import Store
 
 if TYPE_CHECKING:
-    from fleet_tui.link.tap import Tap
+    from fleet_tui.client.tap import Tap
     from fleet_tui.model.counters import LinkCounter
 
 
@@ -44,12 +44,12 @@ def to_the_fleet(
     config: Config, store: Store, stands: Callable[[Door], None], tap: "Tap | None" = None
 ) -> None:
     """Connect to every bridge, then load the maps. Importing the link takes longer than painting."""
-    from fleet_tui.link.fleet_link import FleetLink
+    from fleet_tui.client.fleet_link import FleetLink
 
     link = FleetLink(config, store, tap)
     link.open()
     stands(link)
-    from fleet_tui.map_files import load_floor_map
+    from fleet_tui.maps.images import load_floor_map
 
     for floor in config.floors:
         if floor.map:

@@ -6,15 +6,15 @@ from itertools import count
 
 import msgspec
 
+from fleet_tui.adapters.oh_ressources.adapter import interface
+from fleet_tui.adapters.subscriptions import wanted_topics
 from fleet_tui.config.profile import Profile
 from fleet_tui.config.start import initial_state
-from fleet_tui.link.subscriptions import wanted_topics
 from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.robots.oh_ressources import interface
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.messages import topics_of
 from fleet_tui.simulator.server import RosbridgeServer

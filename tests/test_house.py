@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.adapters import KINDS
 from fleet_tui.config.check import PROFILES
-from fleet_tui.robots import KINDS
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "fleet_tui"
 FILES = sorted(PACKAGE.rglob("*.py"))
-PURE = ["model", "view", "robots", "rosbridge", "keys.py", "keymap.py", "store.py"]
+PURE = ["model", "view", "adapters", "keys.py", "keymap.py", "store.py"]
 PURE_SIMULATOR = ["world.py", "warehouse.py", "robot.py", "floorplan.py"]
 FORBIDDEN_NAMES = ("Manager", "Helper", "Utils", "Handler", "Data", "Info")
 IMPURE_CALLS = {"open", "print", "input", "now", "today", "monotonic", "perf_counter", "time_ns", "read_text"}
@@ -98,7 +98,7 @@ def test_only_the_transport_knows_roslibpy() -> None:
             for name in ("roslibpy", "autobahn")
         )
     ]
-    assert knows == ["link/transport.py"]
+    assert knows == ["transports/rosbridge/connection.py"]
 
 
 def test_a_kind_of_robot_is_a_profile_name() -> None:

@@ -14,9 +14,9 @@ from fleet_tui.config.load import load
 from fleet_tui.config.schema import LINK_FILES, Link
 from fleet_tui.errors import ConfigError, LinkError
 from fleet_tui.journal.reader import Reading
-from fleet_tui.link.tls import tls_context
-from fleet_tui.map_files import load_floor_map
+from fleet_tui.maps.images import load_floor_map
 from fleet_tui.themes import load_themes
+from fleet_tui.transports.rosbridge.tls import tls_context
 from tests.watched import config_of
 
 WORDS = "it is no regular file"

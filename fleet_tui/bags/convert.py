@@ -20,7 +20,7 @@ from fleet_tui.journal.entries import Origin
 from fleet_tui.journal.part_file import PartFile
 from fleet_tui.journal.recording import LAST_SECOND
 from fleet_tui.journal.records import VERSION, Header, Packer, encode, public
-from fleet_tui.map_files import load_floor_map
+from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.bounds import brief
 from fleet_tui.model.events import MessageRejected
 from fleet_tui.model.fleet import FleetState

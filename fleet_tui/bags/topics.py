@@ -4,14 +4,14 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from fleet_tui.adapters import KINDS
+from fleet_tui.adapters.ros.type_names import plain_type
+from fleet_tui.adapters.subscriptions import Wanted, type_problem, wanted_topics
 from fleet_tui.bags.opening import Bag, BagError
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import did_you_mean
-from fleet_tui.link.subscriptions import Wanted, type_problem, wanted_topics
 from fleet_tui.model.apply import LIVE_MAPS_KEPT
 from fleet_tui.model.bounds import LONGEST_NAME, brief
-from fleet_tui.robots import KINDS
-from fleet_tui.rosbridge.type_names import plain_type
 
 NAMED = 5
 """Topics or robots that a message names; how many more there are, it says."""

@@ -22,8 +22,8 @@ from fleet_tui.headless.doctor.listening import listen
 from fleet_tui.headless.doctor.rosapi import ask_publishers, ask_services, look_around
 from fleet_tui.headless.doctor.wire import Wire
 from fleet_tui.headless.site import Site, site_of
-from fleet_tui.link.transport import network_loop
 from fleet_tui.model.events import PoseReported
+from fleet_tui.transports.loop import network_loop
 
 OURS = ("/rosapi/", "/rosbridge_")
 

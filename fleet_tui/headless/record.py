@@ -11,6 +11,7 @@ from types import FrameType
 
 import msgspec
 
+from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.access import access_problems
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
@@ -20,8 +21,7 @@ from fleet_tui.journal.audit import new_origin
 from fleet_tui.journal.part_files import Limits
 from fleet_tui.journal.recorder import Recorder
 from fleet_tui.journal.taps import Taps
-from fleet_tui.link.fleet_link import FleetLink
-from fleet_tui.map_files import load_floor_map
+from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.view.text import visible

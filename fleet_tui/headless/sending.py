@@ -5,10 +5,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
+from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.headless.driving import follow_order
 from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, ended, unsent
 from fleet_tui.headless.session import WaitingStore
-from fleet_tui.link.fleet_link import FleetLink
 from fleet_tui.model.checks import problems
 from fleet_tui.model.commands import ClearOrders, Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Wish
 from fleet_tui.model.fleet import FleetState

@@ -5,10 +5,10 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.client.tap import Tap
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.link.fleet_link import FleetLink
-from fleet_tui.link.tap import Tap
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase

@@ -5,9 +5,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 
+from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.config.check import NAME
 from fleet_tui.config.profile import FLOOR_TOPICS, SERVICES, TOPICS
-from fleet_tui.rosbridge.type_names import plain_type, same_type
 
 QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]
 PAUSED = "{robot}/paused"

@@ -2,15 +2,16 @@
 
 from collections.abc import Mapping
 
+from fleet_tui.adapters import KINDS
+from fleet_tui.adapters.ros.operations import Fragment, ServiceResponse
+from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.subscriptions import wanted_topics
 from fleet_tui.config.schema import Config
 from fleet_tui.journal.records import Heard, Record, Told
-from fleet_tui.link.reading import Reading
-from fleet_tui.link.subscriptions import wanted_topics
+from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model.apply import apply
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.robots import KINDS
-from fleet_tui.rosbridge.operations import Fragment, ServiceResponse
 
 
 class Frames:
@@ -24,6 +25,7 @@ class Frames:
                 config.bridge(name),
                 config.profile,
                 {wanted.subscription.topic: wanted for wanted in wanted_topics(config, interface, name)},
+                decode_apart,
             )
             for name in config.bridges
         }

@@ -320,7 +320,7 @@ def test_of_many_live_maps_the_first_robots_stay(tmp_path: Path) -> None:
 
 
 def test_a_large_map_needs_no_process_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fleet_tui.link.reading.decode_apart", None)
+    monkeypatch.setattr("fleet_tui.playback.frames.decode_apart", None)
     frame = {"resolution": 0.05, "width": 2500, "height": 2000, "origin": {"orientation": {"w": 1.0}}}
     said = [Said(0, f"/{R0}/{F0}/map", MAP, {"info": frame, "data": np.full(5_000_000, 100, np.int8)})]
     _, recording = made_of(written(tmp_path, "ros1", said), bag_config("ros1"), tmp_path / "r.jsonl.gz")

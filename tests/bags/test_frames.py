@@ -11,12 +11,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from fleet_tui.adapters.oh_ressources.adapter import interface
+from fleet_tui.adapters.ros import operations
 from fleet_tui.bags.definitions import typestore
 from fleet_tui.bags.frames import Framer
 from fleet_tui.config.profile import Profile
 from fleet_tui.model import events
-from fleet_tui.robots.oh_ressources import interface
-from fleet_tui.rosbridge import operations
 from tests.bags.made import made, types
 from tests.fleets import F0, R0
 

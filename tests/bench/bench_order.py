@@ -12,9 +12,9 @@ from fleet_tui.app import FleetApp
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config, simulated
-from fleet_tui.link.transport import Connection
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.themes import load_themes
+from fleet_tui.transports.rosbridge.connection import Connection
 from fleet_tui.view.drawing import Drawing
 from tests.bench.rows import Row, p95, row
 from tests.console_pilot import Console

@@ -131,7 +131,7 @@ def tasks() -> None:
 
 def counts() -> None:
     """How many messages of topics were applied, and how many passed over or not understood."""
-    from fleet_tui.link.fleet_link import FleetLink
+    from fleet_tui.client.fleet_link import FleetLink
 
     def closed(link: FleetLink) -> None:
         links = link.counters.values()

@@ -4,13 +4,14 @@ import os
 
 import pytest
 
-from fleet_tui.link import heartbeat, latched, sourcing, subscriber, transport
+from fleet_tui.client import heartbeat, latched, sourcing, subscriber
 from fleet_tui.simulator.faults import wire, world
+from fleet_tui.transports.rosbridge import connection
 
 SHORT = (
     # Autobahn cuts its times down to whole seconds of the clock: 2 is 1 to 2.
-    (transport, {"PING_INTERVAL": 1.0, "PING_TIMEOUT": 2.0, "CONNECT_TIMEOUT": 2.0}),
-    (transport, {"FIRST_DELAY": 0.1, "LONGEST_DELAY": 0.4}),
+    (connection, {"PING_INTERVAL": 1.0, "PING_TIMEOUT": 2.0, "CONNECT_TIMEOUT": 2.0}),
+    (connection, {"FIRST_DELAY": 0.1, "LONGEST_DELAY": 0.4}),
     (heartbeat, {"EVERY": 1.0, "TIMEOUT": 1.0}),
     (subscriber, {"FIRST_AGAIN": 6.0, "CBOR_PATIENCE_ROS2": 1.0}),
     (latched, {"FIRST_PATIENCE": 0.5}),

@@ -4,8 +4,8 @@ import time
 
 import pytest
 
-from fleet_tui.link.reading import Reading
-from fleet_tui.link.telemetry import Read
+from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.client.telemetry import Read
 from fleet_tui.model.checks import problems
 from fleet_tui.model.commands import PauseRobot, PlaceOrder, ResumeRobot, Stage, Wish
 from fleet_tui.model.fleet import FleetState

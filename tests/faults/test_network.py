@@ -12,11 +12,11 @@ from msgspec.structs import replace
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
-from fleet_tui.link import transport
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import LinkChanged, MessageRejected
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.transports.rosbridge import connection as transport
 from tests.faults.kept import linked
 from tests.faults.proxy import UPGRADE, Attend, answer, before, drop, goodbye, mute
 from tests.faults.report import report

@@ -6,12 +6,12 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import ConfigError
-from fleet_tui.link.fleet_link import FleetLink
-from fleet_tui.link.reasons import refusal
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.store import Store
+from fleet_tui.transports.rosbridge.reasons import refusal
 from tests.faults.certificates import Signed, sign
 from tests.faults.kept import linked
 from tests.faults.proxy import before

@@ -15,15 +15,15 @@ from pathlib import Path
 import atheris  # type: ignore[import-not-found, import-untyped, unused-ignore]  # installed by `make fuzz` alone
 
 with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"]):
+    from fleet_tui.adapters.oh_ressources.adapter import interface
+    from fleet_tui.adapters.ros.operations import Publish, ServiceResponse, decode, decode_cbor
     from fleet_tui.config.load import load
     from fleet_tui.config.profile import Profile
     from fleet_tui.errors import ConfigError, WireError
     from fleet_tui.journal.indexing import open_recording
     from fleet_tui.journal.records import Keyframe, RecordingError
-    from fleet_tui.map_files import load_floor_map
+    from fleet_tui.maps.images import load_floor_map
     from fleet_tui.model.commands import PauseRobot
-    from fleet_tui.robots.oh_ressources import interface
-    from fleet_tui.rosbridge.operations import Publish, ServiceResponse, decode, decode_cbor
     from fleet_tui.themes import load_themes, read_theme
     from fleet_tui.view.text import cell_width, fit, visible
     from tests.journal.recordings import header, keyframe, packed

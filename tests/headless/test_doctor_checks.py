@@ -9,6 +9,9 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from fleet_tui.adapters.interface import TopicKind
+from fleet_tui.adapters.ros.operations import Subscription
+from fleet_tui.adapters.subscriptions import Wanted
 from fleet_tui.config.schema import FloorEntry
 from fleet_tui.headless.doctor.charts import Chart
 from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
@@ -27,11 +30,8 @@ from fleet_tui.headless.doctor.terminal import (
 )
 from fleet_tui.headless.doctor.tools import LOOK_FOR_NODE, named
 from fleet_tui.headless.doctor.wire import Heard
-from fleet_tui.link.subscriptions import Wanted
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.robots.interface import TopicKind
-from fleet_tui.rosbridge.operations import Subscription
 
 FLOOR = FloorEntry("floor_0")
 IDS = st.integers(0, 7)

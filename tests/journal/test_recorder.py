@@ -10,6 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.adapters import KINDS
+from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.subscriptions import wanted_topics
+from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.journal import part_files, recorder
@@ -19,14 +23,11 @@ from fleet_tui.journal.part_files import Limits
 from fleet_tui.journal.recorder import Recorder
 from fleet_tui.journal.records import Heard, Keyframe, Mark, RecordingError, Sent, Told
 from fleet_tui.journal.taps import Taps
-from fleet_tui.link.fleet_link import FleetLink
-from fleet_tui.link.reading import Reading
-from fleet_tui.link.subscriptions import wanted_topics
+from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
 from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.robots import KINDS
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.store import Store
 from tests.fleets import T0, WALL, fleet
@@ -78,6 +79,7 @@ def played(path: Path, config: Config) -> Iterator[tuple[object, FleetState]]:
             config.bridge(link),
             config.profile,
             {one.subscription.topic: one for one in wanted_topics(config, interface, link)},
+            decode_apart,
         )
         for link in config.bridges
     }

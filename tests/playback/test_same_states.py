@@ -7,14 +7,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
 from fleet_tui.journal import recorder
 from fleet_tui.journal.indexing import open_recording
 from fleet_tui.journal.recorder import Recorder
 from fleet_tui.journal.recording import Recording
 from fleet_tui.journal.records import Told
-from fleet_tui.link.fleet_link import FleetLink
-from fleet_tui.map_files import load_floor_map
+from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.commands import PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, Event, TimePassed
 from fleet_tui.model.fleet import FleetState

@@ -6,12 +6,12 @@ from pathlib import Path
 import numpy as np
 from msgspec.structs import replace
 
+from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Link
 from fleet_tui.config.start import initial_state
 from fleet_tui.journal.indexing import open_recording
 from fleet_tui.journal.recorder import Recorder
 from fleet_tui.journal.records import Heard, Told
-from fleet_tui.link.fleet_link import FleetLink
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.playback.playhead import Playhead

@@ -4,8 +4,8 @@ import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
+from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
-from fleet_tui.link.fleet_link import FleetLink
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer

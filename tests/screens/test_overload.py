@@ -4,9 +4,9 @@ import threading
 
 import pytest
 
-from fleet_tui.link import telemetry
-from fleet_tui.link.reading import Reading
-from fleet_tui.link.telemetry import Read
+from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.client import telemetry
+from fleet_tui.client.telemetry import Read
 from fleet_tui.model.commands import Stage
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import console

@@ -8,8 +8,8 @@ from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.words import Talk, health
 from fleet_tui.simulator.world import World
+from tests.client.test_counting import counter, until
 from tests.fleets import WALL
-from tests.link.test_counting import counter, until
 from tests.linked import linked, ready
 from tests.watched import config_of
 

@@ -14,8 +14,8 @@ from fleet_tui.errors import FleetError, LinkError
 from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
 from fleet_tui.headless.doctor.tools import START_BRIDGE, named
 from fleet_tui.headless.doctor.wire import FROZEN, Wire
-from fleet_tui.link.reasons import refusal
-from fleet_tui.link.tls import tls_context
+from fleet_tui.transports.rosbridge.reasons import refusal
+from fleet_tui.transports.rosbridge.tls import tls_context
 
 STEPS = ("name", "tcp", "tls", "websocket", "rosbridge")
 PATIENCE = 4.0  # seconds for each step

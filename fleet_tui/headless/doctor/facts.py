@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from fleet_tui.link.subscriptions import Wanted
+from fleet_tui.adapters.subscriptions import Wanted
 from fleet_tui.model.events import Event
 
 LONG_ENOUGH = 1.5  # seconds without a message that mean anything

@@ -3,6 +3,9 @@
 import asyncio
 import time
 
+from fleet_tui.adapters import KINDS
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.adapters.subscriptions import Wanted, wanted_topics
 from fleet_tui.config.profile import SERVICES
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import LinkError
@@ -16,9 +19,6 @@ from fleet_tui.headless.doctor.rosapi import (
     look_around,
 )
 from fleet_tui.headless.doctor.wire import Wire
-from fleet_tui.link.subscriptions import Wanted, wanted_topics
-from fleet_tui.robots import KINDS
-from fleet_tui.rosbridge.type_names import same_type
 
 ROUND_TRIPS = 10
 BETWEEN = 0.05  # seconds between two of them while all topics come

@@ -7,14 +7,14 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import NamedTuple
 
+from fleet_tui.adapters.ros.reading import ROSOUT
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.adapters.subscriptions import Wanted
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.headless.doctor.facts import Rosapi, TopicFacts, is_hidden
 from fleet_tui.headless.doctor.rosapi import subscribers
 from fleet_tui.headless.doctor.wire import Wire
-from fleet_tui.link.reading import ROSOUT
-from fleet_tui.link.subscriptions import Wanted
-from fleet_tui.rosbridge.type_names import same_type
 
 CONNECT_WITHIN = 4.0
 LOOK_EVERY = 0.05  # seconds

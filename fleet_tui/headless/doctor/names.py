@@ -3,11 +3,11 @@
 import re
 from collections.abc import Collection, Iterable, Mapping
 
+from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.config.profile import SERVICES, Profile
 from fleet_tui.config.schema import Config
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
-from fleet_tui.rosbridge.type_names import plain_type, same_type
 
 
 def robots_on(profile: Profile, rosapi: Rosapi) -> set[str]:

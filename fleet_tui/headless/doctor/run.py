@@ -28,9 +28,9 @@ from fleet_tui.headless.doctor.services import service_findings
 from fleet_tui.headless.doctor.terminal import terminal_findings
 from fleet_tui.headless.doctor.topics import robot_findings
 from fleet_tui.headless.doctor.wire import Wire
-from fleet_tui.link.transport import network_loop
-from fleet_tui.map_files import load_floor_map
+from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.events import FloorMapLoaded, PoseReported
+from fleet_tui.transports.loop import network_loop
 
 FINE, BROKEN, NO_LINK = 0, 1, 3
 SPARE = 1.5  # seconds kept for what comes after the bridges, at most a quarter of all

@@ -2,13 +2,13 @@
 
 from collections.abc import Iterator, Sequence
 
+from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.profile import SERVICES, Profile
 from fleet_tui.headless.doctor.causes import Cause
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
 from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.names import near_service
 from fleet_tui.headless.doctor.topics import is_there
-from fleet_tui.rosbridge.type_names import same_type
 
 
 def service_findings(

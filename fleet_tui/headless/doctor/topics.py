@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.profile import FLOOR_TOPICS
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.headless.doctor.causes import Cause
@@ -10,7 +11,6 @@ from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts, is_
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.headless.doctor.names import near_topic, robots_on
 from fleet_tui.headless.doctor.tools import LATCHED, LOOK_FOR_NODE, named
-from fleet_tui.rosbridge.type_names import same_type
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 UNSEEN = "without rosapi nobody can tell whether it is there"

@@ -8,18 +8,18 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
 
+from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.ros.operations import Subscription
+from fleet_tui.adapters.ros.reading import ROSOUT
+from fleet_tui.adapters.ros.robot_words import complaint, log_line
+from fleet_tui.adapters.subscriptions import Wanted
+from fleet_tui.client.calls import Calls
+from fleet_tui.client.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.headless.doctor.facts import TopicFacts
-from fleet_tui.link.calls import Calls
-from fleet_tui.link.heartbeat import SERVICE as HEARTBEAT
-from fleet_tui.link.reading import ROSOUT
-from fleet_tui.link.subscriptions import Wanted
-from fleet_tui.link.transport import Connection
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
-from fleet_tui.rosbridge import operations
-from fleet_tui.rosbridge.operations import Subscription
-from fleet_tui.rosbridge.robot_words import complaint, log_line
+from fleet_tui.transports.rosbridge.connection import Connection
 
 HEAVY_BYTES = 100_000
 QUEUE = 100  # lines of the log that the bridge keeps for us

@@ -1,0 +1,189 @@
+"""Operations of the rosbridge v2 protocol, to and from frames.
+
+Written from what a real rosbridge_server 0.11 sends: see the transcripts in tests/wire.
+"""
+
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import msgspec
+
+from fleet_tui.errors import WireError
+from fleet_tui.model.cbor import read_cbor
+
+
+class Publish(msgspec.Struct, frozen=True):
+    """A message of a topic. `msg` is still encoded: JSON, or what CBOR decoded to."""
+
+    topic: str
+    msg: Any
+
+
+class ServiceResponse(msgspec.Struct, frozen=True):
+    """The answer to a call. With `result` False the values are a string that says why."""
+
+    id: str
+    values: Any
+    result: bool
+
+
+class Status(msgspec.Struct, frozen=True):
+    """What a bridge has to say about an operation of ours."""
+
+    level: str
+    text: str
+
+
+class Fragment(msgspec.Struct, frozen=True):
+    """Piece `num` (from 0) of `total` of a message that the bridge cut up; `id` tells it from others."""
+
+    id: str
+    data: str
+    num: int
+    total: int
+
+
+LARGEST_ANSWER = 4 * 2**20
+"""Bytes of the values of an answer, or of what a bridge says; larger ones are not read."""
+
+Operation = Publish | ServiceResponse | Status | Fragment
+
+
+class _Frame(msgspec.Struct):
+    """The union of every operation's fields, so that one pass reads any of them."""
+
+    op: str
+    topic: str = ""
+    msg: msgspec.Raw = msgspec.Raw(b"null")
+    id: str | None = None
+    values: msgspec.Raw = msgspec.Raw(b"null")
+    result: bool = True
+    level: str = ""
+    data: str = ""
+    num: int = -1
+    total: int = 0
+
+
+_decoder = msgspec.json.Decoder(_Frame)
+_encoder = msgspec.json.Encoder()
+
+
+def _values(raw: msgspec.Raw) -> Any:
+    size = memoryview(raw).nbytes
+    return msgspec.json.decode(raw) if size <= LARGEST_ANSWER else f"{size:,} bytes, which are not read"
+
+
+def decode(payload: bytes) -> Operation | None:
+    """Decode a text frame into an operation, None for one that a client has no use for.
+
+    Raises WireError for a frame that is no operation.
+    """
+    try:
+        frame = _decoder.decode(payload)
+        match frame.op:
+            case "publish":
+                return Publish(frame.topic, frame.msg)
+            case "service_response":
+                return ServiceResponse(frame.id or "", _values(frame.values), frame.result)
+            case "fragment":
+                return Fragment(frame.id or "", frame.data, frame.num, frame.total)
+            case "status":
+                text = _values(frame.msg)
+                return Status(frame.level, text if isinstance(text, str) else str(text))
+    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as problem:
+        if (lenient := _decode_leniently(payload)) is not None:
+            return lenient
+        raise WireError(f"frame of {len(payload):,} bytes: {problem}") from None
+    return None
+
+
+# A bridge of ROS 2 writes these bare in arrays of fixed length, such as every covariance: that is no JSON.
+_BARE = re.compile(rb"[\[,:]\s*(?:NaN|-?Infinity)\b")
+LARGEST_LENIENT = 2**20
+"""Bytes of a frame that is read once more with them."""
+
+
+def _decode_leniently(payload: bytes) -> Publish | ServiceResponse | None:
+    """Read a message or an answer with bare NaN or Infinity as plain values; None for anything else."""
+    if len(payload) > LARGEST_LENIENT or not _BARE.search(payload):
+        return None
+    try:
+        frame = json.loads(payload)
+    except (ValueError, RecursionError):
+        return None
+    match frame:
+        case {"op": "publish", "topic": str(topic)}:
+            return Publish(topic, frame.get("msg"))
+        case {"op": "service_response", "id": str(id_), "result": bool(result)}:
+            return ServiceResponse(id_, frame.get("values"), result)
+    return None
+
+
+def decode_cbor(payload: bytes) -> Operation | None:
+    """A binary frame as an operation, like `decode`. Only topics come as CBOR."""
+    try:
+        frame = read_cbor(payload)
+    except ValueError as problem:
+        raise WireError(f"binary frame of {len(payload):,} bytes: {problem}") from None
+    if not isinstance(frame, dict) or not isinstance(frame.get("topic"), str):
+        raise WireError(f"binary frame of {len(payload):,} bytes is no publish operation")
+    return Publish(frame["topic"], frame.get("msg")) if frame.get("op") == "publish" else None
+
+
+@dataclass(frozen=True, slots=True)
+class Subscription:
+    """What is asked of the bridge for one topic. Rates are in milliseconds, 0 is every message;
+    the queue holds at least one, or one slow client freezes the topic for all. `latched`: with the quality
+    of service that gets the last value whenever its publisher is discovered, of which ROS 1 knows nothing."""
+
+    topic: str
+    type: str
+    throttle_rate: int = 0
+    compression: str = "none"
+    queue_length: int = 1
+    latched: bool = False
+
+
+LATCHED = {"durability": "transient_local", "reliability": "reliable", "history": "keep_last", "depth": 1}
+
+
+def subscribe(wanted: Subscription) -> bytes:
+    """The frame that subscribes to a topic."""
+    operation: dict[str, object] = {
+        "op": "subscribe",
+        "id": f"subscribe:{wanted.topic}",
+        "topic": wanted.topic,
+        "type": wanted.type,
+        "throttle_rate": wanted.throttle_rate,
+        "queue_length": wanted.queue_length,
+        "compression": wanted.compression,
+    }
+    return _encoder.encode(operation | {"qos": LATCHED} if wanted.latched else operation)
+
+
+def unsubscribe(topic: str) -> bytes:
+    """The frame that ends the subscription to a topic."""
+    return _encoder.encode({"op": "unsubscribe", "id": f"subscribe:{topic}", "topic": topic})
+
+
+def call_service(call_id: str, service: str, args: Mapping[str, object], timeout: float) -> bytes:
+    """The frame that calls a service. `args` must be complete: a bridge fills gaps with zeros. A bridge of
+    ROS 2 gives a call up after `timeout` seconds; that of ROS 1 ignores it."""
+    return _encoder.encode(
+        {"op": "call_service", "id": call_id, "service": service, "args": args, "timeout": float(timeout)}
+    )
+
+
+_TOPIC = re.compile(rb'"topic"\s*:\s*("(?:[^"\\]|\\.){1,200}")')
+
+
+def topic_of(payload: bytes) -> str:
+    """The topic of a publish frame without decoding it, "" where it doesn't stand near the start."""
+    found = _TOPIC.search(payload, 0, 1000)
+    try:
+        return str(msgspec.json.decode(found.group(1))) if found else ""
+    except msgspec.DecodeError:
+        return ""

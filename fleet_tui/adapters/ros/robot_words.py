@@ -1,0 +1,122 @@
+"""/rosout and /diagnostics as they come from ROS 1 and ROS 2."""
+
+import base64
+import binascii
+import re
+
+import msgspec
+
+from fleet_tui.adapters.ros.messages import Stamp, reader
+from fleet_tui.errors import WireError
+from fleet_tui.model.bounds import LONGEST_NAME, brief
+from fleet_tui.model.robot_words import Diagnosis, LogLine, Severity
+
+LONGEST_TEXT = 2000
+"""Characters of a line of the log."""
+MOST_PARTS = 500
+"""Parts of one message of /diagnostics."""
+MOST_VALUES = 50
+"""Values of one part."""
+
+LOG_TYPES = ("rosgraph_msgs/Log", "rcl_interfaces/msg/Log")
+HEALTH_TYPES = ("diagnostic_msgs/DiagnosticArray", "diagnostic_msgs/msg/DiagnosticArray")
+
+
+class LogHeader(msgspec.Struct, frozen=True):
+    """What is read of a log line's std_msgs/Header."""
+
+    stamp: Stamp = Stamp()
+
+
+class Log(msgspec.Struct, frozen=True):
+    """rosgraph_msgs/Log, and rcl_interfaces/msg/Log: what both have."""
+
+    level: int
+    name: str
+    msg: str
+    stamp: Stamp = Stamp()
+    header: LogHeader = LogHeader()
+
+
+class KeyValue(msgspec.Struct, frozen=True):
+    """diagnostic_msgs/KeyValue."""
+
+    key: str
+    value: str
+
+
+class DiagnosticStatus(msgspec.Struct, frozen=True):
+    """diagnostic_msgs/DiagnosticStatus. A ROS 2 bridge writes the byte `level` as a number, as text or
+    as a list, depending on its version."""
+
+    level: int | str | list[int]
+    name: str
+    message: str = ""
+    hardware_id: str = ""
+    values: list[KeyValue] = []
+
+
+class DiagnosticArray(msgspec.Struct, frozen=True):
+    """diagnostic_msgs/DiagnosticArray."""
+
+    status: list[DiagnosticStatus]
+
+
+_read_log, _read_array = reader(Log), reader(DiagnosticArray)
+
+
+def log_line(msg: object, at: float) -> LogLine:
+    """A message of /rosout that came at `at`. Raises WireError."""
+    log = _read_log(msg)
+    stamp = log.header.stamp.seconds or log.stamp.seconds
+    return LogLine(at, log.level, brief(log.name, LONGEST_NAME), brief(log.msg, LONGEST_TEXT), stamp)
+
+
+# With the id of the operation, which for us names the topic.
+_COMPLAINT = re.compile(r"\[id: subscribe:(?P<topic>[^\]]+)\]\s*(?:subscribe:\s*)?(?P<reason>.+)", re.DOTALL)
+
+
+def complaint(line: LogLine) -> tuple[str, str] | None:
+    """Find why a bridge of ROS 2 did not take a subscription of ours: topic and reason. It says so only in
+    its own log; None for any other line."""
+    if "rosbridge" not in line.node or (line.severity or Severity.DEBUG) < Severity.ERROR:
+        return None
+    found = _COMPLAINT.search(line.text)
+    return (found["topic"], found["reason"]) if found else None
+
+
+def byte(value: int | str | list[int]) -> int:
+    """A byte as a number: from a number, a list of one, base64 or the character itself. Raises WireError."""
+    if isinstance(value, str):
+        return _byte_of_text(value)
+    if isinstance(value, list):
+        if len(value) != 1:
+            raise WireError(f"level: a list of {len(value)} numbers is no byte")
+        value = value[0]
+    return value
+
+
+def _byte_of_text(value: str) -> int:
+    if len(value) == 1:
+        return int(value) if value in "0123456789" else ord(value)
+    try:
+        (found,) = base64.b64decode(value, validate=True)
+    except (binascii.Error, ValueError):
+        raise WireError(f"level: {brief(value, 20)!r} is no byte") from None
+    return found
+
+
+def diagnoses(msg: object, at: float) -> list[Diagnosis]:
+    """A message of /diagnostics that came at `at`, part by part. Raises WireError."""
+    return [_diagnosis(status, at) for status in _read_array(msg).status[:MOST_PARTS]]
+
+
+def _diagnosis(status: DiagnosticStatus, at: float) -> Diagnosis:
+    return Diagnosis(
+        at,
+        brief(status.name, LONGEST_NAME),
+        byte(status.level),
+        brief(status.message),
+        brief(status.hardware_id, LONGEST_NAME),
+        tuple((brief(one.key, LONGEST_NAME), brief(one.value)) for one in status.values[:MOST_VALUES]),
+    )

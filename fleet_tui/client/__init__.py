@@ -1,0 +1,1 @@
+"""The client: transports and adapters put together, feeding the store."""

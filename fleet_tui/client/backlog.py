@@ -1,0 +1,94 @@
+"""Backlog of one connection: how long what has come waits to be read, and what of it is left out."""
+
+import asyncio
+import fcntl
+import struct
+import termios
+from collections import deque
+from collections.abc import Callable
+
+from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.transports.rosbridge.connection import Connection
+
+BEHIND = 0.3
+"""Seconds that the oldest unread byte waits from which on overtaken frames are left out."""
+LONGEST_PIECE = 0.1
+"""Seconds that the frames of one piece may take: nothing else is done meanwhile."""
+GATHER = 0.2
+"""Seconds for which frames are gathered then, so that newer ones can overtake them."""
+SLICE = 0.02
+"""Seconds of decoding after which the connection is read again."""
+
+Frame = tuple[bytes, bool, float]
+"""Payload, whether it is binary, and when it was read (monotonic seconds)."""
+
+
+class Backlog:
+    """Runs on the network loop. `take` is given each frame that is to be decoded."""
+
+    def __init__(self, connection: Connection, reading: Reading, take: Callable[[Frame], None]) -> None:
+        self._connection, self._reading, self._take = connection, reading, take
+        self._arrived: deque[tuple[float, int]] = deque()
+        """When how many bytes had arrived in all, read or not."""
+        self._newest: dict[str, tuple[float, Frame]] = {}
+        """By topic: since when a frame waits, and the newest one. What waits longest is first."""
+        self._timer: asyncio.TimerHandle | None = None
+        self._age = 0.0
+
+    def age(self, now: float) -> float:
+        """Seconds that the oldest message has waited to be read; looked at again with each tick."""
+        read, descriptor = self._connection.progress()
+        unread = _unread(descriptor)
+        while self._arrived and self._arrived[0][1] <= read:
+            self._arrived.popleft()
+        if unread:
+            self._arrived.append((now, read + unread))
+        else:  # under TLS a socket holds more bytes than are handed over
+            self._arrived.clear()
+        self._age = now - self._arrived[0][0] if self._arrived else 0.0
+        gathered = next((now - since for since, _ in self._newest.values()), 0.0)
+        return max(self._age, gathered)
+
+    def put(self, topic: str, frame: Frame) -> None:
+        """Take a frame now or, while the connection is behind, only if no newer one of its topic comes."""
+        if (
+            self._age < BEHIND
+            and not self._newest
+            and frame[2] - self._connection.factory.fed_at < LONGEST_PIECE
+        ):
+            self._take(frame)
+            return
+        since, overtaken = self._newest.get(topic, (frame[2], None))
+        if overtaken is not None:
+            self._reading.counter.overtaken += 1
+        self._newest[topic] = since, frame
+        if self._timer is None:
+            self._timer = asyncio.get_running_loop().call_later(GATHER, self._drain)
+
+    def _drain(self) -> None:
+        loop = asyncio.get_running_loop()
+        until, self._timer = loop.time() + SLICE, None
+        while self._newest and loop.time() < until:
+            _, frame = self._newest.pop(next(iter(self._newest)))
+            self._take(frame)
+        if self._newest:
+            self._timer = loop.call_later(0, self._drain)
+
+    def clear(self) -> None:
+        """Forget what was not read: the connection is lost."""
+        self._arrived.clear()
+        self._newest.clear()
+        self._age = 0.0
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+
+def _unread(descriptor: int) -> int:
+    """Bytes that a socket holds for us, 0 without one."""
+    if descriptor < 0:
+        return 0
+    try:
+        return int(struct.unpack("i", fcntl.ioctl(descriptor, termios.FIONREAD, b"\0\0\0\0"))[0])
+    except OSError:
+        return 0

@@ -1,0 +1,86 @@
+"""Service calls with a deadline: each ends exactly once, whatever the bridge does."""
+
+import asyncio
+import itertools
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from fleet_tui.adapters.ros import operations
+from fleet_tui.errors import LinkError
+from fleet_tui.transports.rosbridge.connection import Connection
+
+
+class LinkLostError(LinkError):
+    """The link went down with the call under way: whether it ran is unknown."""
+
+
+class NoAnswerError(LinkError):
+    """The deadline passed without an answer."""
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A call that was sent, and where its answer will be."""
+
+    id: str
+    service: str
+    answer: "asyncio.Future[operations.ServiceResponse]"
+
+
+class Calls:
+    """The calls under way on one connection. Everything here runs on the network loop."""
+
+    def __init__(self, connection: Connection) -> None:
+        self._connection = connection
+        self._pending: dict[str, asyncio.Future[operations.ServiceResponse]] = {}
+        self._ids = itertools.count(1)
+
+    def start(self, service: str, args: Mapping[str, object], within: float) -> "Call":
+        """Send a call that the bridge gives up after `within` seconds, where it can.
+
+        Raises LinkError if there is nothing to send it on."""
+        call_id = f"call:{next(self._ids)}"
+        self._connection.send(operations.call_service(call_id, service, args, within))
+        answer = asyncio.get_running_loop().create_future()
+        self._pending[call_id] = answer
+        return Call(call_id, service, answer)
+
+    async def wait(self, call: "Call", within: float) -> operations.ServiceResponse:
+        """Wait `within` seconds at most for an answer; it may be waited for again, until `forget`.
+
+        Raises LinkLostError or NoAnswerError.
+        """
+        try:
+            return await asyncio.wait_for(asyncio.shield(call.answer), within)
+        except TimeoutError:
+            raise NoAnswerError(f"from {call.service} in {within:g} s: it may still be carried out") from None
+
+    def forget(self, call: "Call") -> None:
+        """Nobody waits for this answer any more."""
+        del self._pending[call.id]
+
+    async def call(
+        self, service: str, args: Mapping[str, object], within: float
+    ) -> operations.ServiceResponse:
+        """Send a call and wait for its answer; raises what `start` and `wait` raise."""
+        call = self.start(service, args, within)
+        try:
+            return await self.wait(call, within)
+        finally:
+            self.forget(call)
+
+    def on_response(self, response: operations.ServiceResponse) -> bool:
+        """Take an answer; False if nobody waits for it (any more)."""
+        answer = self._pending.get(response.id)
+        if answer is None or answer.done():
+            return False
+        answer.set_result(response)
+        return True
+
+    def on_lost(self) -> None:
+        """End every call under way: on a new connection no answer to them can come."""
+        for answer in self._pending.values():
+            if not answer.done():
+                answer.set_exception(
+                    LinkLostError("the link went down before an answer: it may still be carried out")
+                )

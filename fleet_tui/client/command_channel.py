@@ -1,0 +1,177 @@
+"""The connection on which commands leave, and which finds out whether they would get through."""
+
+import asyncio
+import logging
+import time
+
+from fleet_tui.adapters.interface import Interface, said
+from fleet_tui.adapters.ros import operations
+from fleet_tui.client.calls import Call, Calls, LinkLostError, NoAnswerError
+from fleet_tui.client.heartbeat import Heartbeat
+from fleet_tui.client.telemetry import Telemetry
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import CommandError, LinkError, WireError
+from fleet_tui.model.bounds import brief
+from fleet_tui.model.commands import Command, PauseRobot, Stage
+from fleet_tui.model.events import CommandAdvanced
+from fleet_tui.model.link import CommandPath
+from fleet_tui.transports.rosbridge.connection import Connection
+
+LOG = logging.getLogger(__name__)
+
+# Poses come ten times a second: a bridge that spoke and is silent for this long is not well.
+LONGEST_SILENCE = 2.0
+# A command that waited longer for a stalled console was not meant for this moment any more.
+LATEST = 1.0
+# An answer that comes after its deadline, but within this many seconds, is still the robot's word.
+LATE_ANSWER = 60.0
+
+
+class CommandChannel:
+    """Sends commands now or not at all, and tells how each goes on. Runs on the network loop."""
+
+    def __init__(
+        self,
+        link: str,
+        bridge: Link,
+        interface: Interface,
+        writer: Writer,
+        timeout: float,
+        telemetry: Telemetry,
+    ) -> None:
+        """`timeout` of an answer in seconds; `telemetry` of the same bridge, whose silence counts here."""
+        self._link = link
+        self._interface = interface
+        self._writer = writer
+        self._timeout = timeout
+        self._silence = telemetry.silence
+        self._services = telemetry.services
+        self._under_way: set[asyncio.Task[None]] = set()
+        self._in_turn = asyncio.Lock()
+        self.connection = Connection(bridge, self)
+        self._calls = Calls(self.connection)
+        self._heartbeat = Heartbeat(
+            link, self._calls, self._services, telemetry.counter.round_trips, writer.take
+        )
+
+    def on_connecting(self) -> None:
+        """A try has begun."""
+
+    def on_open(self) -> None:
+        """Find out whether commands get through, and keep finding out."""
+        self._heartbeat.start()
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """Every command under way ends now: its answer can't come any more."""
+        self._calls.on_lost()
+        self._heartbeat.stop(reason or "connection lost")
+
+    def on_frame(self, payload: bytes, is_binary: bool) -> None:
+        """Only answers come here."""
+        if self._writer.tap is not None:
+            self._writer.tap.heard(self._link, "commands", payload, is_binary, time.monotonic())
+        try:
+            operation = None if is_binary else operations.decode(payload)
+        except WireError as problem:
+            LOG.warning("%s", problem)
+            return
+        if not isinstance(operation, operations.ServiceResponse):
+            return
+        self._heartbeat.take(operation)
+        if not self._calls.on_response(operation):
+            LOG.warning("a late answer to %s: %s", brief(operation.id), brief(said(operation.values)))
+
+    def on_sent(self, payload: bytes) -> None:
+        """A call left."""
+        if self._writer.tap is not None:
+            self._writer.tap.sent(self._link, "commands", payload)
+
+    def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
+        """No answer to a command is that large."""
+        LOG.warning("an answer of %d bytes was passed over", size)
+
+    def submit(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command that was given at `given_at` (monotonic), before anything else happens.
+
+        Only where a connection is so new that the types of services are being asked for, it waits a moment,
+        and those given after it behind it; a pause never does.
+        """
+        LOG.info("command %d: %s", command_id, command)
+        waits = self._services.is_new or self._in_turn.locked()
+        if isinstance(command, PauseRobot) or not waits:
+            self._submit(command_id, command, given_at)
+        else:
+            self._keep(asyncio.ensure_future(self._submit_in_turn(command_id, command, given_at)))
+
+    async def _submit_in_turn(self, command_id: int, command: Command, given_at: float) -> None:
+        async with self._in_turn:
+            await self._services.settle()
+            self._submit(command_id, command, given_at)
+
+    def _submit(self, command_id: int, command: Command, given_at: float) -> None:
+        at = time.monotonic()
+        try:
+            call = self._send(command, command_id, at - given_at)
+        except (LinkError, CommandError) as problem:
+            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            return
+        self._advance(command_id, Stage.SENT, at=at)
+        self._keep(asyncio.ensure_future(self._wait(command_id, command, call)))
+
+    def _keep(self, task: "asyncio.Task[None]") -> None:
+        """A task that nobody holds may be collected in the middle."""
+        self._under_way.add(task)
+        task.add_done_callback(self._under_way.discard)
+
+    def _send(self, command: Command, command_id: int, late: float) -> Call:
+        if late > LATEST:
+            raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
+        # A pause is tried even where others are held back: it can only make things safer.
+        if not isinstance(command, PauseRobot):
+            if self._heartbeat.path is CommandPath.DEAD:
+                raise LinkError(f"no link for commands: {self._heartbeat.reason}")
+            silent = self._silence()
+            if silent > LONGEST_SILENCE:
+                # What goes into a frozen connection may come out, and be obeyed, much later.
+                raise LinkError(f"nothing has come from the bridge for {silent:.1f} s")
+        call = self._interface.call(command, command_id)
+        if mismatch := self._services.mismatch(call.service):
+            raise CommandError(f"{mismatch}: correct [profile.services], or [profile.service_types]")
+        return self._calls.start(call.service, call.args, self._timeout)
+
+    async def _wait(self, command_id: int, command: Command, call: Call) -> None:
+        try:
+            response = await self._answer(command_id, call)
+            self._services.answered(call.service, response.values, response.result)
+            stage, words = self._interface.outcome(command, response.values, response.result)
+        except NoAnswerError:
+            return
+        except LinkLostError as problem:
+            stage, words = Stage.UNKNOWN, str(problem)
+        except Exception as problem:
+            # Whatever is wrong with us, the operator must learn that nothing is known of this command.
+            LOG.exception("command %d", command_id)
+            stage, words = Stage.UNKNOWN, f"internal error: {problem}"
+        finally:
+            self._calls.forget(call)
+        self._advance(command_id, stage, words)
+
+    async def _answer(self, command_id: int, call: Call) -> operations.ServiceResponse:
+        try:
+            return await self._calls.wait(call, self._timeout)
+        except NoAnswerError as problem:
+            self._advance(command_id, Stage.NO_ANSWER, str(problem))
+        return await self._calls.wait(call, LATE_ANSWER)
+
+    def _advance(self, command_id: int, stage: Stage, words: str = "", at: float | None = None) -> None:
+        level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
+        LOG.log(level, "command %d: %s %s", command_id, stage.value, brief(words))
+        at = time.monotonic() if at is None else at
+        self._writer.take(CommandAdvanced(command_id, stage, at, words))
+
+    def close(self) -> None:
+        """Close for good; what is under way ends as unknown."""
+        self._heartbeat.close()
+        self._calls.on_lost()
+        self.connection.shut()

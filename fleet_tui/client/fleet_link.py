@@ -1,0 +1,76 @@
+"""All bridges of a configuration, as one: commands go to the robot's own."""
+
+import itertools
+import secrets
+import time
+from collections.abc import Mapping
+
+from fleet_tui.client.link import Link
+from fleet_tui.client.tap import Tap
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.access import access_problems
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import ConfigError
+from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.counters import LinkCounter
+from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
+from fleet_tui.store import Store
+
+# request_id is an int32 on the wire: each console and each run starts anywhere in its lower half.
+ID_SPAN = 2**30
+
+
+class FleetLink:
+    """Feeds the store and takes the commands. Any thread may call."""
+
+    def __init__(self, config: Config, store: Store, tap: Tap | None = None) -> None:
+        """Raises ConfigError for a secret or a certificate that can't be used."""
+        problems = access_problems(config)
+        if problems:
+            raise ConfigError([f"{config.path}: {line}" for line in problems])
+        self._store = store
+        self._read_only = config.operator.read_only
+        self._writer = Writer(store, tap)
+        self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
+        self._links = {name: Link(name, config, self._writer) for name in config.bridges}
+        self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
+        """What came over each link, for whoever looks; it changes all the time."""
+
+    def open(self) -> None:
+        """Connect, and tell the time."""
+        self._writer.start()
+        for link in self._links.values():
+            link.open()
+
+    def tell(self, event: Event) -> None:
+        """Take a fact that came from elsewhere into the picture."""
+        self._writer.tell(event)
+
+    def submit(self, command: Command) -> int:
+        """Send a command now or not at all. Returns its id; its end is told exactly once."""
+        given_at = time.monotonic()
+        command_id = next(self._ids)
+        self.tell(CommandIssued(command_id, command, given_at, time.time()))
+        if self._read_only:
+            reason = "this console is read-only"
+            self.tell(CommandAdvanced(command_id, Stage.NOT_SENT, given_at, reason))
+        else:
+            self._links[self._store.state.robots[command.robot].link].submit(command_id, command, given_at)
+        return command_id
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Ask for the live map of one robot's floor, and of no other; an empty floor for none."""
+        wanted = self._store.state.robots[robot].link
+        for name, link in self._links.items():
+            link.show_map(robot if name == wanted and floor else "", floor)
+
+    def overhear(self, on: bool) -> None:
+        """Listen to the log and diagnostics of all robots, or no longer."""
+        for link in self._links.values():
+            link.overhear(on)
+
+    def close(self) -> None:
+        """Close every connection."""
+        for link in self._links.values():
+            link.close()
+        self._writer.stop()

@@ -1,0 +1,114 @@
+"""Signs of life of a bridge's command path: a heartbeat, and every answer to a command."""
+
+import asyncio
+import time
+from collections.abc import Callable
+
+from fleet_tui.adapters.ros.operations import ServiceResponse
+from fleet_tui.client.calls import Calls, NoAnswerError
+from fleet_tui.client.services import Services
+from fleet_tui.errors import LinkError
+from fleet_tui.model.bounds import some
+from fleet_tui.model.counters import RoundTrips
+from fleet_tui.model.events import CommandPathChanged
+from fleet_tui.model.link import CommandPath
+
+SERVICE = "/rosapi/fleet_tui_heartbeat"
+"""A service that nobody offers: the bridge itself says so, in 1-2 ms, whatever rosapi and robots do."""
+EVERY, TIMEOUT = 5.0, 5.0
+LOOK_EVERY = 3
+"""Beats between two looks at the services: a master that was restarted quickly is not noticed otherwise."""
+
+
+class Heartbeat:
+    """Knows whether commands would get through, and tells each change. Runs on the network loop."""
+
+    def __init__(
+        self,
+        link: str,
+        calls: Calls,
+        services: Services,
+        round_trips: RoundTrips,
+        tell: Callable[[CommandPathChanged], None],
+    ) -> None:
+        self._link, self._calls, self._services, self._tell = link, calls, services, tell
+        self._round_trips = round_trips
+        self._connected = False
+        self._told: CommandPathChanged | None = None
+        self._answered_at = 0.0
+        self._task: asyncio.Task[None] | None = None
+        self.path, self.reason = CommandPath.UNTRIED, ""
+        services.changed = self._refresh
+
+    def _set(self, path: CommandPath, reason: str = "") -> None:
+        self.path, self.reason = path, reason
+        told = CommandPathChanged(self._link, path, reason, self._connected)
+        if told != self._told:
+            self._told = told
+            self._tell(told)
+
+    def start(self) -> None:
+        """Begin to beat: there is a connection. A pause need not wait for the first answer."""
+        self._connected = True
+        self._set(self.path, self.reason)
+        self._task = asyncio.ensure_future(self._beat())
+
+    def stop(self, reason: str) -> None:
+        """Stop: the connection is lost."""
+        self.close()
+        self._connected = False
+        self._set(CommandPath.DEAD, reason)
+
+    def close(self) -> None:
+        """Stop for good."""
+        if self._task is not None:
+            self._task.cancel()
+
+    def take(self, response: ServiceResponse) -> None:
+        """Take an answer to any call: whatever it says, the bridge lives."""
+        self._answered_at = time.monotonic()
+        words = response.values if isinstance(response.values, str) else ""
+        if "unable to communicate with master" in words.lower():
+            self._services.master_gone()
+            self._set(CommandPath.DEAD, "the ROS master is gone")
+            return
+        was_dead, self.path = self.path is CommandPath.DEAD, CommandPath.ALIVE
+        self._refresh()
+        if was_dead or self.path is CommandPath.UNREGISTERED:
+            self._services.look()
+
+    def _refresh(self) -> None:
+        """Tell whether the robots' services are there, if the bridge answers at all."""
+        if self.path not in (CommandPath.ALIVE, CommandPath.UNREGISTERED):
+            return
+        gone, absent = self._services.unregistered, self._services.without_any
+        if self._services.is_total:
+            self._set(CommandPath.UNREGISTERED, "the robots' nodes are not registered: restart them")
+        elif gone:
+            self._set(CommandPath.UNREGISTERED, f"nodes of {some(gone)} are not registered: restart them")
+        elif absent:
+            wrong = f"no service of {some(absent)} is there: restart its node, or correct [profile.services]"
+            self._set(CommandPath.UNREGISTERED, wrong)
+        else:
+            self._set(CommandPath.ALIVE)
+
+    async def _beat(self) -> None:
+        beats = 0
+        while True:
+            began = time.monotonic()
+            try:
+                await self._calls.call(SERVICE, {}, TIMEOUT)
+            except NoAnswerError:
+                self._round_trips.unanswered += 1
+                # An answer to something else, meanwhile, is a sign of life, too.
+                if self._answered_at < began:
+                    self._set(CommandPath.DEAD, "the bridge does not answer calls")
+            except LinkError:
+                return
+            else:
+                now = time.monotonic()
+                self._round_trips.take(now - began, now)
+            beats += 1
+            if beats % LOOK_EVERY == 0:
+                self._services.look()
+            await asyncio.sleep(EVERY)

@@ -1,0 +1,59 @@
+"""One bridge: telemetry on one connection, commands on another, so that no map delays a command."""
+
+import threading
+
+from fleet_tui.adapters import KINDS
+from fleet_tui.client.command_channel import CommandChannel
+from fleet_tui.client.telemetry import Telemetry
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.schema import Config
+from fleet_tui.model.commands import Command
+
+# Seconds to wait at most for the network thread to take a command.
+HANDOVER = 0.005
+
+
+class Link:
+    """Everything between one bridge and the store. Any thread may call."""
+
+    def __init__(self, name: str, config: Config, writer: Writer) -> None:
+        self.name = name
+        self._writer = writer
+        interface = KINDS[config.profile.name](config.profile)
+        self._telemetry = Telemetry(name, config, interface, writer)
+        timeout = config.alarms.no_answer_after
+        bridge = config.bridge(name)
+        self.counter = self._telemetry.counter
+        self._commands = CommandChannel(name, bridge, interface, writer, timeout, self._telemetry)
+
+    def open(self) -> None:
+        """Connect, and stay connected; commands first, so that no subscribing delays a pause."""
+        self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
+        self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
+
+    def submit(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command; how it goes on arrives in the store as CommandAdvanced.
+
+        The network thread gets its turn now, not after what the caller draws next.
+        """
+        sent = threading.Event()
+
+        def send() -> None:
+            self._commands.submit(command_id, command, given_at)
+            sent.set()
+
+        self._writer.loop.call_soon_threadsafe(send)
+        sent.wait(HANDOVER)
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Ask for the live map of one robot's floor, no other one; an empty name for none."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)
+
+    def overhear(self, on: bool) -> None:
+        """Listen to the robots' log and diagnostics, or no longer."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.overhear, on)
+
+    def close(self) -> None:
+        """Close both connections."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.close)
+        self._writer.loop.call_soon_threadsafe(self._commands.close)

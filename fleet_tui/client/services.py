@@ -1,0 +1,193 @@
+"""The robots' services, as rosapi lists them: which are there, and of what type."""
+
+import asyncio
+import logging
+import time
+from collections.abc import Callable, Collection, Iterable, Mapping
+from contextlib import suppress
+
+from fleet_tui.adapters.ros.operations import ServiceResponse
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.adapters.subscriptions import WantedService
+from fleet_tui.client.calls import Calls, NoAnswerError
+from fleet_tui.errors import LinkError
+from fleet_tui.model.bounds import brief
+
+LOG = logging.getLogger(__name__)
+
+SETTLES = 0.5
+"""Seconds of a connection in which commands wait for the types of services."""
+ROSAPI_TIMEOUT = 5.0
+AGAIN = 5.0
+"""Seconds after which rosapi is asked again where it did not answer: it may have been busy."""
+
+
+class Services:
+    """Knows what is known of the services of one bridge's robots. Runs on the network loop.
+
+    A bridge passes a call on to whatever has that name: `{}` is a command to some servers. So a call of
+    another type must not leave; a type that nobody tells is no reason to hold it back.
+    """
+
+    def __init__(self, calls: Calls, wanted: Mapping[str, WantedService]) -> None:
+        """`wanted` are the services by name."""
+        self._calls, self._wanted = calls, wanted
+        self._types: dict[str, str] = {}
+        self._sure: set[str] = set()
+        """Services whose types were told on this connection, and are right."""
+        self._seen: set[str] = set()
+        self._gone: set[str] = set()
+        self._missed: set[str] = set()
+        self._absent: set[str] = set()
+        """Robots of which rosapi listed no service, though they may speak."""
+        self._speak: set[str] = set()
+        self._rosapi_answered = False
+        self._master_was_gone = False
+        self._begun = -SETTLES
+        self._told = asyncio.Event()
+        self._task: asyncio.Task[None] | None = None
+        self.changed: Callable[[], None] = lambda: None
+        """Called when services have gone, or are there again."""
+
+    @property
+    def unregistered(self) -> list[str]:
+        """The robots of which services were there and no longer exist, by name."""
+        return sorted({self._wanted[name].robot for name in self._gone})
+
+    @property
+    def is_total(self) -> bool:
+        """Tell whether that holds for every robot whose services were ever seen."""
+        return bool(self._gone) and self._gone == self._seen
+
+    @property
+    def without_any(self) -> list[str]:
+        """The robots that speak and of which no service was ever there, by name."""
+        return sorted(self._absent & self._speak)
+
+    def heard(self, robots: Collection[str]) -> None:
+        """Take note of which robots speak."""
+        if not self._absent <= self._speak and self._absent & set(robots) - self._speak:
+            self._speak |= set(robots)
+            self.changed()
+
+    def look(self) -> None:
+        """Ask rosapi, unless that is under way."""
+        if self._task is None or self._task.done():
+            self._task = asyncio.ensure_future(self._look())
+
+    def doubt_types(self) -> None:
+        """Ask for the types again: behind a new connection there may be other nodes. Until the answer what
+        was known holds: no call leaves in between."""
+        self._sure.clear()
+        self.stop()
+        self._begun = time.monotonic()
+        self._told.clear()
+        self.look()
+
+    @property
+    def is_new(self) -> bool:
+        """Tell whether nothing was told on this connection yet, and it is not old enough to go without."""
+        is_young = self._task is None or time.monotonic() - self._begun < SETTLES
+        return is_young and not self._told.is_set()
+
+    async def settle(self) -> None:
+        """Wait for the first look, as long as it may take."""
+        with suppress(TimeoutError):
+            await asyncio.wait_for(self._told.wait(), SETTLES)
+
+    def stop(self) -> None:
+        """Ask no more."""
+        if self._task is not None:
+            self._task.cancel()
+            self._task = None
+
+    def master_gone(self) -> None:
+        """Note that the ROS master was gone: a new one knows no node of before."""
+        self._master_was_gone = True
+
+    def answered(self, service: str, values: object, result: bool) -> None:
+        """Take an answer to a call of a robot's service as a sign of whether it is there."""
+        if service not in self._wanted:
+            return
+        if not result and _does_not_exist(values):
+            self._set_gone(self._gone | ({service} & self._seen))
+            self.look()
+        elif result:
+            robot = self._wanted[service].robot
+            self._seen.add(service)
+            self._absent.discard(robot)
+            self._set_gone({name for name in self._gone if self._wanted[name].robot != robot})
+
+    def _set_gone(self, gone: set[str]) -> None:
+        if gone != self._gone:
+            self._gone = gone
+            self.changed()
+
+    def mismatch(self, service: str) -> str:
+        """Why a service must not be called; empty where nothing is known against it."""
+        found = self._types.get(service, "")
+        if not found:
+            return ""
+        expected = self._wanted[service].type
+        if same_type(found, expected):
+            return ""
+        # Another node may have it by now: the next call goes by what is there then.
+        self.look()
+        return f"{service} has type {found}, not {expected}"
+
+    async def _look(self) -> None:
+        while True:
+            try:
+                await self._take_services(await self._ask("services", {}))
+            except NoAnswerError as problem:
+                LOG.info("services are not looked up yet: %s", problem)
+            except LinkError:
+                return
+            else:
+                self._told.set()
+                return
+            await asyncio.sleep(AGAIN)
+
+    async def _take_services(self, response: ServiceResponse) -> None:
+        if not response.result or not isinstance(response.values, dict):
+            if self._rosapi_answered and self._master_was_gone and _does_not_exist(response.values):
+                # rosapi is a node like the robots': the new master knows none of them.
+                self._set_gone(set(self._seen))
+            return
+        listed = response.values.get("services")
+        if not isinstance(listed, list):
+            return
+        there = self._wanted.keys() & {name for name in listed if isinstance(name, str)}
+        self._rosapi_answered, self._master_was_gone = True, False
+        self._seen |= there
+        ever = {self._wanted[name].robot for name in self._seen}
+        absent, self._absent = self._absent, {one.robot for one in self._wanted.values()} - ever
+        self._sure &= there
+        self._miss(self._seen - there)
+        if absent != self._absent:
+            self.changed()
+        await self._ask_types([name for name in self._wanted if name in there - self._sure])
+
+    def _miss(self, missing: set[str]) -> None:
+        """Services are gone that two looks in a row missed: a bridge that just started knows only some."""
+        first, self._missed = missing - self._missed - self._gone, missing
+        self._set_gone(missing - first)
+        if first:
+            asyncio.get_running_loop().call_later(AGAIN, self.look)
+
+    async def _ask_types(self, names: Iterable[str]) -> None:
+        for name in names:
+            response = await self._ask("service_type", {"service": name})
+            found = response.values.get("type") if isinstance(response.values, dict) else None
+            if response.result and isinstance(found, str) and found:
+                self._types[name] = brief(found)
+                if same_type(found, self._wanted[name].type):
+                    self._sure.add(name)
+
+    async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse:
+        """Ask rosapi. Raises LinkError."""
+        return await self._calls.call(f"/rosapi/{question}", args, ROSAPI_TIMEOUT)
+
+
+def _does_not_exist(values: object) -> bool:
+    return isinstance(values, str) and values.endswith("does not exist")

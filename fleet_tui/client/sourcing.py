@@ -1,0 +1,93 @@
+"""Looks for messages that the bridge was started without, some seconds after it was asked for topics."""
+
+import asyncio
+import logging
+from collections.abc import Callable, Iterable, Mapping
+
+from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.subscriptions import Wanted
+from fleet_tui.client.calls import Calls
+from fleet_tui.errors import LinkError
+from fleet_tui.model.events import MessagesUnsourced
+from fleet_tui.model.sourcing import ALWAYS_THERE, Listening, unsourced_package
+
+LOG = logging.getLogger(__name__)
+
+LOOK_AFTER, FOR_EACH_TOPIC = 4.0, 0.03
+"""Seconds after which a topic that somebody publishes should have come: a bridge subscribes one by one."""
+AGAIN = 2.0
+"""Seconds between looks whether a package that is lacking, as it seems, has been heard of after all."""
+ROSAPI_TIMEOUT = 2.0
+MOST_ASKED = 20
+"""Topics whose publishers are asked for: the package is the same for all."""
+
+
+class Sourcing:
+    """Runs on the network loop."""
+
+    def __init__(
+        self,
+        link: str,
+        calls: Calls,
+        wanted: Iterable[Wanted],
+        reading: Reading,
+        types: Callable[[], Mapping[str, str]],
+        tell: Callable[[MessagesUnsourced], None],
+    ) -> None:
+        """`types` gives the type of each topic as the bridge spells it."""
+        self._link, self._calls, self._reading, self._tell = link, calls, reading, tell
+        self._types = types
+        self._wanted = [one for one in wanted if not one.kind.heavy]
+        self._task: asyncio.Task[None] | None = None
+
+    def start(self) -> None:
+        """Look once on this connection: what a bridge lacks it lacks until it is restarted. Of a package that
+        was only slow something comes later."""
+        self.stop()
+        self._task = asyncio.ensure_future(self._look())
+
+    def stop(self) -> None:
+        """Look no more."""
+        if self._task is not None:
+            self._task.cancel()
+
+    async def _look(self) -> None:
+        before = {one.subscription.topic: self._count(one) for one in self._wanted}
+        await asyncio.sleep(LOOK_AFTER + FOR_EACH_TOPIC * len(before))
+        silent = [one for one in self._wanted if self._count(one) == before[one.subscription.topic]]
+        suspects = [one for one in silent if self._type(one).partition("/")[0] not in ALWAYS_THERE]
+        publishers = {one.subscription.topic: await self._publishers(one) for one in suspects[:MOST_ASKED]}
+        listening = [
+            Listening(
+                one.robot,
+                self._type(one),
+                0 if one in suspects[MOST_ASKED:] else publishers.get(one.subscription.topic),
+                one not in silent,
+            )
+            for one in self._wanted
+        ]
+        package = unsourced_package(listening) or ""
+        self._tell(MessagesUnsourced(self._link, package))
+        lacking = [one for one in silent if self._type(one).partition("/")[0] == package]
+        while lacking:
+            await asyncio.sleep(AGAIN)
+            if any(self._count(one) != before[one.subscription.topic] for one in lacking):
+                self._tell(MessagesUnsourced(self._link, ""))
+                return
+
+    def _type(self, one: Wanted) -> str:
+        return self._types().get(one.subscription.topic, one.subscription.type)
+
+    def _count(self, one: Wanted) -> int:
+        return self._reading.counter.topics[one.subscription.topic].count
+
+    async def _publishers(self, one: Wanted) -> int:
+        """How many nodes publish a topic, 0 where nobody tells."""
+        args = {"topic": one.subscription.topic}
+        try:
+            response = await self._calls.call("/rosapi/publishers", args, ROSAPI_TIMEOUT)
+        except LinkError as problem:
+            LOG.info("publishers are not looked up: %s", problem)
+            return 0
+        nodes = response.values.get("publishers") if isinstance(response.values, dict) else None
+        return len(nodes) if response.result and isinstance(nodes, list) else 0

@@ -1,0 +1,213 @@
+"""What a bridge is asked for: everything on each connection, the map that is shown, and again
+whatever stays away. Everything runs on the network loop."""
+
+import asyncio
+import logging
+import random
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
+
+from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.subscriptions import Wanted, type_problem
+from fleet_tui.client.calls import Calls
+from fleet_tui.client.latched import Latched
+from fleet_tui.client.overhearing import Overhearing
+from fleet_tui.config.profile import Profile
+from fleet_tui.errors import LinkError
+from fleet_tui.model import events
+from fleet_tui.transports.rosbridge.connection import Connection
+
+LOG = logging.getLogger(__name__)
+
+ROSAPI_TIMEOUT = 2.0
+# A bridge too old for CBOR says nothing: after this many seconds the map is asked for as JSON.
+CBOR_PATIENCE = 20.0
+# A bridge of ROS 2 is never too old, but sends no CBOR larger than its max_message_size: only pieces of JSON.
+CBOR_PATIENCE_ROS2 = 8.0
+# A bridge behind which roscore was restarted stays silent until it is asked anew. A robot that is only
+# switched off is asked for again and again, each time after twice as long. Seconds; a real bridge takes
+# 20 ms for each topic, and has not finished before that.
+FIRST_AGAIN, FOR_EACH_TOPIC, LONGEST_AGAIN = 8.0, 0.03, 64.0
+# The bridge asks ROS anew only when nobody holds the topic. Consoles notice a silence at about the
+# same time, and let go for a quarter of the time they waited, at most so many seconds: together.
+LONGEST_LET_GO = 8.0
+
+
+class Subscriber:
+    """Subscribes on one connection, and again for robots that stay silent."""
+
+    def __init__(
+        self,
+        connection: Connection,
+        calls: Calls,
+        wanted: Mapping[str, Wanted],
+        profile: Profile,
+        reading: Reading,
+        tell: Callable[[events.Event], None],
+    ) -> None:
+        self._connection, self._calls, self._reading, self._tell = connection, calls, reading, tell
+        self._wanted, self._profile = wanted, profile
+        self._robots = {one.robot for one in wanted.values()}
+        self._first_again = FIRST_AGAIN + FOR_EACH_TOPIC * len(wanted)
+        self.types: dict[str, str] = {}
+        """Type by topic, as rosapi told last; empty where it doesn't."""
+        self._refused: set[str] = set()
+        self._as_json: set[str] = set()
+        """Maps that never came as CBOR."""
+        self._plainly: asyncio.TimerHandle | None = None
+        self._map: Wanted | None = None
+        self.overhearing = Overhearing(connection, self._ask_types)
+        self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
+        self._asked: dict[str, float] = {}
+        self._patience: dict[str, float] = {}
+        self._task: asyncio.Task[None] | None = None
+
+    def start(self, now: float) -> None:
+        """Subscribe to everything: the bridge remembers nothing of us. `now` is monotonic, in seconds."""
+        self._reading.maps_heard.clear()
+        self._refused.clear()
+        self._patience.clear()
+        self._asked = dict.fromkeys(self._robots, now)
+        self._task = asyncio.ensure_future(self._begin())
+
+    async def _begin(self) -> None:
+        self.types = await self._ask_types()
+        # First, to hear what the bridge has to say of the others.
+        self.overhearing.subscribe(self.types)
+        self._subscribe_to(self._robots)
+        if self._is_ros2:
+            self._latched.start(self._of_latched(), FOR_EACH_TOPIC)
+
+    @property
+    def _is_ros2(self) -> bool:
+        """Tell whether the bridge may be one of ROS 2: as the types say, where rosapi tells them."""
+        return not self.types or any("/msg/" in type_ for type_ in self.types.values())
+
+    def _of_latched(self) -> list[Wanted]:
+        """The latched topics that are asked for, as far as rosapi knows that they exist."""
+        return [
+            one
+            for one in self._of(self._robots)
+            if one.kind.per_floor
+            and one.subscription.topic not in self._refused
+            and (not self.types or one.subscription.topic in self.types)
+        ]
+
+    def stop(self) -> None:
+        """There is nobody to ask any more."""
+        self._latched.stop()
+        if self._plainly is not None:
+            self._plainly.cancel()
+        if self._task is not None:
+            self._task.cancel()
+
+    def look(self, now: float, spoke: Mapping[str, float]) -> None:
+        """Ask again for robots that are silent for long; `spoke` says when each did (monotonic)."""
+        if self._task is None or not self._task.done() or not self._connection.is_connected:
+            return
+        silent = {robot for robot in self._robots if self._is_silent(robot, now, spoke.get(robot, 0.0))}
+        if not silent:
+            return
+        LOG.info("silent, and so asked for again: %s", " ".join(sorted(silent)))
+        let_go = min(LONGEST_LET_GO, max(map(self._waits, silent)) / 4)
+        for robot in silent:
+            self._asked[robot] = now
+            # Chance brings consoles together that did not begin to wait together.
+            self._patience[robot] = min(LONGEST_AGAIN, self._waits(robot) * random.uniform(1.8, 2.2))
+        self._task = asyncio.ensure_future(self._renew(silent, let_go))
+
+    def _waits(self, robot: str) -> float:
+        return self._patience.get(robot, self._first_again)
+
+    def _is_silent(self, robot: str, now: float, spoke: float) -> bool:
+        asked = self._asked[robot]
+        if spoke > asked:
+            self._patience.pop(robot, None)
+        return now - max(spoke, asked) > self._waits(robot)
+
+    async def _renew(self, robots: Collection[str], let_go: float) -> None:
+        for wanted in self._of(robots):
+            self._unsubscribe(wanted)
+        await asyncio.sleep(let_go)
+        self.types = await self._ask_types()
+        self._subscribe_to(robots)
+
+    def _of(self, robots: Collection[str]) -> list[Wanted]:
+        return [
+            one
+            for one in self._wanted.values()
+            if one.robot in robots and (not one.kind.heavy or one is self._map)
+        ]
+
+    def _subscribe_to(self, robots: Collection[str]) -> None:
+        for wanted in self._of(robots):
+            self._subscribe(wanted)
+
+    async def _ask_types(self) -> dict[str, str]:
+        """Type by topic, as rosapi tells; empty where it doesn't."""
+        try:
+            response = await self._calls.call("/rosapi/topics", {}, ROSAPI_TIMEOUT)
+        except LinkError as problem:
+            LOG.info("types are not checked: %s", problem)
+            return {}
+        values = response.values
+        if not response.result or not isinstance(values, dict):
+            LOG.info("types are not checked: %s", values)
+            return {}
+        topics, types = values.get("topics"), values.get("types")
+        if not isinstance(topics, list) or not isinstance(types, list):
+            return {}
+        return {str(topic): str(type_) for topic, type_ in zip(topics, types, strict=False)}
+
+    def _subscribe(self, wanted: Wanted) -> None:
+        problem = type_problem(wanted, self.types, self._profile)
+        if problem:
+            if wanted.subscription.topic not in self._refused:
+                self._refused.add(wanted.subscription.topic)
+                self._reading.counter.topics[wanted.subscription.topic].not_subscribed = problem
+                self._tell(events.MessageRejected(wanted.robot, problem))
+            return
+        self._reading.counter.topics[wanted.subscription.topic].not_subscribed = ""
+        asked = wanted.subscription
+        # ROS 2 writes the same type with a middle part: the bridge wants its own spelling back.
+        asked = replace(
+            asked,
+            type=self.types.get(asked.topic, asked.type),
+            compression="none" if asked.topic in self._as_json else asked.compression,
+            latched=wanted.kind.per_floor and self._is_ros2 and self._latched.wants_qos(asked.topic),
+        )
+        try:
+            self._connection.send(operations.subscribe(asked))
+        except LinkError:
+            return
+        # Where rosapi answers it says whether there is a map at all.
+        if asked.compression == "cbor" and (asked.topic in self.types or not self.types):
+            patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
+            self._plainly = asyncio.get_running_loop().call_later(patience, self._ask_plainly, wanted)
+
+    def _ask_plainly(self, wanted: Wanted) -> None:
+        if self._map is wanted and wanted.subscription.topic not in self._reading.maps_heard:
+            self._unsubscribe(wanted)
+            self._as_json.add(wanted.subscription.topic)
+            self._subscribe(wanted)
+
+    def _unsubscribe(self, wanted: Wanted) -> None:
+        try:
+            self._connection.send(operations.unsubscribe(wanted.subscription.topic))
+        except LinkError:
+            return
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Ask for one robot's live map of a floor, and no longer for the one before; "" for none."""
+        topic = self._profile.topic("map", robot, floor) if robot else ""
+        wanted = self._wanted.get(topic)
+        if wanted is self._map:
+            return
+        if self._map is not None:
+            self._unsubscribe(self._map)
+        self._map = wanted
+        if wanted is not None and self._connection.is_connected:
+            self._subscribe(wanted)
+            if self._is_ros2:
+                self._latched.start([wanted], FOR_EACH_TOPIC)

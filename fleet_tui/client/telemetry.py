@@ -1,0 +1,201 @@
+"""The connection on which everything arrives: subscribed again each time, decoded, told."""
+
+import asyncio
+import logging
+import time
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+
+from fleet_tui.adapters.interface import Interface
+from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.ros.fragments import Fragments
+from fleet_tui.adapters.ros.operations import topic_of
+from fleet_tui.adapters.ros.reading import DIAGNOSTICS, ROSOUT, WORTH_A_PROCESS, Reading
+from fleet_tui.adapters.subscriptions import wanted_services, wanted_topics
+from fleet_tui.client.backlog import Backlog, Frame
+from fleet_tui.client.calls import Calls
+from fleet_tui.client.memory import give_back
+from fleet_tui.client.services import Services
+from fleet_tui.client.sourcing import Sourcing
+from fleet_tui.client.subscriber import Subscriber
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import WireError
+from fleet_tui.maps.map_process import decode_apart
+from fleet_tui.model import events
+from fleet_tui.model.bounds import brief
+from fleet_tui.model.link import Phase
+from fleet_tui.transports.rosbridge.connection import Connection
+
+LOG = logging.getLogger(__name__)
+
+Read = events.Event | operations.ServiceResponse | operations.Fragment | None
+
+# Larger frames are decoded beside the loop, so that small ones don't wait.
+HEAVY_BYTES = 100_000
+# Seconds until nobody holds the frame of a large map any more, nor the map before it.
+TIDY_AFTER = 1.0
+# Bytes of frames that wait to be decoded: what comes on top of more is passed over.
+MOST_WAITING = 64 * 2**20
+# Topics of which every message counts, not only the newest.
+LOGS = frozenset({ROSOUT, DIAGNOSTICS})
+# Seconds between looks for robots that stay away.
+LOOK_EVERY = 0.2
+
+
+class Telemetry:
+    """Hears a bridge's topics. Everything runs on the network loop unless it says otherwise."""
+
+    def __init__(self, link: str, config: Config, interface: Interface, writer: Writer) -> None:
+        self._link = link
+        self._writer = writer
+        self._logged: set[str] = set()
+        self._waiting = 0
+        self._heard = self._told_heard = self._spoke = 0.0
+        self._robots_spoke: dict[str, float] = {}
+        self._next_look = 0.0
+        self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
+        bridge = config.bridge(link)
+        wanted = {wanted.subscription.topic: wanted for wanted in wanted_topics(config, interface, link)}
+        self.connection = Connection(bridge, self)
+        self._calls = Calls(self.connection)
+        self._reading = Reading(link, bridge, config.profile, wanted, decode_apart, LOG.warning)
+        self._subscriber = Subscriber(
+            self.connection, self._calls, wanted, config.profile, self._reading, self._take
+        )
+        self.services = Services(self._calls, wanted_services(config, link))
+        self._sourcing = Sourcing(
+            link, self._calls, wanted.values(), self._reading, lambda: self._subscriber.types, writer.take
+        )
+        self.show_map = self._subscriber.show_map
+        self.overhear = self._subscriber.overhearing.listen
+        self.counter = self._reading.counter
+        self._fragments = Fragments(int(bridge.max_message_mb * 1e6))
+        self._backlog = Backlog(self.connection, self._reading, self._read_frame)
+        writer.before_tick.append(self._look)
+        writer.backlogs.append(self._backlog.age)
+
+    def _look(self, now: float) -> None:
+        if self._heard > self._told_heard:
+            self._told_heard = self._heard
+            self._writer.take(events.LinkHeard(self._link, self._heard))
+        if now > self._next_look:
+            self._next_look = now + LOOK_EVERY
+            self._subscriber.look(now, self._robots_spoke)
+            self.services.heard(self._robots_spoke)
+
+    def silence(self) -> float:
+        """Seconds since the last message on this connection, 0 as long as none has come."""
+        return time.monotonic() - self._spoke if self._spoke else 0.0
+
+    def on_connecting(self) -> None:
+        """A try has begun."""
+        self._writer.take(events.LinkChanged(self._link, time.monotonic(), Phase.CONNECTING))
+
+    def on_open(self) -> None:
+        """Subscribe to everything."""
+        now = time.monotonic()
+        self.counter.opened()
+        self._writer.take(events.LinkChanged(self._link, now, Phase.UP))
+        self._spoke = 0.0
+        self._subscriber.start(now)
+        self.services.doubt_types()
+        self._sourcing.start()
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """Say so, and stop what was under way."""
+        self._subscriber.stop()
+        self.services.stop()
+        self._sourcing.stop()
+        self._backlog.clear()
+        self._fragments.clear()
+        self._calls.on_lost()
+        now = time.monotonic()
+        self.counter.lost(reason, now)
+        self._writer.take(events.LinkChanged(self._link, now, Phase.WAITING, reason, now + next_try_in))
+
+    def on_frame(self, payload: bytes, is_binary: bool) -> None:
+        """Decode here, or beside the loop if that takes long."""
+        self._heard = self._spoke = time.monotonic()
+        if len(payload) < HEAVY_BYTES:
+            frame = payload, is_binary, self._heard
+            topic = "" if is_binary else topic_of(payload)
+            if topic in self._reading.counter.topics and topic not in LOGS:
+                self._backlog.put(topic, frame)
+            else:
+                self._read_frame(frame)
+            return
+        if self._waiting > MOST_WAITING:
+            self.counter.dropped += 1
+            behind = f"{self._waiting / 1e6:.0f} MB before it are not decoded yet"
+            self._take(events.FrameRejected(self._link, f"{len(payload):,} bytes were passed over: {behind}"))
+            return
+        self._waiting += len(payload)
+        loop = asyncio.get_running_loop()
+        work = loop.run_in_executor(self._decoder, self._reading.read, payload, is_binary, self._heard)
+        work.add_done_callback(partial(self._take_late, payload, is_binary, self._heard))
+        if len(payload) > WORTH_A_PROCESS:
+            work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, give_back))
+
+    def _read_frame(self, frame: Frame) -> None:
+        self._take_frame(*frame, self._reading.read(*frame))
+
+    def _take_late(self, payload: bytes, is_binary: bool, at: float, done: "asyncio.Future[Read]") -> None:
+        self._waiting -= len(payload)
+        if not done.cancelled():
+            self._take_frame(payload, is_binary, at, done.result())
+
+    def on_sent(self, payload: bytes) -> None:
+        """A frame left."""
+        if self._writer.tap is not None:
+            self._writer.tap.sent(self._link, "topics", payload)
+
+    def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
+        """Say which message it was, how large, and what lets it in."""
+        self._heard = self._spoke = time.monotonic()
+        self._take(self._reading.too_large(head, is_binary, size, self._heard))
+
+    def _take_frame(self, payload: bytes, is_binary: bool, at: float, read: Read) -> None:
+        """Tell what a frame that came at `at` was read as. Of pieces only the whole message is recorded."""
+        if self._writer.tap is not None and not isinstance(read, operations.Fragment):
+            self._writer.tap.heard(self._link, "topics", payload, is_binary, at)
+        if isinstance(read, operations.ServiceResponse):
+            self._calls.on_response(read)
+        elif isinstance(read, operations.Fragment):
+            self._put_together(read)
+        elif read is not None:
+            if isinstance(read, events.MessageRejected | events.FrameRejected):
+                self._log_once(read.text)
+            elif isinstance(read, events.Telemetry):
+                self._robots_spoke[read.robot] = read.at
+            self._writer.store.tell(read)
+
+    def _put_together(self, piece: operations.Fragment) -> None:
+        try:
+            whole = self._fragments.add(piece)
+        except WireError as problem:
+            self.counter.dropped += 1
+            self._take(events.FrameRejected(self._link, str(problem)))
+            return
+        if whole is not None:
+            self.on_frame(whole, False)
+
+    def _take(self, rejected: events.Event) -> None:
+        """Tell what could not be read, or was not even asked for."""
+        if isinstance(rejected, events.MessageRejected | events.FrameRejected):
+            self._log_once(rejected.text)
+        self._writer.take(rejected)
+
+    def _log_once(self, text: str) -> None:
+        text = brief(text)
+        if text not in self._logged and len(self._logged) < 1000:
+            self._logged.add(text)
+            LOG.warning("%s", text)
+
+    def close(self) -> None:
+        """Close for good."""
+        self._subscriber.stop()
+        self.services.stop()
+        self._sourcing.stop()
+        self._decoder.shutdown(wait=False, cancel_futures=True)
+        self.connection.shut()

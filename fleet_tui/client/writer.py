@@ -1,0 +1,78 @@
+"""The one writer: the network loop tells the store, and ten times a second that time passed."""
+
+import asyncio
+import logging
+import sys
+import time
+from collections.abc import Callable
+
+from fleet_tui.client.memory import hoard_little, settle, tidy
+from fleet_tui.client.tap import Tap
+from fleet_tui.model.events import Event, TimePassed
+from fleet_tui.store import Store
+from fleet_tui.transports.loop import network_loop
+
+LOG = logging.getLogger(__name__)
+
+TICK = 0.1
+TIDY_EVERY = 60.0
+# Python lets a busy thread run 5 ms before another gets its turn: too long for a command to wait
+# while the screen is drawn.
+SWITCH_INTERVAL = 0.0005
+
+
+class Writer:
+    """Owns the thread in which the state changes. It exists without a link, too."""
+
+    def __init__(self, store: Store, tap: Tap | None = None) -> None:
+        self.store, self.tap = store, tap
+        self.loop = network_loop()
+        self.before_tick: list[Callable[[float], None]] = []
+        self.backlogs: list[Callable[[float], float]] = []
+        """Each tells how many seconds the oldest message of a connection has waited to be read."""
+        self._ticker: asyncio.Future[None] | None = None
+        self._tidied = time.monotonic()
+        self._tidy = settle
+
+    def start(self) -> None:
+        """Begin to tell the time."""
+        hoard_little()
+        sys.setswitchinterval(SWITCH_INTERVAL)
+        self.loop.call_soon_threadsafe(self._start)
+
+    def _start(self) -> None:
+        self._ticker = asyncio.ensure_future(self._tick())
+
+    async def _tick(self) -> None:
+        due = time.monotonic()
+        while True:
+            try:
+                now = time.monotonic()
+                for look in self.before_tick:
+                    look(now)
+                behind = max([now - due, *(age(now) for age in self.backlogs)])
+                self.take(TimePassed(now, time.time(), behind if behind > TICK else 0.0))
+                if now - self._tidied > TIDY_EVERY:
+                    self._tidied = now
+                    self._tidy()
+                    self._tidy = tidy
+            except Exception:
+                # Without the time nothing would age: one bad tick must not be the last.
+                LOG.exception("tick")
+            due = time.monotonic() + TICK
+            await asyncio.sleep(TICK)
+
+    def take(self, event: Event) -> None:
+        """Tell the store what no frame brought. On the loop."""
+        if self.tap is not None:
+            self.tap.told(event)
+        self.store.tell(event)
+
+    def tell(self, event: Event) -> None:
+        """The same from any thread."""
+        self.loop.call_soon_threadsafe(self.take, event)
+
+    def stop(self) -> None:
+        """Stop telling the time."""
+        if self._ticker is not None:
+            self.loop.call_soon_threadsafe(self._ticker.cancel)

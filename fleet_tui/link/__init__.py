@@ -1,1 +1,0 @@
-"""The door to the robots: connections, subscriptions, calls with deadlines."""

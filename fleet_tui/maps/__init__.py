@@ -1,0 +1,1 @@
+"""Maps and route graphs from files."""

@@ -1,0 +1,67 @@
+"""Decodes a large JSON map in a process of its own.
+
+A 4000 x 4000 grid is 54 MB of JSON. Decoding it holds Python's lock for half a second: no thread
+could keep the screen alive meanwhile.
+"""
+
+import pickle
+import subprocess
+import sys
+
+import msgspec
+
+from fleet_tui.adapters import KINDS
+from fleet_tui.adapters.ros import operations
+from fleet_tui.config.profile import Profile
+from fleet_tui.errors import WireError
+from fleet_tui.model.events import GridReceived
+
+LONGEST = 60.0
+
+
+class _Task(msgspec.Struct):
+    """What the process needs beside the frame: one line of JSON before it."""
+
+    profile: Profile
+    robot: str
+    floor: str
+
+
+def decode_apart(profile: Profile, robot: str, floor: str, payload: bytes) -> GridReceived:
+    """A text frame with a map as the event it means. Blocks its thread, not the others.
+
+    Raises WireError.
+    """
+    task = msgspec.json.encode(_Task(profile, robot, floor)) + b"\n"
+    command = [sys.executable, "-m", "fleet_tui.maps.map_process"]
+    try:
+        done = subprocess.run(
+            command, input=task + payload, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=LONGEST
+        )
+    except (OSError, subprocess.TimeoutExpired) as problem:
+        raise WireError(f"map of {len(payload):,} bytes: {problem}") from None
+    if done.returncode != 0:
+        raise WireError(done.stdout.decode(errors="replace") or "the decoding process ended early")
+    # From our own child, and nobody else writes to that pipe.
+    grid = pickle.loads(done.stdout)
+    assert isinstance(grid, GridReceived)
+    return grid
+
+
+def main() -> None:
+    """The process: task and frame from standard input, the event to standard output."""
+    task = msgspec.json.decode(sys.stdin.buffer.readline(), type=_Task)
+    try:
+        operation = operations.decode(sys.stdin.buffer.read())
+        kinds = KINDS[task.profile.name](task.profile).topics
+        translate = next(kind.translate for kind in kinds if kind.heavy)
+        msg = operation.msg if isinstance(operation, operations.Publish) else None
+        event = translate(task.robot, task.floor, msg, 0.0)
+    except WireError as problem:
+        sys.stdout.write(str(problem))
+        sys.exit(1)
+    sys.stdout.buffer.write(pickle.dumps(event, protocol=pickle.HIGHEST_PROTOCOL))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,40 @@
+"""Garbage is looked for on the network loop, where commands wait meanwhile: that must be short."""
+
+import gc
+import weakref
+from collections.abc import Iterator
+
+import pytest
+
+from fleet_tui.client.memory import settle, tidy
+
+
+@pytest.fixture
+def thawed() -> Iterator[None]:
+    yield
+    gc.unfreeze()
+
+
+class Ring:
+    """Refers to itself: only a search finds it."""
+
+    def __init__(self) -> None:
+        self.own = self
+
+
+@pytest.mark.usefixtures("thawed")
+def test_what_stays_is_not_looked_through_again() -> None:
+    stays = [Ring() for _ in range(1000)]
+    settle()
+    searched = {id(one) for one in gc.get_objects()}
+    assert not any(id(ring) in searched for ring in stays)
+    is_found = weakref.ref(Ring())
+    tidy()
+    assert is_found() is None
+
+
+@pytest.mark.usefixtures("thawed")
+def test_what_is_garbage_by_then_is_found_first() -> None:
+    is_found = weakref.ref(Ring())
+    settle()
+    assert is_found() is None

@@ -1,0 +1,52 @@
+"""A bridge that was started without the robots' messages: said by the console, and asked before an order."""
+
+import pytest
+
+from fleet_tui.client import sourcing
+from fleet_tui.model.checks import problems
+from fleet_tui.model.commands import PlaceOrder, Wish
+from fleet_tui.model.events import MessagesUnsourced
+from fleet_tui.model.problem import Rights
+from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.linked import linked
+from tests.watched import config_of
+
+
+async def test_a_bridge_without_the_messages_is_told_with_the_remedy(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sourcing, "LOOK_AFTER", 2.0)
+    play(server, [("unsourced", "robot_0"), ("unsourced", "robot_1")])
+    async with linked(config_of(server.url, 2)) as (_, store):
+        state = await store.until(lambda state: state.links["rosbridge"].unsourced)
+        assert state.links["rosbridge"].unsourced_text == (
+            "rosbridge lacks the messages of OH_ressources: source their workspace, then restart it"
+        )
+        state = await store.until(
+            lambda state: any(alarm.condition.kind == "messages" for alarm in state.alarms)
+        )
+        found = problems(state, Wish((PlaceOrder("robot_0", 0, 1),)), Rights())
+        assert ("queue unheard", False) in [(problem.check, problem.blocks) for problem in found]
+
+
+async def test_a_bridge_that_has_them_is_not_suspected(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
+    server.muted.update(["/robot_0/queue", "/robot_0/floor_0/graph"])
+    async with linked(config_of(server.url, 2)) as (_, store):
+        await store.until(lambda _: store.told(MessagesUnsourced))
+        assert not store.state.links["rosbridge"].unsourced
+
+
+async def test_a_node_that_was_only_slow_is_no_longer_suspected_when_it_speaks(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
+    monkeypatch.setattr(sourcing, "AGAIN", 0.1)
+    server.muted.update(f"/robot_0/{name}" for name in ("queue", "floor_0/graph", "floor_0/labeled_vertices"))
+    async with linked(config_of(server.url, 1)) as (_, store):
+        await store.until(lambda state: state.links["rosbridge"].unsourced)
+        server.muted.clear()
+        await store.until(lambda state: not state.links["rosbridge"].unsourced)
