@@ -8,7 +8,8 @@ from contextlib import contextmanager
 
 import msgspec
 
-from fleet_tui.config.profile import SERVICES, TOPICS, Profile
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.errors import FleetError
 
@@ -69,6 +70,6 @@ def _profile(ros: str) -> Profile:
 
     return Profile(
         topics=topics,
-        types={key: ROS2.message_type(type_) for key, (_, type_) in TOPICS.items()},
-        service_types={key: ROS2.service_type(type_) for key, (_, type_) in SERVICES.items()},
+        types={key: ROS2.message_type(type_) for key, (_, type_) in VOCABULARY.topics.items()},
+        service_types={key: ROS2.service_type(type_) for key, (_, type_) in VOCABULARY.services.items()},
     )

@@ -10,7 +10,7 @@ from typing import Any
 
 import msgspec
 
-from fleet_tui.config.profile import Profile
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import Command, Stage

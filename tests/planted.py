@@ -6,9 +6,9 @@ from itertools import count
 
 import msgspec
 
-from fleet_tui.adapters.oh_ressources.adapter import interface
-from fleet_tui.adapters.subscriptions import wanted_topics
-from fleet_tui.config.profile import Profile
+from fleet_tui.adapters.adapter import Call
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import Command, Stage
@@ -36,8 +36,8 @@ class Planted:
         config = config_of("ws://site:9090", robots, 1)
         if not tells_pause:
             config = msgspec.structs.replace(config, profile=Profile())
-        self._interface = interface(config.profile)
-        self._wanted = {one.subscription.topic: one for one in wanted_topics(config, self._interface, LINK)}
+        self._adapters = adapters_of(config)
+        self._wanted = {one.address: one for one in feeds_of(config, self._adapters, LINK)}
         self._topics = [one for one in topics_of(self.world, WALL) if one.name in self._wanted]
         self._ids = count(1)
         self.state: FleetState = initial_state(config, T0)
@@ -46,7 +46,7 @@ class Planted:
         self.deaf = False
         self.plant(faults)
         for topic in self._topics:
-            if topic.latched and not self._wanted[topic.name].kind.heavy:
+            if topic.latched and not self._wanted[topic.name].large:
                 self._hear(topic.name, topic.payload(self.now).json)
 
     @property
@@ -82,14 +82,16 @@ class Planted:
         """Given by the operator, and answered by the simulator as its faults have it."""
         id_ = next(self._ids)
         self.tell(CommandIssued(id_, command, self.now, WALL), CommandAdvanced(id_, Stage.SENT, self.now))
-        call = self._interface.call(command, id_)
-        frame = self.server.answer({"service": call.service, "args": dict(call.args), "id": "1"})
+        adapter = self._adapters[command.robot]
+        (call,) = adapter.outgoing(command, id_, self.state.robots[command.robot])
+        assert isinstance(call, Call)
+        frame = self.server.answer({"service": call.address, "args": dict(call.args), "id": "1"})
         if frame is not None:
             answer = json.loads(frame)
-            stage, words = self._interface.outcome(command, answer["values"], answer["result"])
+            stage, words = adapter.outcome(command, answer["values"], answer["result"])
             self.tell(CommandAdvanced(id_, stage, self.now, words))
         return self
 
     def _hear(self, topic: str, payload: str) -> None:
         wanted = self._wanted[topic]
-        self.tell(wanted.kind.translate(wanted.robot, wanted.floor, msgspec.Raw(payload.encode()), self.now))
+        self.tell(*self._adapters[wanted.robot].read(wanted, msgspec.Raw(payload.encode()), self.now))

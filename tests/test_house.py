@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.adapters import KINDS
-from fleet_tui.config.check import PROFILES
+from fleet_tui.adapters.registry import KINDS
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "fleet_tui"
@@ -101,8 +100,9 @@ def test_only_the_transport_knows_roslibpy() -> None:
     assert knows == ["transports/rosbridge/connection.py"]
 
 
-def test_a_kind_of_robot_is_a_profile_name() -> None:
-    assert set(KINDS) == set(PROFILES)
+def test_a_kind_of_robot_is_a_folder_of_adapters() -> None:
+    folders = {path.parent.name for path in (PACKAGE / "adapters").glob("*/adapter.py")}
+    assert set(KINDS) == folders
 
 
 def test_every_exception_to_the_rules_has_its_reason() -> None:

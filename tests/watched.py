@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import Callable
 
-from fleet_tui.config.profile import Profile
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState

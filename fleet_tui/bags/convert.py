@@ -150,7 +150,7 @@ class _Conversion:
         """What writes a connection's messages, None where its type can't be read."""
         key = id(connection)
         if key not in self._framers:
-            as_cbor = any(one.kind.heavy for _, one in self._chosen.by_topic[connection.topic])
+            as_cbor = any(one.large for _, one in self._chosen.by_topic[connection.topic])
             try:
                 store = typestore(connection)
                 self._framers[key] = Framer(

@@ -4,10 +4,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from fleet_tui.adapters import KINDS
-from fleet_tui.adapters.ros.type_names import plain_type
-from fleet_tui.adapters.subscriptions import Wanted, type_problem, wanted_topics
+from fleet_tui.adapters.adapter import Adapter, Feed
+from fleet_tui.adapters.ros.type_names import plain_type, type_problem
 from fleet_tui.bags.opening import Bag, BagError
+from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import did_you_mean
 from fleet_tui.model.apply import LIVE_MAPS_KEPT
@@ -16,7 +16,7 @@ from fleet_tui.model.bounds import LONGEST_NAME, brief
 NAMED = 5
 """Topics or robots that a message names; how many more there are, it says."""
 
-ByTopic = dict[str, list[tuple[str, Wanted]]]
+ByTopic = dict[str, list[tuple[str, Feed]]]
 """For whom each topic is: a link, and what it wants."""
 
 
@@ -33,7 +33,8 @@ class Chosen:
 
 def choose(bag: Bag, config: Config) -> Chosen:
     """What is to be read of a bag. Raises BagError where that is nothing."""
-    wanted = _wanted(config)
+    adapters = adapters_of(config)
+    wanted = _wanted(config, adapters)
     there = {one.topic: plain_type(one.msgtype) for one in bag.connections}
     if not there:
         raise BagError(f"{bag.path}: it is empty: there is no topic in it")
@@ -41,7 +42,7 @@ def choose(bag: Bag, config: Config) -> Chosen:
         raise BagError("the configuration has no robots, so nothing is asked for: add [[robots]]")
     chosen = Chosen(by_topic={topic: ones for topic, ones in wanted.items() if topic in there})
     for connection in bag.connections:
-        _take(chosen, connection, config)
+        _take(chosen, connection, adapters)
     _leave_maps(chosen)
     if not chosen.connections:
         raise BagError(f"{bag.path}: {_nothing(chosen, wanted, there)}")
@@ -49,20 +50,17 @@ def choose(bag: Bag, config: Config) -> Chosen:
     return chosen
 
 
-def _wanted(config: Config) -> ByTopic:
-    interface = KINDS[config.profile.name](config.profile)
+def _wanted(config: Config, adapters: Mapping[str, Adapter]) -> ByTopic:
     found: ByTopic = {}
     for link in config.bridges:
-        # As the link does it: of two robots with one topic, the last one has it.
-        of_link = {one.subscription.topic: one for one in wanted_topics(config, interface, link)}
-        for topic, one in of_link.items():
-            found.setdefault(topic, []).append((link, one))
+        for one in feeds_of(config, adapters, link):
+            found.setdefault(one.address, []).append((link, one))
     return found
 
 
-def _take(chosen: Chosen, connection: Any, config: Config) -> None:
+def _take(chosen: Chosen, connection: Any, adapters: Mapping[str, Adapter]) -> None:
     for _, one in chosen.by_topic.get(connection.topic, ()):
-        problem = type_problem(one, {connection.topic: connection.msgtype}, config.profile)
+        problem = type_problem(one, {connection.topic: connection.msgtype}, adapters[one.robot].names.table)
         if problem:
             chosen.refused.append((one.robot, brief(problem)))
             chosen.notes.append(brief(problem))
@@ -76,7 +74,7 @@ def _leave_maps(chosen: Chosen) -> None:
     maps = [
         topic
         for topic, ones in chosen.by_topic.items()
-        if topic in taken and any(one.kind.heavy for _, one in ones)
+        if topic in taken and any(one.large for _, one in ones)
     ]
     left = maps[LIVE_MAPS_KEPT:]
     if left:
@@ -89,15 +87,15 @@ def _nothing(chosen: Chosen, wanted: ByTopic, there: Mapping[str, str]) -> str:
         return f"nothing in it can be read: {chosen.notes[0]}"
     first = next(iter(wanted.values()))[0][1]
     return (
-        f"none of the configured topics is in the bag: not {first.subscription.topic}{_near(first, there)};"
+        f"none of the configured topics is in the bag: not {first.address}{_near(first, there)};"
         f" it has {_some(there)}: correct [profile.topics] or [[robots]]"
     )
 
 
-def _near(wanted: Wanted, others: Mapping[str, str]) -> str:
+def _near(wanted: Feed, others: Mapping[str, str]) -> str:
     """A topic of that type that may be meant."""
-    kind = plain_type(wanted.subscription.type)
-    return did_you_mean(wanted.subscription.topic, [topic for topic, of in others.items() if of == kind])
+    kind = plain_type(wanted.type)
+    return did_you_mean(wanted.address, [topic for topic, of in others.items() if of == kind])
 
 
 def _absent(config: Config, wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
@@ -116,8 +114,8 @@ def _missing(wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
     present = _present(wanted, there)
     others = {topic: kind for topic, kind in there.items() if topic not in wanted}
     missing = [one for topic, ((_, one), *_) in wanted.items() if topic not in there and one.robot in present]
-    named = [one.subscription.topic + _near(one, others) for one in missing[:NAMED]]
-    rest = [one.subscription.topic for one in missing[NAMED:]]
+    named = [one.address + _near(one, others) for one in missing[:NAMED]]
+    rest = [one.address for one in missing[NAMED:]]
     return [f"not in the bag: {_some([*named, *rest])} (correct [profile.topics])"] if missing else []
 
 

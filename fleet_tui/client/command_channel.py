@@ -3,8 +3,10 @@
 import asyncio
 import logging
 import time
+from collections.abc import Mapping, Sequence
 
-from fleet_tui.adapters.interface import Interface, said
+from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.adapters.answers import said
 from fleet_tui.adapters.ros import operations
 from fleet_tui.client.calls import Call, Calls, LinkLostError, NoAnswerError
 from fleet_tui.client.heartbeat import Heartbeat
@@ -26,6 +28,8 @@ LONGEST_SILENCE = 2.0
 LATEST = 1.0
 # An answer that comes after its deadline, but within this many seconds, is still the robot's word.
 LATE_ANSWER = 60.0
+WORST = (Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN)
+"""Ends of the calls of one command, the worst last."""
 
 
 class CommandChannel:
@@ -35,14 +39,14 @@ class CommandChannel:
         self,
         link: str,
         bridge: Link,
-        interface: Interface,
+        adapters: Mapping[str, Adapter],
         writer: Writer,
         timeout: float,
         telemetry: Telemetry,
     ) -> None:
         """`timeout` of an answer in seconds; `telemetry` of the same bridge, whose silence counts here."""
         self._link = link
-        self._interface = interface
+        self._adapters = adapters
         self._writer = writer
         self._timeout = timeout
         self._silence = telemetry.silence
@@ -112,19 +116,19 @@ class CommandChannel:
     def _submit(self, command_id: int, command: Command, given_at: float) -> None:
         at = time.monotonic()
         try:
-            call = self._send(command, command_id, at - given_at)
+            calls = self._send(command, command_id, at - given_at)
         except (LinkError, CommandError) as problem:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
             return
         self._advance(command_id, Stage.SENT, at=at)
-        self._keep(asyncio.ensure_future(self._wait(command_id, command, call)))
+        self._keep(asyncio.ensure_future(self._wait(command_id, command, calls)))
 
     def _keep(self, task: "asyncio.Task[None]") -> None:
         """A task that nobody holds may be collected in the middle."""
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
 
-    def _send(self, command: Command, command_id: int, late: float) -> Call:
+    def _send(self, command: Command, command_id: int, late: float) -> list[Call]:
         if late > LATEST:
             raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
         # A pause is tried even where others are held back: it can only make things safer.
@@ -135,16 +139,25 @@ class CommandChannel:
             if silent > LONGEST_SILENCE:
                 # What goes into a frozen connection may come out, and be obeyed, much later.
                 raise LinkError(f"nothing has come from the bridge for {silent:.1f} s")
-        call = self._interface.call(command, command_id)
-        if mismatch := self._services.mismatch(call.service):
-            raise CommandError(f"{mismatch}: correct [profile.services], or [profile.service_types]")
-        return self._calls.start(call.service, call.args, self._timeout)
+        adapter = self._adapters[command.robot]
+        robot = self._writer.store.state.robots[command.robot]
+        outgoing = adapter.outgoing(command, command_id, robot)
+        for one in outgoing:
+            if mismatch := self._services.mismatch(one.address):
+                table = adapter.names.table
+                raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
+        return [self._calls.start(one.address, one.args, self._timeout) for one in outgoing]
 
-    async def _wait(self, command_id: int, command: Command, call: Call) -> None:
+    async def _wait(self, command_id: int, command: Command, calls: Sequence[Call]) -> None:
+        """Wait for all answers of a command: it went as well as the worst of them."""
+        adapter = self._adapters[command.robot]
+        ends = list[tuple[Stage, str]]()
         try:
-            response = await self._answer(command_id, call)
-            self._services.answered(call.service, response.values, response.result)
-            stage, words = self._interface.outcome(command, response.values, response.result)
+            for call in calls:
+                response = await self._answer(command_id, call)
+                self._services.answered(call.service, response.values, response.result)
+                ends.append(adapter.outcome(command, response.values, response.result))
+            stage, words = max(ends, key=lambda end: WORST.index(end[0]))
         except NoAnswerError:
             return
         except LinkLostError as problem:
@@ -154,7 +167,8 @@ class CommandChannel:
             LOG.exception("command %d", command_id)
             stage, words = Stage.UNKNOWN, f"internal error: {problem}"
         finally:
-            self._calls.forget(call)
+            for call in calls:
+                self._calls.forget(call)
         self._advance(command_id, stage, words)
 
     async def _answer(self, command_id: int, call: Call) -> operations.ServiceResponse:

@@ -9,6 +9,7 @@ from fleet_tui.client.link import Link
 from fleet_tui.client.tap import Tap
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.access import access_problems
+from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
 from fleet_tui.model.commands import Command, Stage
@@ -32,7 +33,8 @@ class FleetLink:
         self._read_only = config.operator.read_only
         self._writer = Writer(store, tap)
         self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
-        self._links = {name: Link(name, config, self._writer) for name in config.bridges}
+        adapters = adapters_of(config)
+        self._links = {name: Link(name, config, adapters, self._writer) for name in config.bridges}
         self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
         """What came over each link, for whoever looks; it changes all the time."""
 

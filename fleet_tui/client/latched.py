@@ -8,8 +8,8 @@ A volatile publisher never delivers to that, and then to no client: so without i
 import asyncio
 from collections.abc import Callable, Collection, Iterable
 
+from fleet_tui.adapters.adapter import Feed
 from fleet_tui.adapters.ros.reading import Reading
-from fleet_tui.adapters.subscriptions import Wanted
 
 FIRST_PATIENCE, LONGEST_PATIENCE = 2.0, 64.0
 """Seconds without a value after which the other way is tried; each time it is twice as long."""
@@ -23,9 +23,9 @@ class Latched:
     def __init__(
         self,
         reading: Reading,
-        wanted: Callable[[], Iterable[Wanted]],
-        subscribe: Callable[[Wanted], None],
-        unsubscribe: Callable[[Wanted], None],
+        wanted: Callable[[], Iterable[Feed]],
+        subscribe: Callable[[Feed], None],
+        unsubscribe: Callable[[Feed], None],
     ) -> None:
         self._reading, self._wanted = reading, wanted
         self._subscribe, self._unsubscribe = subscribe, unsubscribe
@@ -39,7 +39,7 @@ class Latched:
         """Tell whether a topic is to be asked for as transient local and reliable."""
         return topic not in self._volatile
 
-    def start(self, asked: Collection[Wanted], per_topic: float) -> None:
+    def start(self, asked: Collection[Feed], per_topic: float) -> None:
         """Look after what was just `asked` for, beside what was before: a latched value comes once, so what
         has come is left alone. A bridge takes `per_topic` seconds for each subscription."""
         self.stop()
@@ -67,9 +67,9 @@ class Latched:
                     self._subscribe(one)
             patience = min(2 * patience, LONGEST_PATIENCE)
 
-    def _count(self, one: Wanted) -> int:
+    def _count(self, one: Feed) -> int:
         return self._reading.counter.topics[_topic(one)].count
 
 
-def _topic(wanted: Wanted) -> str:
-    return wanted.subscription.topic
+def _topic(wanted: Feed) -> str:
+    return wanted.address

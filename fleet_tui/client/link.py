@@ -1,8 +1,9 @@
 """One bridge: telemetry on one connection, commands on another, so that no map delays a command."""
 
 import threading
+from collections.abc import Mapping
 
-from fleet_tui.adapters import KINDS
+from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.client.command_channel import CommandChannel
 from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
@@ -16,15 +17,15 @@ HANDOVER = 0.005
 class Link:
     """Everything between one bridge and the store. Any thread may call."""
 
-    def __init__(self, name: str, config: Config, writer: Writer) -> None:
+    def __init__(self, name: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
+        """`adapters` by robot."""
         self.name = name
         self._writer = writer
-        interface = KINDS[config.profile.name](config.profile)
-        self._telemetry = Telemetry(name, config, interface, writer)
+        self._telemetry = Telemetry(name, config, adapters, writer)
         timeout = config.alarms.no_answer_after
         bridge = config.bridge(name)
         self.counter = self._telemetry.counter
-        self._commands = CommandChannel(name, bridge, interface, writer, timeout, self._telemetry)
+        self._commands = CommandChannel(name, bridge, adapters, writer, timeout, self._telemetry)
 
     def open(self) -> None:
         """Connect, and stay connected; commands first, so that no subscribing delays a pause."""

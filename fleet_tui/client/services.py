@@ -8,8 +8,8 @@ from contextlib import suppress
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.adapters.subscriptions import WantedService
 from fleet_tui.client.calls import Calls, NoAnswerError
+from fleet_tui.config.fleet import Service
 from fleet_tui.errors import LinkError
 from fleet_tui.model.bounds import brief
 
@@ -29,7 +29,7 @@ class Services:
     another type must not leave; a type that nobody tells is no reason to hold it back.
     """
 
-    def __init__(self, calls: Calls, wanted: Mapping[str, WantedService]) -> None:
+    def __init__(self, calls: Calls, wanted: Mapping[str, Service]) -> None:
         """`wanted` are the services by name."""
         self._calls, self._wanted = calls, wanted
         self._types: dict[str, str] = {}

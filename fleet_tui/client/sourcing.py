@@ -4,8 +4,8 @@ import asyncio
 import logging
 from collections.abc import Callable, Iterable, Mapping
 
+from fleet_tui.adapters.adapter import Feed
 from fleet_tui.adapters.ros.reading import Reading
-from fleet_tui.adapters.subscriptions import Wanted
 from fleet_tui.client.calls import Calls
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import MessagesUnsourced
@@ -29,7 +29,7 @@ class Sourcing:
         self,
         link: str,
         calls: Calls,
-        wanted: Iterable[Wanted],
+        wanted: Iterable[Feed],
         reading: Reading,
         types: Callable[[], Mapping[str, str]],
         tell: Callable[[MessagesUnsourced], None],
@@ -37,7 +37,7 @@ class Sourcing:
         """`types` gives the type of each topic as the bridge spells it."""
         self._link, self._calls, self._reading, self._tell = link, calls, reading, tell
         self._types = types
-        self._wanted = [one for one in wanted if not one.kind.heavy]
+        self._wanted = [one for one in wanted if not one.large]
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
@@ -52,16 +52,16 @@ class Sourcing:
             self._task.cancel()
 
     async def _look(self) -> None:
-        before = {one.subscription.topic: self._count(one) for one in self._wanted}
+        before = {one.address: self._count(one) for one in self._wanted}
         await asyncio.sleep(LOOK_AFTER + FOR_EACH_TOPIC * len(before))
-        silent = [one for one in self._wanted if self._count(one) == before[one.subscription.topic]]
+        silent = [one for one in self._wanted if self._count(one) == before[one.address]]
         suspects = [one for one in silent if self._type(one).partition("/")[0] not in ALWAYS_THERE]
-        publishers = {one.subscription.topic: await self._publishers(one) for one in suspects[:MOST_ASKED]}
+        publishers = {one.address: await self._publishers(one) for one in suspects[:MOST_ASKED]}
         listening = [
             Listening(
                 one.robot,
                 self._type(one),
-                0 if one in suspects[MOST_ASKED:] else publishers.get(one.subscription.topic),
+                0 if one in suspects[MOST_ASKED:] else publishers.get(one.address),
                 one not in silent,
             )
             for one in self._wanted
@@ -71,19 +71,19 @@ class Sourcing:
         lacking = [one for one in silent if self._type(one).partition("/")[0] == package]
         while lacking:
             await asyncio.sleep(AGAIN)
-            if any(self._count(one) != before[one.subscription.topic] for one in lacking):
+            if any(self._count(one) != before[one.address] for one in lacking):
                 self._tell(MessagesUnsourced(self._link, ""))
                 return
 
-    def _type(self, one: Wanted) -> str:
-        return self._types().get(one.subscription.topic, one.subscription.type)
+    def _type(self, one: Feed) -> str:
+        return self._types().get(one.address, one.type)
 
-    def _count(self, one: Wanted) -> int:
-        return self._reading.counter.topics[one.subscription.topic].count
+    def _count(self, one: Feed) -> int:
+        return self._reading.counter.topics[one.address].count
 
-    async def _publishers(self, one: Wanted) -> int:
+    async def _publishers(self, one: Feed) -> int:
         """How many nodes publish a topic, 0 where nobody tells."""
-        args = {"topic": one.subscription.topic}
+        args = {"topic": one.address}
         try:
             response = await self._calls.call("/rosapi/publishers", args, ROSAPI_TIMEOUT)
         except LinkError as problem:

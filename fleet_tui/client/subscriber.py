@@ -4,16 +4,15 @@ whatever stays away. Everything runs on the network loop."""
 import asyncio
 import logging
 import random
-from collections.abc import Callable, Collection, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping, Set
 
+from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.reading import Reading
-from fleet_tui.adapters.subscriptions import Wanted, type_problem
+from fleet_tui.adapters.ros.type_names import type_problem
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.latched import Latched
 from fleet_tui.client.overhearing import Overhearing
-from fleet_tui.config.profile import Profile
 from fleet_tui.errors import LinkError
 from fleet_tui.model import events
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -41,22 +40,22 @@ class Subscriber:
         self,
         connection: Connection,
         calls: Calls,
-        wanted: Mapping[str, Wanted],
-        profile: Profile,
+        feeds: Iterable[Feed],
+        adapters: Mapping[str, Adapter],
         reading: Reading,
         tell: Callable[[events.Event], None],
     ) -> None:
         self._connection, self._calls, self._reading, self._tell = connection, calls, reading, tell
-        self._wanted, self._profile = wanted, profile
-        self._robots = {one.robot for one in wanted.values()}
-        self._first_again = FIRST_AGAIN + FOR_EACH_TOPIC * len(wanted)
+        self._feeds, self._adapters = tuple(feeds), adapters
+        self._robots = {robot for feed in self._feeds for robot in feed.robots}
+        self._first_again = FIRST_AGAIN + FOR_EACH_TOPIC * len(self._feeds)
         self.types: dict[str, str] = {}
         """Type by topic, as rosapi told last; empty where it doesn't."""
         self._refused: set[str] = set()
         self._as_json: set[str] = set()
         """Maps that never came as CBOR."""
         self._plainly: asyncio.TimerHandle | None = None
-        self._map: Wanted | None = None
+        self._map: Feed | None = None
         self.overhearing = Overhearing(connection, self._ask_types)
         self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
         self._asked: dict[str, float] = {}
@@ -84,14 +83,15 @@ class Subscriber:
         """Tell whether the bridge may be one of ROS 2: as the types say, where rosapi tells them."""
         return not self.types or any("/msg/" in type_ for type_ in self.types.values())
 
-    def _of_latched(self) -> list[Wanted]:
+    def _of_latched(self) -> list[Feed]:
         """The latched topics that are asked for, as far as rosapi knows that they exist."""
         return [
             one
             for one in self._of(self._robots)
-            if one.kind.per_floor
-            and one.subscription.topic not in self._refused
-            and (not self.types or one.subscription.topic in self.types)
+            if one.latched
+            and not one.silent
+            and one.address not in self._refused
+            and (not self.types or one.address in self.types)
         ]
 
     def stop(self) -> None:
@@ -126,21 +126,21 @@ class Subscriber:
             self._patience.pop(robot, None)
         return now - max(spoke, asked) > self._waits(robot)
 
-    async def _renew(self, robots: Collection[str], let_go: float) -> None:
+    async def _renew(self, robots: Set[str], let_go: float) -> None:
         for wanted in self._of(robots):
             self._unsubscribe(wanted)
         await asyncio.sleep(let_go)
         self.types = await self._ask_types()
         self._subscribe_to(robots)
 
-    def _of(self, robots: Collection[str]) -> list[Wanted]:
+    def _of(self, robots: Set[str]) -> list[Feed]:
         return [
             one
-            for one in self._wanted.values()
-            if one.robot in robots and (not one.kind.heavy or one is self._map)
+            for one in self._feeds
+            if any(robot in robots for robot in one.robots) and (not one.on_demand or one is self._map)
         ]
 
-    def _subscribe_to(self, robots: Collection[str]) -> None:
+    def _subscribe_to(self, robots: Set[str]) -> None:
         for wanted in self._of(robots):
             self._subscribe(wanted)
 
@@ -160,48 +160,55 @@ class Subscriber:
             return {}
         return {str(topic): str(type_) for topic, type_ in zip(topics, types, strict=False)}
 
-    def _subscribe(self, wanted: Wanted) -> None:
-        problem = type_problem(wanted, self.types, self._profile)
+    def _subscribe(self, wanted: Feed) -> None:
+        problem = type_problem(wanted, self.types, self._adapters[wanted.robot].names.table)
         if problem:
-            if wanted.subscription.topic not in self._refused:
-                self._refused.add(wanted.subscription.topic)
-                self._reading.counter.topics[wanted.subscription.topic].not_subscribed = problem
+            if wanted.address not in self._refused:
+                self._refused.add(wanted.address)
+                self._reading.counter.topics[wanted.address].not_subscribed = problem
                 self._tell(events.MessageRejected(wanted.robot, problem))
             return
-        self._reading.counter.topics[wanted.subscription.topic].not_subscribed = ""
-        asked = wanted.subscription
-        # ROS 2 writes the same type with a middle part: the bridge wants its own spelling back.
-        asked = replace(
-            asked,
-            type=self.types.get(asked.topic, asked.type),
-            compression="none" if asked.topic in self._as_json else asked.compression,
-            latched=wanted.kind.per_floor and self._is_ros2 and self._latched.wants_qos(asked.topic),
+        self._reading.counter.topics[wanted.address].not_subscribed = ""
+        topic = wanted.address
+        asked = operations.Subscription(
+            topic,
+            # ROS 2 writes the same type with a middle part: the bridge wants its own spelling back.
+            self.types.get(topic, wanted.type),
+            wanted.rate_ms,
+            "cbor" if wanted.large and topic not in self._as_json else "none",
+            latched=wanted.latched and self._is_ros2 and self._latched.wants_qos(topic),
         )
         try:
             self._connection.send(operations.subscribe(asked))
         except LinkError:
             return
         # Where rosapi answers it says whether there is a map at all.
-        if asked.compression == "cbor" and (asked.topic in self.types or not self.types):
+        if asked.compression == "cbor" and (topic in self.types or not self.types):
             patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
             self._plainly = asyncio.get_running_loop().call_later(patience, self._ask_plainly, wanted)
 
-    def _ask_plainly(self, wanted: Wanted) -> None:
-        if self._map is wanted and wanted.subscription.topic not in self._reading.maps_heard:
+    def _ask_plainly(self, wanted: Feed) -> None:
+        if self._map is wanted and wanted.address not in self._reading.maps_heard:
             self._unsubscribe(wanted)
-            self._as_json.add(wanted.subscription.topic)
+            self._as_json.add(wanted.address)
             self._subscribe(wanted)
 
-    def _unsubscribe(self, wanted: Wanted) -> None:
+    def _unsubscribe(self, wanted: Feed) -> None:
         try:
-            self._connection.send(operations.unsubscribe(wanted.subscription.topic))
+            self._connection.send(operations.unsubscribe(wanted.address))
         except LinkError:
             return
 
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for one robot's live map of a floor, and no longer for the one before; "" for none."""
-        topic = self._profile.topic("map", robot, floor) if robot else ""
-        wanted = self._wanted.get(topic)
+        wanted = next(
+            (
+                feed
+                for feed in self._feeds
+                if feed.key == "map" and feed.floor == floor and robot in feed.robots
+            ),
+            None,
+        )
         if wanted is self._map:
             return
         if self._map is not None:

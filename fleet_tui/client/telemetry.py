@@ -3,15 +3,15 @@
 import asyncio
 import logging
 import time
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 
-from fleet_tui.adapters.interface import Interface
+from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.fragments import Fragments
 from fleet_tui.adapters.ros.operations import topic_of
-from fleet_tui.adapters.ros.reading import DIAGNOSTICS, ROSOUT, WORTH_A_PROCESS, Reading
-from fleet_tui.adapters.subscriptions import wanted_services, wanted_topics
+from fleet_tui.adapters.ros.reading import DIAGNOSTICS, ROSOUT, WORTH_A_PROCESS, Read, Reading
 from fleet_tui.client.backlog import Backlog, Frame
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.memory import give_back
@@ -19,6 +19,7 @@ from fleet_tui.client.services import Services
 from fleet_tui.client.sourcing import Sourcing
 from fleet_tui.client.subscriber import Subscriber
 from fleet_tui.client.writer import Writer
+from fleet_tui.config.fleet import feeds_of, limit_of, services_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import WireError
 from fleet_tui.maps.map_process import decode_apart
@@ -28,8 +29,6 @@ from fleet_tui.model.link import Phase
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
-
-Read = events.Event | operations.ServiceResponse | operations.Fragment | None
 
 # Larger frames are decoded beside the loop, so that small ones don't wait.
 HEAVY_BYTES = 100_000
@@ -46,7 +45,7 @@ LOOK_EVERY = 0.2
 class Telemetry:
     """Hears a bridge's topics. Everything runs on the network loop unless it says otherwise."""
 
-    def __init__(self, link: str, config: Config, interface: Interface, writer: Writer) -> None:
+    def __init__(self, link: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
         self._link = link
         self._writer = writer
         self._logged: set[str] = set()
@@ -56,16 +55,16 @@ class Telemetry:
         self._next_look = 0.0
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         bridge = config.bridge(link)
-        wanted = {wanted.subscription.topic: wanted for wanted in wanted_topics(config, interface, link)}
+        feeds = feeds_of(config, adapters, link)
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
-        self._reading = Reading(link, bridge, config.profile, wanted, decode_apart, LOG.warning)
+        self._reading = Reading(link, limit_of(config, link), adapters, feeds, decode_apart, LOG.warning)
         self._subscriber = Subscriber(
-            self.connection, self._calls, wanted, config.profile, self._reading, self._take
+            self.connection, self._calls, feeds, adapters, self._reading, self._take
         )
-        self.services = Services(self._calls, wanted_services(config, link))
+        self.services = Services(self._calls, services_of(config, adapters, link))
         self._sourcing = Sourcing(
-            link, self._calls, wanted.values(), self._reading, lambda: self._subscriber.types, writer.take
+            link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.take
         )
         self.show_map = self._subscriber.show_map
         self.overhear = self._subscriber.overhearing.listen
@@ -153,7 +152,8 @@ class Telemetry:
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """Say which message it was, how large, and what lets it in."""
         self._heard = self._spoke = time.monotonic()
-        self._take(self._reading.too_large(head, is_binary, size, self._heard))
+        for event in self._reading.too_large(head, is_binary, size, self._heard):
+            self._take(event)
 
     def _take_frame(self, payload: bytes, is_binary: bool, at: float, read: Read) -> None:
         """Tell what a frame that came at `at` was read as. Of pieces only the whole message is recorded."""
@@ -163,12 +163,16 @@ class Telemetry:
             self._calls.on_response(read)
         elif isinstance(read, operations.Fragment):
             self._put_together(read)
-        elif read is not None:
-            if isinstance(read, events.MessageRejected | events.FrameRejected):
-                self._log_once(read.text)
-            elif isinstance(read, events.Telemetry):
-                self._robots_spoke[read.robot] = read.at
-            self._writer.store.tell(read)
+        else:
+            for event in read:
+                self._tell(event)
+
+    def _tell(self, event: events.Event) -> None:
+        if isinstance(event, events.MessageRejected | events.FrameRejected):
+            self._log_once(event.text)
+        elif isinstance(event, events.Telemetry):
+            self._robots_spoke[event.robot] = event.at
+        self._writer.store.tell(event)
 
     def _put_together(self, piece: operations.Fragment) -> None:
         try:

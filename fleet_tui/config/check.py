@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterator
 from urllib.parse import urlsplit
 
-from fleet_tui.config.profile import FIELDS, FLOOR_TOPICS, SERVICES, TOPICS, Profile
+from fleet_tui.config.check_profiles import check_profiles
 from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config, Link, link_key
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keymap import keymap
@@ -13,7 +13,6 @@ from fleet_tui.model.alarm import Priority
 
 # ROS graph names, and what is harmless beside them.
 NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
-PROFILES = ("oh_ressources",)
 
 
 def checked(config: Config) -> list[str]:
@@ -24,19 +23,19 @@ def checked(config: Config) -> list[str]:
         *_names("robots", [robot.name for robot in config.robots]),
         *_frames(config),
         *_references(config),
-        *_profile(config.profile),
-        *_topics(config),
+        *check_profiles(config),
         *keymap(config.keys)[1],
         *_alarms(config.alarms),
     ]
 
 
 def missing_files(config: Config) -> list[str]:
-    """One line for each map file that isn't there. The console starts without them, and says so."""
+    """One line for each file of a floor that isn't there. The console starts without them, and says so."""
     return [
-        f"floors[{n}].map: no such file {floor.map}"
+        f"floors[{n}].{key}: no such file {name}"
         for n, floor in enumerate(config.floors)
-        if floor.map and not config.beside(floor.map).is_file()
+        for key, name in (("map", floor.map), ("graph", floor.graph))
+        if name and not config.beside(name).is_file()
     ]
 
 
@@ -98,49 +97,6 @@ def _references(config: Config) -> Iterator[str]:
                 yield f"robots[{n}].floors: no floor {floor!r}{did_you_mean(floor, floors)}"
         if robot.link not in links:
             yield f"robots[{n}].link: no link {robot.link!r}{did_you_mean(robot.link, links)}"
-
-
-def _profile(profile: Profile) -> Iterator[str]:
-    if profile.name not in PROFILES:
-        yield f"profile.name: no profile {profile.name!r}{did_you_mean(profile.name, PROFILES)}"
-    tables = (("topics", profile.topics, TOPICS), ("types", profile.types, TOPICS))
-    for table, given, known in (
-        *tables,
-        ("services", profile.services, SERVICES),
-        ("service_types", profile.service_types, SERVICES),
-        ("fields", profile.fields, FIELDS),
-    ):
-        for key in given:
-            if key not in known:
-                yield f"profile.{table}.{key}: unknown key{did_you_mean(key, known)}"
-    yield from _placeholders(profile)
-    for n, pattern in enumerate(profile.refusals):
-        try:
-            re.compile(pattern)
-        except (re.error, OverflowError, RecursionError) as problem:
-            yield f"profile.refusals[{n}]: {pattern!r} is no regular expression: {problem}"
-
-
-def _placeholders(profile: Profile) -> Iterator[str]:
-    for table, given in (("topics", profile.topics), ("services", profile.services)):
-        for key, template in given.items():
-            for name in re.findall(r"\{([^}]*)\}", template):
-                if name not in (("robot", "floor") if key in FLOOR_TOPICS else ("robot",)):
-                    yield f"profile.{table}.{key}: {{{name}}} can't be filled in here"
-
-
-def _topics(config: Config) -> Iterator[str]:
-    """Two values on one topic could not be told apart."""
-    taken: dict[tuple[str, str], str] = {}
-    for robot in config.robots:
-        for key in TOPICS:
-            for floor in config.floors_of(robot) if key in FLOOR_TOPICS else [""]:
-                topic = config.profile.topic(key, robot.name, floor)
-                owner = " ".join(part for part in (key, "of", robot.name, floor) if part)
-                other = taken.setdefault((robot.link, topic), owner)
-                if topic and other != owner:
-                    both = f"{other} and {owner}"
-                    yield f"profile.topics.{key}: {topic} is {both}: put {{robot}} or {{floor}} in it"
 
 
 def _alarms(alarms: Alarms) -> Iterator[str]:

@@ -10,6 +10,8 @@ from typing import Any, Literal
 import msgspec
 import platformdirs
 
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.registry import KINDS
 from fleet_tui.config.check import checked
 from fleet_tui.config.schema import Config, expanded
 from fleet_tui.config.small_file import read_toml
@@ -95,12 +97,22 @@ def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> 
     return struct(**missing, **values)
 
 
+def _without_none(kind: Any) -> Any:
+    """TOML has no null: of what may be None only the other side can stand in a file."""
+    if typing.get_origin(kind) is UnionType:
+        return next(one for one in typing.get_args(kind) if one is not type(None))
+    return kind
+
+
 def _is_struct(kind: object) -> bool:
     return isinstance(kind, type) and issubclass(kind, msgspec.Struct)
 
 
 def _read_value(kind: Any, value: Any, where: str, problems: list[str]) -> Any | None:
+    kind = _without_none(kind)
     origin, inner = typing.get_origin(kind), typing.get_args(kind)
+    if kind is Profile and isinstance(value, Mapping):
+        value = _with_settings(value)
     if _is_struct(kind):
         return _read(kind, value, where + ".", problems)
     if origin is list and _is_struct(inner[0]) and isinstance(value, list):
@@ -118,10 +130,15 @@ def _read_value(kind: Any, value: Any, where: str, problems: list[str]) -> Any |
         return None
 
 
+def _with_settings(table: Mapping[str, object]) -> dict[str, object]:
+    """Put the tables of single kinds together: only their adapters know what is in them."""
+    own = {key: value for key, value in table.items() if key in KINDS}
+    rest = {key: value for key, value in table.items() if key not in KINDS}
+    return {**rest, "settings": own} if own else rest
+
+
 def _in_words(kind: Any, value: object, problem: str) -> str:
     """msgspec's complaint as a person would say it."""
-    if typing.get_origin(kind) is UnionType:
-        kind = next(one for one in typing.get_args(kind) if one is not type(None))
     if typing.get_origin(kind) is Literal and isinstance(value, str):
         choices = typing.get_args(kind)
         return f"{value!r} is not one of {', '.join(choices)}{did_you_mean(value, choices)}"

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, TypeVar
 
 import msgspec
 
-from fleet_tui.config.profile import Profile
+from fleet_tui.adapters.profile import Profile
 
 S = TypeVar("S", bound=msgspec.Struct)
 
@@ -33,11 +33,11 @@ def link_key(name: str) -> str:
 
 
 class Link(msgspec.Struct, frozen=True):
-    """`[rosbridge]` and `[links.NAME]`: where a bridge listens, and what it takes to be let in.
+    """`[rosbridge]` and `[links.NAME]`: where a bridge listens, and what it takes to be let in. `profile` is
+    that of its robots.
 
-    Files are relative to the config file. What is secret stands in a file or in an environment
-    variable, never here.
-    """
+    Files are relative to the config file. What is secret stands in a file or in an environment variable,
+    never here."""
 
     url: str = "ws://127.0.0.1:9090"
     max_message_mb: Annotated[float, msgspec.Meta(gt=0, le=2000)] = 128.0
@@ -48,6 +48,7 @@ class Link(msgspec.Struct, frozen=True):
     authorization_env: str = ""
     rosauth_file: str = ""
     rosauth_env: str = ""
+    profile: str = ""
 
     @property
     def shown(self) -> str:
@@ -62,10 +63,11 @@ class Link(msgspec.Struct, frozen=True):
 
 
 class FloorEntry(msgspec.Struct, frozen=True):
-    """`[[floors]]`; `map` is relative to the config file, `frame_id` defaults to the name."""
+    """`[[floors]]`; `map` and `graph` are relative to the config file, `frame_id` defaults to the name."""
 
     name: str
     map: str = ""
+    graph: str = ""
     frame_id: str = ""
 
     @property
@@ -75,11 +77,13 @@ class FloorEntry(msgspec.Struct, frozen=True):
 
 
 class RobotEntry(msgspec.Struct, frozen=True):
-    """`[[robots]]`; no floors means every floor, no link the one of `[rosbridge]`; size in metres."""
+    """`[[robots]]`; no floors means every floor, no link the one of `[rosbridge]`; `profile` names a table of
+    `[profiles]` or a kind, without one that of its link counts, else `[profile]`; size in metres."""
 
     name: str
     floors: list[str] = []
     link: str = DEFAULT_LINK
+    profile: str = ""
     size: tuple[Positive, Positive] | None = None
 
 
@@ -145,6 +149,7 @@ class Config(msgspec.Struct, frozen=True):
     alarms: Alarms = Alarms()
     recording: Recording = Recording()
     profile: Profile = Profile()
+    profiles: dict[str, Profile] = {}
     path: Path = Path()
 
     @property
@@ -163,7 +168,7 @@ class Config(msgspec.Struct, frozen=True):
             self,
             rosbridge=self._whole(self.rosbridge, LINK_FILES),
             links={name: self._whole(link, LINK_FILES) for name, link in self.links.items()},
-            floors=[self._whole(floor, ("map",)) for floor in self.floors],
+            floors=[self._whole(floor, ("map", "graph")) for floor in self.floors],
         )
 
     def _whole(self, part: S, keys: tuple[str, ...]) -> S:

@@ -1,5 +1,6 @@
 """The picture of the world before anything has been heard."""
 
+from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState, Floor, Limits
 from fleet_tui.model.link import LinkState
@@ -31,13 +32,15 @@ def initial_state(config: Config, now: float) -> FleetState:
 
 
 def _robots(config: Config) -> dict[str, Robot]:
+    adapters = adapters_of(config)
     return {
         robot.name: Robot(
             robot.name,
             number,
             robot.link,
             {floor: Chart() for floor in config.floors_of(robot)},
-            says_paused=bool(config.profile.topic("paused", robot.name)),
+            says_paused="paused" in adapters[robot.name].kind.reports,
+            kind=adapters[robot.name].kind,
         )
         for number, robot in enumerate(config.robots, 1)
     }

@@ -8,16 +8,16 @@ from pathlib import Path
 
 import msgspec
 
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.check import NAME, checked
+from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.load import shipped
-from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import DEFAULT_LINK, Config, Link, RobotEntry
 from fleet_tui.errors import ConfigError, FleetError, LinkError
 from fleet_tui.headless.doctor.approach import Approach
 from fleet_tui.headless.doctor.causes import rosapi_remedy
 from fleet_tui.headless.doctor.facts import Rosapi
 from fleet_tui.headless.doctor.finding import Verdict
-from fleet_tui.headless.doctor.gather import asked_topics
 from fleet_tui.headless.doctor.listening import listen
 from fleet_tui.headless.doctor.rosapi import ask_publishers, ask_services, look_around
 from fleet_tui.headless.doctor.wire import Wire
@@ -72,8 +72,9 @@ async def _ask(config: Config, until: float) -> tuple[Site, dict[str, str]]:
 async def _frames(bridge: Link, site: Site, rosapi: Rosapi, until: float) -> dict[str, str]:
     """The frame_id of each robot's poses, of those that speak."""
     config = Config(robots=[RobotEntry(robot) for robot in site.robots], profile=Profile(topics=site.topics))
-    poses = [one for one in asked_topics(config, DEFAULT_LINK) if one.kind.fast]
-    heard = await listen(bridge, poses, rosapi, until)
+    adapters = adapters_of(config)
+    poses = [one for one in feeds_of(config, adapters, DEFAULT_LINK) if one.fast]
+    heard = await listen(bridge, adapters, poses, rosapi, until)
     events = [facts.event for facts in heard.topics]
     return {one.robot: one.frame_id.lstrip("/") for one in events if isinstance(one, PoseReported)}
 

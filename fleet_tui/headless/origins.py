@@ -9,8 +9,10 @@ from typing import Any
 
 import msgspec
 
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.registry import KINDS, kind_of
+from fleet_tui.adapters.ros.names import Names
 from fleet_tui.config.access import without_secrets
-from fleet_tui.config.profile import FIELDS, SERVICES, TOPICS, Profile
 from fleet_tui.config.schema import Config
 from fleet_tui.journal.audit import operator_name
 from fleet_tui.keymap import keymap
@@ -31,8 +33,10 @@ def values(config: Config) -> Iterator[Found]:
         match field.name:
             case "path":
                 continue
-            case "profile":
-                yield from _profile(config.profile)
+            case "profile" | "profiles":
+                named = {"profile": value} if field.name == "profile" else value
+                for name, profile in named.items():
+                    yield from _profile(name if value is profile else f"profiles.{name}", profile)
             case "keys":
                 chosen = keymap(config.keys)[0]
                 yield from ((f"keys.{id_}", ",".join(keys)) for id_, keys in chosen.items())
@@ -51,24 +55,34 @@ def _struct(where: str, value: msgspec.Struct) -> Iterator[Found]:
         yield f"{where}.{name}", getattr(value, name)
 
 
-def _profile(profile: Profile) -> Iterator[Found]:
-    for name in profile.__struct_fields__:
-        match name:
-            case "topics":
-                yield from (
-                    (f"profile.topics.{key}", profile.topic(key, "{robot}", "{floor}")) for key in TOPICS
-                )
-            case "types":
-                yield from ((f"profile.types.{key}", profile.type(key)) for key in TOPICS)
-            case "services":
-                yield from ((f"profile.services.{key}", profile.service(key, "{robot}")) for key in SERVICES)
-            case "service_types":
-                yield from ((f"profile.service_types.{key}", profile.service_type(key)) for key in SERVICES)
-            case "fields":
-                usual = ((field, field.partition(".")[2]) for field in sorted(FIELDS))
-                yield from ((f"profile.fields.{key}", profile.fields.get(key, name)) for key, name in usual)
-            case _:
-                yield f"profile.{name}", getattr(profile, name)
+def _profile(where: str, profile: Profile) -> Iterator[Found]:
+    names = Names(KINDS[kind_of(profile)].vocabulary, profile)
+    known = names.vocabulary
+    tables: dict[str, Iterator[Found]] = {
+        "topics": ((key, names.topic(key, "{robot}", "{floor}")) for key in known.topics),
+        "types": ((key, names.type(key)) for key in known.topics),
+        "services": ((key, names.service(key, "{robot}")) for key in known.services),
+        "service_types": ((key, names.service_type(key)) for key in known.services),
+        "actions": ((key, names.action(key, "{robot}")) for key in known.actions),
+        "action_types": ((key, names.action_type(key)) for key in known.actions),
+        "fields": (
+            (f"{message}.{field}", names.path(message, field))
+            for message, fields in sorted(known.fields.items())
+            for field in fields
+        ),
+        "scales": ((key, names.scale(key)) for key in sorted(known.scales)),
+        "silence": iter(profile.silence.items()),
+        "settings": iter(profile.settings.items()),
+    }
+    yield f"{where}.kind", kind_of(profile)
+    for table, found in tables.items():
+        prefix = where if table == "settings" else f"{where}.{table}"
+        yield from ((f"{prefix}.{key}", value) for key, value in found)
+    yield f"{where}.refusals", names.refusals
+    chosen = profile.vertex_types
+    yield f"{where}.vertex_types", known.vertex_types if chosen is None else chosen
+    yield f"{where}.directed", profile.directed
+    yield f"{where}.origin", profile.origin
 
 
 def lines_of(text: str) -> dict[str, int]:

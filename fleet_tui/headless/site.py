@@ -5,10 +5,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.config.check import NAME
-from fleet_tui.config.profile import FLOOR_TOPICS, SERVICES, TOPICS
 
+TOPICS, SERVICES, FLOOR_TOPICS = VOCABULARY.topics, VOCABULARY.services, VOCABULARY.floor_topics
 QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]
 PAUSED = "{robot}/paused"
 # Types whose one field is read alike.

@@ -218,6 +218,8 @@ def public(config: Config) -> Config:
     The names of environment variables go too: a secret may have been put where its name belongs.
     """
     names = {"rosbridge": config.rosbridge, **config.links}
-    links = {name: Link(link.shown, link.max_message_mb) for name, link in names.items()}
+    links = {
+        name: Link(link.shown, link.max_message_mb, profile=link.profile) for name, link in names.items()
+    }
     first = links.pop("rosbridge")
     return msgspec.structs.replace(config, rosbridge=first, links=links, keys={}, path=Path())

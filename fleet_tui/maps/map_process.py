@@ -10,9 +10,10 @@ import sys
 
 import msgspec
 
-from fleet_tui.adapters import KINDS
+from fleet_tui.adapters.adapter import Feed, Site
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.adapters.ros import operations
-from fleet_tui.config.profile import Profile
 from fleet_tui.errors import WireError
 from fleet_tui.model.events import GridReceived
 
@@ -23,16 +24,15 @@ class _Task(msgspec.Struct):
     """What the process needs beside the frame: one line of JSON before it."""
 
     profile: Profile
-    robot: str
-    floor: str
+    feed: Feed
 
 
-def decode_apart(profile: Profile, robot: str, floor: str, payload: bytes) -> GridReceived:
+def decode_apart(profile: Profile, feed: Feed, payload: bytes) -> GridReceived:
     """A text frame with a map as the event it means. Blocks its thread, not the others.
 
     Raises WireError.
     """
-    task = msgspec.json.encode(_Task(profile, robot, floor)) + b"\n"
+    task = msgspec.json.encode(_Task(profile, feed)) + b"\n"
     command = [sys.executable, "-m", "fleet_tui.maps.map_process"]
     try:
         done = subprocess.run(
@@ -53,10 +53,9 @@ def main() -> None:
     task = msgspec.json.decode(sys.stdin.buffer.readline(), type=_Task)
     try:
         operation = operations.decode(sys.stdin.buffer.read())
-        kinds = KINDS[task.profile.name](task.profile).topics
-        translate = next(kind.translate for kind in kinds if kind.heavy)
+        adapter = KINDS[kind_of(task.profile)].adapter(task.profile, Site())
         msg = operation.msg if isinstance(operation, operations.Publish) else None
-        event = translate(task.robot, task.floor, msg, 0.0)
+        (event,) = adapter.read(task.feed, msg, 0.0)
     except WireError as problem:
         sys.stdout.write(str(problem))
         sys.exit(1)

@@ -10,6 +10,7 @@ from fleet_tui.model.bounds import brief
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
 
@@ -74,6 +75,7 @@ class Robot(Struct, frozen=True, eq=False):
     traces: Mapping[int, OrderTrace] = field(default_factory=dict)
     gone: tuple[GoneOrder, ...] = ()
     says_paused: bool = False
+    kind: Kind = Kind()
     paused: Reading[bool] | None = None
     paused_by_us: bool = False
     paused_at: Pose | None = None

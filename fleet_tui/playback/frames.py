@@ -1,11 +1,11 @@
 """What a record does to the picture: frames are read again as the link read them."""
 
 from collections.abc import Mapping
+from functools import reduce
 
-from fleet_tui.adapters import KINDS
 from fleet_tui.adapters.ros.operations import Fragment, ServiceResponse
 from fleet_tui.adapters.ros.reading import Reading
-from fleet_tui.adapters.subscriptions import wanted_topics
+from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
 from fleet_tui.journal.records import Heard, Record, Told
 from fleet_tui.maps.map_process import decode_apart
@@ -18,14 +18,10 @@ class Frames:
     """Reads the frames of every bridge of a recording."""
 
     def __init__(self, config: Config) -> None:
-        interface = KINDS[config.profile.name](config.profile)
+        adapters = adapters_of(config)
         self._readings = {
             name: Reading(
-                name,
-                config.bridge(name),
-                config.profile,
-                {wanted.subscription.topic: wanted for wanted in wanted_topics(config, interface, name)},
-                decode_apart,
+                name, limit_of(config, name), adapters, feeds_of(config, adapters, name), decode_apart
             )
             for name in config.bridges
         }
@@ -48,6 +44,6 @@ class Frames:
             case Heard(channel="topics", link=link) if link in self._readings:
                 at = record.at if record.came is None else record.came
                 read = self._readings[link].read(record.payload, record.binary, at)
-                if read is not None and not isinstance(read, ServiceResponse | Fragment):
-                    return apply(state, read)
+                if not isinstance(read, ServiceResponse | Fragment):
+                    return reduce(apply, read, state)
         return state

@@ -8,9 +8,7 @@ import cbor2
 import msgspec
 import pytest
 
-from fleet_tui.adapters.oh_ressources.adapter import interface
 from fleet_tui.adapters.ros import messages, operations
-from fleet_tui.config.profile import Profile
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
 from fleet_tui.model import bounds, events
@@ -23,21 +21,21 @@ from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.floor_scene import floor_scene
 from fleet_tui.view.queue_rows import queue_table
 from fleet_tui.view.selection import Selection
+from tests.adapting import adapter_of, event_of
 from tests.fleets import F0, LINK, R0, T0, fleet, link_lost, link_up, pose, tick, told
 from tests.watched import config_of
 
 MEGABYTE = "x\x1b[2J" * 200_000
-SPOKEN = interface(Profile())
+ADAPTER = adapter_of()
 SOON = 1.0
 """Seconds: a hang, on a machine that others use as well."""
 
 
 def heard(key: str, msg: object) -> events.Event:
     """What a message means, read within the time there is for it."""
-    kind = next(kind for kind in SPOKEN.topics if kind.key == key)
     payload = msgspec.Raw(json.dumps(msg).encode())
     began = time.process_time()
-    event = kind.translate(R0, F0, payload, T0)
+    event = event_of(ADAPTER, key, payload, R0, F0, T0)
     assert time.process_time() - began < SOON
     return event
 
@@ -172,13 +170,13 @@ def test_no_text_from_outside_is_kept_longer_than_its_bound() -> None:
 )
 @pytest.mark.parametrize("result", [True, False])
 def test_what_is_kept_of_an_answer_is_short(values: object, result: bool) -> None:
-    _, words = SPOKEN.outcome(PauseRobot("robot_0"), values, result)
+    _, words = ADAPTER.outcome(PauseRobot("robot_0"), values, result)
     assert len(words) < 2 * bounds.LONGEST_WORDS
 
 
 def test_an_answer_as_long_as_it_may_be_is_judged_soon() -> None:
     began = time.process_time()
-    stage, _ = SPOKEN.outcome(
+    stage, _ = ADAPTER.outcome(
         PauseRobot("robot_0"), {"success": True, "status": "no " * (operations.LARGEST_ANSWER // 3)}, True
     )
     assert stage is Stage.ACCEPTED and time.process_time() - began < SOON
@@ -188,7 +186,7 @@ def test_an_answer_nested_too_deep_is_none() -> None:
     nested: list[Any] = []
     for _ in range(100_000):
         nested = [nested]
-    stage, words = SPOKEN.outcome(PauseRobot("robot_0"), nested, True)
+    stage, words = ADAPTER.outcome(PauseRobot("robot_0"), nested, True)
     assert (stage, words) == (Stage.UNKNOWN, "an answer that says nothing: something nested too deep")
 
 
@@ -196,7 +194,7 @@ def test_an_answer_beyond_the_bound_is_not_read() -> None:
     frame = {"op": "service_response", "id": "1", "values": {"a": "x" * operations.LARGEST_ANSWER}}
     answer = operations.decode(json.dumps(frame).encode())
     assert isinstance(answer, operations.ServiceResponse)
-    stage, words = SPOKEN.outcome(PauseRobot("robot_0"), answer.values, True)
+    stage, words = ADAPTER.outcome(PauseRobot("robot_0"), answer.values, True)
     assert stage is Stage.UNKNOWN and "4,194,313 bytes, which are not read" in words
 
 

@@ -9,11 +9,10 @@ import cbor2
 import msgspec
 import pytest
 
-from fleet_tui.adapters import KINDS
-from fleet_tui.adapters.interface import Interface
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.operations import Publish, ServiceResponse, decode, decode_cbor
-from fleet_tui.config.profile import Profile
-from fleet_tui.config.schema import Config, FloorEntry, RobotEntry
+from fleet_tui.config.fleet import adapters_of, feeds_of
+from fleet_tui.config.schema import DEFAULT_LINK, Config, FloorEntry, RobotEntry
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
@@ -23,6 +22,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.order import Order, OrderQueue
+from tests.adapting import adapter_of, event_of
 from tests.fleets import recording
 
 ROBOT = "robot_1"
@@ -46,13 +46,8 @@ GOOD: dict[str, dict[str, Any]] = {
 }
 
 
-def speaking(profile: Profile | None = None) -> Interface:
-    return KINDS["oh_ressources"](profile or Profile())
-
-
 def event(key: str, msg: object, profile: Profile | None = None) -> events.Event:
-    kind = next(kind for kind in speaking(profile).topics if kind.key == key)
-    return kind.translate(ROBOT, "ground", msg, 10.0)
+    return event_of(adapter_of(profile), key, msg, ROBOT, "ground", 10.0)
 
 
 def two_floors() -> tuple[Config, FleetState]:
@@ -64,18 +59,15 @@ def two_floors() -> tuple[Config, FleetState]:
 def replay(lines: list[dict[str, Any]]) -> FleetState:
     """The state after every recorded frame, by the names that the config derives."""
     config, state = two_floors()
-    kinds = {
-        config.profile.topic(kind.key, ROBOT, floor): (kind, floor)
-        for kind in speaking().topics
-        for floor in (["ground", "first"] if kind.per_floor else [""])
-    }
+    adapters = adapters_of(config)
+    feeds = {feed.address: feed for feed in feeds_of(config, adapters, DEFAULT_LINK)}
     for line in lines:
         text, binary = line.get("text", "").encode(), base64.b64decode(line.get("binary", ""))
         if line["dir"] == "in":
             operation = decode(text) if text else decode_cbor(binary)
             if isinstance(operation, Publish):
-                kind, floor = kinds[operation.topic]
-                state = apply(state, kind.translate(ROBOT, floor, operation.msg, 100.0 + line["t"]))
+                for fact in adapters[ROBOT].read(feeds[operation.topic], operation.msg, 100.0 + line["t"]):
+                    state = apply(state, fact)
     return state
 
 
@@ -124,7 +116,7 @@ def test_the_recorded_answers_are_judged_by_their_words() -> None:
     for line in recording("telemetry-and-orders.jsonl"):
         operation = decode(line["text"].encode()) if line["dir"] == "in" else None
         if isinstance(operation, ServiceResponse):
-            answers[operation.id] = speaking().outcome(
+            answers[operation.id] = adapter_of().outcome(
                 PlaceOrder(ROBOT, 0, 7), operation.values, operation.result
             )
     refused = {id_: words for id_, (outcome, words) in answers.items() if outcome is Stage.REFUSED}

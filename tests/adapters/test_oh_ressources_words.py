@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.adapters import KINDS
-from fleet_tui.adapters.interface import Call
-from fleet_tui.config.profile import FIELDS, Profile
+from fleet_tui.adapters.adapter import Call
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import (
     CancelOrder,
@@ -24,8 +24,11 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.events import Event, FrameReceived, GraphReceived, LabelsReceived, QueueReported
 from fleet_tui.model.graph import Edge, Role, Vertex
+from fleet_tui.model.robot import Robot
+from tests.adapting import adapter_of, event_of
 from tests.fleets import WIRE, recording
 
+FIELDS = {f"{message}.{field}" for message, fields in VOCABULARY.fields.items() for field in fields}
 ORDER = PlaceOrder("r1", 0, 7)
 DIED = "transport error completing service call: unable to receive data from sender, check sender's logs"
 THREW = "service [/r1/x] responded with an error: b'error processing request: division by zero'"
@@ -36,12 +39,13 @@ SERVICE = "/r1/Application_layout/"
 
 
 def call(command: Command, request_id: int = 5, profile: Profile | None = None) -> Call:
-    return KINDS["oh_ressources"](profile or Profile()).call(command, request_id)
+    (made,) = adapter_of(profile).outgoing(command, request_id, Robot("r1", 1, "", {}))
+    assert isinstance(made, Call)
+    return made
 
 
 def event(key: str, msg: object, profile: Profile | None = None) -> Event:
-    topics = KINDS["oh_ressources"](profile or Profile()).topics
-    return next(kind for kind in topics if kind.key == key).translate("r1", "ground", msg, 1.0)
+    return event_of(adapter_of(profile), key, msg, "r1", "ground", 1.0)
 
 
 @pytest.mark.parametrize(
@@ -62,7 +66,7 @@ def event(key: str, msg: object, profile: Profile | None = None) -> Event:
 def test_every_request_is_complete_and_typed(command: Command, service: str, args: dict[str, Any]) -> None:
     """A bridge fills what is missing with zeros and takes it for an order 0 -> 0."""
     made = call(command)
-    assert (made.service, dict(made.args)) == (SERVICE + service, args)
+    assert (made.address, dict(made.args)) == (SERVICE + service, args)
     assert {name: type(value) for name, value in made.args.items()} == {
         name: type(value) for name, value in args.items()
     }
@@ -110,7 +114,7 @@ def test_calls_under_other_names() -> None:
     }
     profile = Profile(fields=names, services={"order": "/fleet/{robot}/go"})
     made = call(PlaceOrder("r1", 0, 7), profile=profile)
-    assert (made.service, made.args) == ("/fleet/r1/go", {"rid": 5, "from": 0, "to": 7})
+    assert (made.address, made.args) == ("/fleet/r1/go", {"rid": 5, "from": 0, "to": 7})
     assert call(PlaceOrderWithCargo("r1", 7), profile=profile).args == {
         "request_id": 5,
         "who": "r1",
@@ -221,7 +225,7 @@ def test_the_origin_is_taken_as_the_profile_says(origin: Any) -> None:
     ],
 )
 def test_an_answer_is_judged_by_its_words(values: object, result: bool, outcome: Stage, words: str) -> None:
-    assert KINDS["oh_ressources"](Profile()).outcome(ORDER, values, result) == (outcome, words)
+    assert adapter_of(Profile()).outcome(ORDER, values, result) == (outcome, words)
 
 
 @pytest.mark.parametrize(
@@ -239,7 +243,7 @@ def test_a_robot_that_is_as_it_was_asked_to_be_does_not_refuse(
     command: Command, message: str, outcome: Stage
 ) -> None:
     answer = {"success": False, "message": message}
-    assert KINDS["oh_ressources"](Profile()).outcome(command, answer, True) == (outcome, message)
+    assert adapter_of(Profile()).outcome(command, answer, True) == (outcome, message)
 
 
 REACHED_NOBODY = [
@@ -259,7 +263,7 @@ def test_each_recorded_failure_of_a_call_is_told_apart(name: str) -> None:
     ]
     for frame in frames:
         if frame["op"] == "service_response" and not frame["result"]:
-            stage, words = KINDS["oh_ressources"](Profile()).outcome(ORDER, frame["values"], False)
+            stage, words = adapter_of(Profile()).outcome(ORDER, frame["values"], False)
             refused = any(part in words for part in REACHED_NOBODY)
             assert stage is (Stage.REFUSED if refused else Stage.UNKNOWN), words
 
@@ -274,22 +278,22 @@ def test_each_recorded_failure_of_a_call_is_told_apart(name: str) -> None:
 )
 def test_what_a_handler_throws_is_no_refusal_whatever_its_words(said: str) -> None:
     text = f'service [/r1/x] responded with an error: b"error processing request: {said}"'
-    assert KINDS["oh_ressources"](Profile()).outcome(ORDER, text, False)[0] is Stage.UNKNOWN
-    assert KINDS["oh_ressources"](Profile()).outcome(ORDER, said, False)[0] is Stage.REFUSED
+    assert adapter_of(Profile()).outcome(ORDER, text, False)[0] is Stage.UNKNOWN
+    assert adapter_of(Profile()).outcome(ORDER, said, False)[0] is Stage.REFUSED
 
 
 def test_which_words_refuse_is_the_profiles() -> None:
-    judge = KINDS["oh_ressources"](Profile(refusals=("^no$",))).outcome
+    judge = adapter_of(Profile(refusals=("^no$",))).outcome
     assert judge(ORDER, {"status": "no"}, True)[0] is Stage.REFUSED
     assert judge(ORDER, {"status": "REJECTED"}, True)[0] is Stage.ACCEPTED
 
 
 def test_poses_are_asked_for_first_and_only_maps_are_heavy() -> None:
-    topics = KINDS["oh_ressources"](Profile()).topics
-    assert topics[0].key == "pose"
-    assert [kind.key for kind in topics if kind.heavy] == ["map"]
-    assert [kind.key for kind in topics if kind.fast] == ["pose"]
-    assert {kind.key for kind in topics if kind.per_floor} == {"graph", "labels", "map_metadata", "map"}
+    feeds = list(adapter_of().feeds("r1", ["ground"]))
+    assert feeds[0].key == "pose"
+    assert [feed.key for feed in feeds if feed.large] == ["map"]
+    assert [feed.key for feed in feeds if feed.fast] == ["pose"]
+    assert {feed.key for feed in feeds if feed.latched} == {"graph", "labels", "map_metadata", "map"}
 
 
 def test_a_place_farther_than_any_floor_is_left_out() -> None:

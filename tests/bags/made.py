@@ -12,7 +12,7 @@ from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin
 from rosbags.rosbag2 import Writer as Writer2
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
-from fleet_tui.config.profile import Profile
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.schema import Config
 from tests.watched import config_of
 

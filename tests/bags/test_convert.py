@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.bags.convert import Report, convert
 from fleet_tui.bags.opening import BagError
-from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.config.start import initial_state
 from fleet_tui.journal.indexing import open_recording

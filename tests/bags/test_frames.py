@@ -11,12 +11,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fleet_tui.adapters.oh_ressources.adapter import interface
 from fleet_tui.adapters.ros import operations
 from fleet_tui.bags.definitions import typestore
 from fleet_tui.bags.frames import Framer
-from fleet_tui.config.profile import Profile
 from fleet_tui.model import events
+from tests.adapting import adapter_of, event_of
 from tests.bags.made import made, types
 from tests.fleets import F0, R0
 
@@ -117,8 +116,7 @@ def test_our_decoders_get_back_what_was_said(orders: list[tuple[int, int, int, s
 def read(key: str, frame: bytes, is_binary: bool) -> events.Event:
     operation = operations.decode_cbor(frame) if is_binary else operations.decode(frame)
     assert isinstance(operation, operations.Publish)
-    kind = next(kind for kind in interface(Profile()).topics if kind.key == key)
-    return kind.translate(R0, F0, operation.msg, 1.0)
+    return event_of(adapter_of(), key, operation.msg, R0, F0, 1.0)
 
 
 @pytest.mark.parametrize("is_ros1", [True, False])

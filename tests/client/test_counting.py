@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros import reading
 from fleet_tui.client.fleet_link import FleetLink
-from fleet_tui.config.profile import Profile
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer

@@ -4,8 +4,7 @@ import time
 
 import pytest
 
-from fleet_tui.adapters.ros.reading import Reading
-from fleet_tui.client.telemetry import Read
+from fleet_tui.adapters.ros.reading import Read, Reading
 from fleet_tui.model.fleet import behind_text
 from fleet_tui.model.lag import BEHIND
 from fleet_tui.simulator.server import RosbridgeServer

@@ -2,10 +2,10 @@
 
 import json
 
-from fleet_tui.adapters import KINDS
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.adapting import adapter_of
 from tests.linked import finished, linked, ready
 from tests.watched import config_of
 
@@ -51,7 +51,7 @@ async def test_what_frames_bring_is_not_told_twice(server: RosbridgeServer) -> N
     assert brought
     assert not [fact for fact in ear.facts if isinstance(fact, events.Telemetry | events.ChartReceived)]
     published = {frame["topic"] for frame in topics if frame["op"] == "publish"}
-    keys = {kind.key for kind in KINDS[config.profile.name](config.profile).topics if not kind.heavy}
+    keys = {feed.key for feed in adapter_of(config.profile).feeds("robot_0", ["floor_0"]) if not feed.large}
     assert {topic.rsplit("/", 1)[-1] for topic in published} >= keys - {"graph", "labels", "map_metadata"}
     subscribed = {json.loads(payload).get("topic") for _, _, payload in ear.sent_frames}
     assert published <= subscribed

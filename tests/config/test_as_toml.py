@@ -7,10 +7,10 @@ import msgspec
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.access import without_secrets
 from fleet_tui.config.as_toml import as_toml
 from fleet_tui.config.load import read
-from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import Alarms, Config, FloorEntry, Link, Operator, RobotEntry
 
 TEXT = st.text(st.characters(exclude_categories=["Cs"]))

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.check import checked, missing_files
-from fleet_tui.config.profile import Profile
 from fleet_tui.config.schema import Alarms, Config, FloorEntry, Link, RobotEntry
 from fleet_tui.errors import did_you_mean
 
@@ -81,7 +81,7 @@ def test_references_that_lead_nowhere_name_the_nearest() -> None:
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
-        ({"name": "oh_resources"}, "profile.name: no profile 'oh_resources', did you mean oh_ressources?"),
+        ({"name": "oh_resources"}, "profile.name: no kind 'oh_resources', did you mean oh_ressources?"),
         ({"topics": {"poes": "/p"}}, "profile.topics.poes: unknown key, did you mean pose?"),
         ({"types": {"grap": "a/B"}}, "profile.types.grap: unknown key, did you mean graph?"),
         ({"services": {"pauze": "/p"}}, "profile.services.pauze: unknown key, did you mean pause?"),

@@ -8,6 +8,7 @@ import pytest
 from fleet_tui.config.load import find, load, shipped
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import ConfigError
+from tests.adapting import names_of
 
 ENOUGH = """
 [rosbridge]
@@ -126,7 +127,7 @@ def test_every_table_is_taken(write: Write) -> None:
     assert config.robots[0].size == (0.9, 0.6)
     assert (config.operator.read_only, config.operator.armed) == (True, False)
     assert (config.ui.drawing, config.ui.ticks_per_second) == ("half-block", 5.0)
-    assert config.profile.topic("pose", "robot_1") == "/robot_1/amcl_pose"
+    assert names_of(config.profile).topic("pose", "robot_1") == "/robot_1/amcl_pose"
     state = initial_state(config, 7.0)
     assert list(state.robots["robot_0"].charts) == ["floor_0"]
     assert list(state.robots["robot_1"].charts) == ["floor_0", "floor_1"]

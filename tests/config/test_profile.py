@@ -2,7 +2,12 @@
 
 import pytest
 
-from fleet_tui.config.profile import FIELDS, FLOOR_TOPICS, SERVICES, TOPICS, Profile
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.adapters.profile import Profile
+from tests.adapting import names_of
+
+TOPICS, SERVICES = VOCABULARY.topics, VOCABULARY.services
+FIELDS = {f"{message}.{field}" for message, fields in VOCABULARY.fields.items() for field in fields}
 
 # As the robots' interface is written down.
 PROMISED = {
@@ -28,44 +33,46 @@ CALLED = {
 
 
 def test_topics_have_the_promised_names_and_types() -> None:
-    profile = Profile()
-    assert {key: (profile.topic(key, "r", "f"), profile.type(key)) for key in TOPICS} == PROMISED
+    names = names_of()
+    assert {key: (names.topic(key, "r", "f"), names.type(key)) for key in TOPICS} == PROMISED
 
 
 def test_services_have_the_promised_names() -> None:
-    assert {key: Profile().service(key, "r") for key in SERVICES} == {
+    assert {key: names_of().service(key, "r") for key in SERVICES} == {
         key: f"/r/Application_layout/{name}" for key, name in CALLED.items()
     }
 
 
 @pytest.mark.parametrize("key", list(TOPICS))
 def test_every_topic_and_type_can_be_renamed(key: str) -> None:
-    profile = Profile(topics={key: "/x/{robot}/y"}, types={key: "a/B"})
-    assert (profile.topic(key, "r", "f"), profile.type(key)) == ("/x/r/y", "a/B")
+    names = names_of(Profile(topics={key: "/x/{robot}/y"}, types={key: "a/B"}))
+    assert (names.topic(key, "r", "f"), names.type(key)) == ("/x/r/y", "a/B")
     others = [other for other in TOPICS if other != key]
-    assert [profile.topic(other, "r", "f") for other in others] == [PROMISED[other][0] for other in others]
+    assert [names.topic(other, "r", "f") for other in others] == [PROMISED[other][0] for other in others]
 
 
 @pytest.mark.parametrize("key", list(SERVICES))
 def test_every_service_can_be_renamed(key: str) -> None:
-    assert Profile(services={key: "/{robot}/{robot}"}).service(key, "r") == "/r/r"
+    assert names_of(Profile(services={key: "/{robot}/{robot}"})).service(key, "r") == "/r/r"
 
 
 def test_braces_of_other_names_stay_as_they_are() -> None:
-    assert Profile(topics={"pose": "/{x}/{robot}"}).topic("pose", "r") == "/{x}/r"
+    assert names_of(Profile(topics={"pose": "/{x}/{robot}"})).topic("pose", "r") == "/{x}/r"
 
 
 def test_only_what_depends_on_a_floor_has_one_for_each() -> None:
-    depends = {key for key in TOPICS if Profile().topic(key, "r", "f1") != Profile().topic(key, "r", "f2")}
-    assert depends == FLOOR_TOPICS
+    names = names_of()
+    depends = {key for key in TOPICS if names.topic(key, "r", "f1") != names.topic(key, "r", "f2")}
+    assert depends == VOCABULARY.floor_topics
 
 
 def test_the_names_of_one_messages_fields() -> None:
     profile = Profile(
         fields={"vertex.id": "vid", "vertex.x": "px", "order.id": "number", "order_call.end_point": "to"}
     )
-    assert profile.names("vertex") == {"id": "vid", "x": "px"}
-    assert profile.names("order") == {"id": "number"}
-    assert profile.names("order_call") == {"end_point": "to"}
-    assert profile.names("edge") == {}
+    names = names_of(profile)
+    assert names.paths("vertex") == {"id": ("id", "vid"), "x": ("x", "px")}
+    assert names.paths("order") == {"id": ("id", "number")}
+    assert names.path("order_call", "end_point") == "to"
+    assert names.paths("edge") == {}
     assert set(profile.fields) <= FIELDS

@@ -4,8 +4,7 @@ import time
 
 import pytest
 
-from fleet_tui.adapters.ros.reading import Reading
-from fleet_tui.client.telemetry import Read
+from fleet_tui.adapters.ros.reading import Read, Reading
 from fleet_tui.model.checks import problems
 from fleet_tui.model.commands import PauseRobot, PlaceOrder, ResumeRobot, Stage, Wish
 from fleet_tui.model.fleet import FleetState

@@ -15,10 +15,8 @@ from pathlib import Path
 import atheris  # type: ignore[import-not-found, import-untyped, unused-ignore]  # installed by `make fuzz` alone
 
 with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"]):
-    from fleet_tui.adapters.oh_ressources.adapter import interface
     from fleet_tui.adapters.ros.operations import Publish, ServiceResponse, decode, decode_cbor
     from fleet_tui.config.load import load
-    from fleet_tui.config.profile import Profile
     from fleet_tui.errors import ConfigError, WireError
     from fleet_tui.journal.indexing import open_recording
     from fleet_tui.journal.records import Keyframe, RecordingError
@@ -26,11 +24,13 @@ with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"])
     from fleet_tui.model.commands import PauseRobot
     from fleet_tui.themes import load_themes, read_theme
     from fleet_tui.view.text import cell_width, fit, visible
+    from tests.adapting import adapter_of
     from tests.journal.recordings import header, keyframe, packed
 
 SLOWEST = 1.0
 """Seconds of the processor: a busy machine is no failure. What waits for ever, libFuzzer ends."""
-SPOKEN = interface(Profile())
+ADAPTER = adapter_of()
+FEEDS = list(ADAPTER.feeds("robot_0", ["floor_0"]))
 FOLDER = Path(tempfile.mkdtemp())
 THEMES = load_themes()[0]
 HEAD = gzip.decompress(packed(header(), keyframe()))
@@ -42,11 +42,11 @@ def _frame(payload: bytes, binary: bool) -> None:
     except WireError:
         return
     if isinstance(operation, ServiceResponse):
-        SPOKEN.outcome(PauseRobot("robot_0"), operation.values, operation.result)
+        ADAPTER.outcome(PauseRobot("robot_0"), operation.values, operation.result)
     if isinstance(operation, Publish):
-        for kind in SPOKEN.topics:
+        for feed in FEEDS:
             try:
-                kind.translate("robot_0", "floor_0", operation.msg, 0.0)
+                ADAPTER.read(feed, operation.msg, 0.0)
             except WireError as problem:
                 assert str(problem)
 

@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 from websockets.asyncio.server import ServerConnection, serve
 
-from fleet_tui.config.profile import Profile
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.ros_types import ServiceError, ServiceType

@@ -9,14 +9,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.config.load import read
-from fleet_tui.config.profile import SERVICES, TOPICS
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.headless.config_init import render
 from fleet_tui.headless.site import site_of
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.headless.plants import PLANTS, only_listened_to, renamed, retyped
 from tests.headless.running import Ended, run
+
+TOPICS, SERVICES = VOCABULARY.topics, VOCABULARY.services
 
 
 async def made(server: RosbridgeServer, folder: Path) -> Ended:

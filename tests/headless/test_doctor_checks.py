@@ -9,9 +9,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from fleet_tui.adapters.interface import TopicKind
-from fleet_tui.adapters.ros.operations import Subscription
-from fleet_tui.adapters.subscriptions import Wanted
+from fleet_tui.adapters.adapter import Feed
 from fleet_tui.config.schema import FloorEntry
 from fleet_tui.headless.doctor.charts import Chart
 from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
@@ -72,14 +70,11 @@ def test_a_message_that_is_being_read_is_not_one_that_can_not_be_read() -> None:
     """A large map takes its time on a thread, and the facts may be asked for meanwhile."""
     seen = []
 
-    def translate(robot: str, floor: str, msg: object, at: float) -> Event:
+    def read(_feed: Feed, _msg: object, at: float) -> list[Event]:
         seen.append(heard.facts(at).count)
-        return TimePassed(at, at)
+        return [TimePassed(at, at)]
 
-    wanted = Wanted(
-        TopicKind("map", translate), "robot_0", "floor_0", Subscription("/map", "", compression="")
-    )
-    heard = Heard(wanted, 0.0)
+    heard = Heard(Feed("map", ("robot_0",), "floor_0", "/map", ""), 0.0, read)
     heard.take({}, 1.0)
     facts = heard.facts(2.0)
     assert seen == [0] and (facts.count, facts.event) == (1, TimePassed(1.0, 1.0))
@@ -97,7 +92,7 @@ def test_a_message_that_is_being_read_is_not_one_that_can_not_be_read() -> None:
 def test_a_bridge_that_falls_behind_is_told_from_a_machine_that_does(
     late: float, calls: float, behind: float, verdict: Verdict
 ) -> None:
-    wanted = Wanted(TopicKind("pose", lambda *_: TimePassed(0, 0)), "r", "", Subscription("/p", ""))
+    wanted = Feed("pose", ("r",), "", "/p", "")
     pose = TopicFacts(wanted, subscribed=True, count=50, rate=490.0, late=late)
     facts = BridgeFacts("rosbridge", Rosapi(ros=2), (pose,), (0.004,), busy_trips=(calls,), behind=behind)
     found = load_finding(facts)

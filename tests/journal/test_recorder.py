@@ -10,10 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.adapters import KINDS
 from fleet_tui.adapters.ros.reading import Reading
-from fleet_tui.adapters.subscriptions import wanted_topics
 from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.journal import part_files, recorder
@@ -72,15 +71,9 @@ def wait(holds: Callable[[], object], within: float = 10.0) -> None:
 def played(path: Path, config: Config) -> Iterator[tuple[object, FleetState]]:
     """Each record with the state after it, as a replay makes it."""
     read = open_recording(path)
-    interface = KINDS[config.profile.name](config.profile)
+    adapters = adapters_of(config)
     readings = {
-        link: Reading(
-            link,
-            config.bridge(link),
-            config.profile,
-            {one.subscription.topic: one for one in wanted_topics(config, interface, link)},
-            decode_apart,
-        )
+        link: Reading(link, limit_of(config, link), adapters, feeds_of(config, adapters, link), decode_apart)
         for link in config.bridges
     }
     state = fleet()

@@ -4,9 +4,8 @@ import threading
 
 import pytest
 
-from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.ros.reading import Read, Reading
 from fleet_tui.client import telemetry
-from fleet_tui.client.telemetry import Read
 from fleet_tui.model.commands import Stage
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import console

@@ -11,12 +11,13 @@ from pathlib import Path
 import pytest
 from websockets.asyncio.client import connect
 
-from fleet_tui.config.profile import SERVICES, TOPICS
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.config.schema import Config
 from fleet_tui.demo import demo_config, simulated
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
+from tests.adapting import names_of
 
 PROGRAM = """
 from fleet_tui.simulator.run import run
@@ -59,11 +60,11 @@ async def test_it_speaks_the_dialect_and_runs_at_the_speed_that_is_asked_for(fas
 
 def test_the_demos_configuration_names_the_types_of_ros_2() -> None:
     server = RosbridgeServer(World(1, 1), dialect=ROS2)
-    profile = demo_config(Config(path=Path("c.toml")), server.url, 1, 1, "2").profile
-    for key in TOPICS:
-        assert profile.type(key) == server.types[profile.topic(key, "robot_0", "floor_0")]
-    for key in SERVICES:
-        assert profile.service_type(key) == server.services[profile.service(key, "robot_0")].name
+    names = names_of(demo_config(Config(path=Path("c.toml")), server.url, 1, 1, "2").profile)
+    for key in VOCABULARY.topics:
+        assert names.type(key) == server.types[names.topic(key, "robot_0", "floor_0")]
+    for key in VOCABULARY.services:
+        assert names.service_type(key) == server.services[names.service(key, "robot_0")].name
 
 
 @pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, 0), (signal.SIGINT, 130)])

@@ -1,27 +1,27 @@
-"""The robots of the source: OH_ressources messages behind `Application_layout` services."""
+"""The adapter of the source's robots."""
 
 import math
 import re
-from array import array
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Iterable, Mapping, Sequence
 from typing import assert_never
 
-from fleet_tui.adapters.interface import Call, Interface, TopicKind, Translate, judge
-from fleet_tui.adapters.parts import first_orders, read_all
-from fleet_tui.adapters.ros import messages as ros
-from fleet_tui.config.profile import Profile
-from fleet_tui.errors import CommandError, MapError, WireError
-from fleet_tui.model import events
-from fleet_tui.model.bounds import (
-    LONGEST_NAME,
-    MOST_EDGES,
-    MOST_LABELS,
-    MOST_ORDERS,
-    MOST_VERTICES,
-    beyond,
-    brief,
+from fleet_tui.adapters.adapter import Call, Feed, Site
+from fleet_tui.adapters.answers import judge
+from fleet_tui.adapters.oh_ressources.reading import read_graph, read_labels, read_queue
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.ros.facts import (
+    Translate,
+    read_bool,
+    read_map,
+    read_metadata,
+    read_number,
+    read_pose,
 )
+from fleet_tui.adapters.ros.fields import put
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.errors import CommandError
+from fleet_tui.model import events, kind
 from fleet_tui.model.commands import (
     INT32_MAX,
     CancelOrder,
@@ -31,214 +31,101 @@ from fleet_tui.model.commands import (
     PlaceOrder,
     PlaceOrderWithCargo,
     ResumeRobot,
+    Stage,
 )
-from fleet_tui.model.geometry import MapFrame, Pose, yaw_of_quaternion
-from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.model.grid import check_frame
-from fleet_tui.model.order import Order, OrderQueue
+from fleet_tui.model.robot import Robot
 
-# Metres; a place farther off is none on any floor, and a picture that had to hold it would overflow.
-FARTHEST = 1e9
+KEYS = ("pose", "queue", "obstacle", "battery", "cargo", "paused", "graph", "labels", "map_metadata", "map")
+"""Topics, the most urgent first."""
 
 
-def _is_place(*numbers: float) -> bool:
-    return all(abs(number) <= FARTHEST for number in numbers)
+class OhRessources:
+    """Robots that keep a queue and take orders by service calls."""
+
+    def __init__(self, profile: Profile, site: Site) -> None:
+        self.names = names = Names(VOCABULARY, profile, site.table)
+        self._site = site
+        self._refusals = [re.compile(pattern) for pattern in names.refusals]
+        self._readers: dict[str, Translate] = {
+            "pose": read_pose(names),
+            "queue": read_queue(names),
+            "obstacle": read_number(names, "obstacle", events.ObstacleReported, 0.0, math.inf),
+            "battery": read_number(names, "battery", events.BatteryReported, 0.0, 101.0),
+            "cargo": read_bool(names, "cargo", events.CargoReported),
+            "paused": read_bool(names, "paused", events.PausedReported),
+            "graph": read_graph(names),
+            "labels": read_labels(names),
+            "map_metadata": read_metadata(names),
+            "map": read_map(names),
+        }
+        self.kind = kind.Kind(
+            "oh_ressources",
+            frozenset(key for key in KEYS if names.topic(key, "robot", "floor")),
+            frozenset({kind.ORDER, kind.ORDER_TO, kind.CANCEL, kind.CLEAR, kind.PAUSE, kind.RESUME}),
+            profile.silence,
+        )
+
+    def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
+        """Return what to listen to, the most urgent first."""
+        for key in KEYS:
+            per_floor, is_pose, is_map = key in VOCABULARY.floor_topics, key == "pose", key == "map"
+            rate = 0 if per_floor else self._site.pose_ms if is_pose else self._site.status_ms
+            for floor in floors if per_floor else [""]:
+                topic, type_ = self.names.topic(key, robot, floor), self.names.type(key)
+                if topic:
+                    yield Feed(key, (robot,), floor, topic, type_, rate, per_floor, is_map, is_map, is_pose)
+
+    def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
+        """Return the one fact that a message tells. Raises WireError."""
+        return (self._readers[feed.key](feed.robot, feed.floor, msg, at),)
+
+    def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
+        """Return key, name and type of each service, pauses first."""
+        keys = sorted(VOCABULARY.services, key=lambda key: key != "pause")
+        return ((key, self.names.service(key, robot), self.names.service_type(key)) for key in keys)
+
+    def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Call]:
+        """Return the call of a command. Raises CommandError for one that must not leave."""
+        return (_call(self.names, command, command_id),)
+
+    def outcome(self, command: Command, values: object, result: bool) -> tuple[Stage, str]:
+        """Return what an answer means for a command, with the robot's own words."""
+        return judge(command, values, result, self._refusals)
 
 
-def _finite(*numbers: float, field: str) -> None:
-    if not _is_place(*numbers):
-        raise WireError(f"{field} is not a finite number")
-
-
-def _pose(pose: ros.RosPose, field: str) -> Pose:
-    _finite(pose.position.x, pose.position.y, field=f"{field}.position")
-    turn = pose.orientation
-    try:
-        return Pose(pose.position.x, pose.position.y, yaw_of_quaternion(turn.x, turn.y, turn.z, turn.w))
-    except ValueError as problem:
-        raise WireError(f"{field}.orientation: {problem}") from None
-
-
-def _frame(metadata: ros.MapMetadata, added: bool) -> MapFrame:
-    try:
-        origin = _pose(metadata.origin, "origin")
-    except WireError:
-        # Map servers are known to leave the origin's rotation unset: that is no rotation.
-        position = metadata.origin.position
-        _finite(position.x, position.y, field="origin.position")
-        origin = Pose(position.x, position.y)
-    frame = MapFrame(metadata.resolution, metadata.width, metadata.height, origin, added)
-    _finite(frame.resolution, field="resolution")
-    try:
-        check_frame(frame)
-    except MapError as problem:
-        raise WireError(str(problem)) from None
-    return frame
-
-
-def _translate_pose() -> Translate:
-    read = ros.reader(ros.PoseStamped)
-
-    def translate(robot: str, _floor: str, msg: object, at: float) -> events.Event:
-        message = read(msg)
-        pose = _pose(message.pose, "pose")
-        return events.PoseReported(robot, at, pose, message.header.frame_id, message.header.stamp.seconds)
-
-    return translate
-
-
-def _translate_bool(event: Callable[[str, float, bool], events.Event]) -> Translate:
-    read = ros.reader(ros.Bool)
-    return lambda robot, _floor, msg, at: event(robot, at, read(msg).data)
-
-
-def _translate_number(
-    event: Callable[[str, float, float], events.Event], low: float, high: float
-) -> Translate:
-    read = ros.reader(ros.Float32)
-
-    def translate(robot: str, _floor: str, msg: object, at: float) -> events.Event:
-        number = read(msg).data
-        if not (math.isfinite(number) and low <= number <= high):
-            raise WireError(f"data is {number}, not within {low:g} and {high:g}")
-        return event(robot, at, number)
-
-    return translate
-
-
-def _translate_queue(profile: Profile) -> Translate:
-    read = ros.reader(ros.ActionQueue, profile.names("queue"))
-    names = profile.names("order")
-    read_order = ros.reader(ros.QueuedOrder, names)
-
-    def translate(robot: str, _floor: str, msg: object, at: float) -> events.Event:
-        queue = read(msg)
-        current = queue.current_order_id
-        parts = map(read_order, first_orders(queue.orders, current, names.get("id", "id")))
-        orders = tuple(Order(one.id, one.start, one.end, brief(one.status, LONGEST_NAME)) for one in parts)
-        fault = beyond(len(queue.orders), MOST_ORDERS, "orders")
-        echo = queue.request_id if isinstance(queue.request_id, int) else 0
-        reported = OrderQueue(queue.last_order_id, current, orders, echo)
-        return events.QueueReported(robot, at, reported, fault)
-
-    return translate
-
-
-def _translate_graph(profile: Profile) -> Translate:
-    read = ros.reader(ros.Graph, profile.names("graph"))
-    read_vertex = ros.reader(ros.GraphVertex, profile.names("vertex"))
-    read_edge = ros.reader(ros.GraphEdge, profile.names("edge"))
-
-    def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
-        graph, faults = read(msg), list[str]()
-        vertices = {}
-        for vertex in read_all(read_vertex, graph.vertices, "vertices", MOST_VERTICES, faults):
-            if not _is_place(vertex.x, vertex.y):
-                faults.append(f"vertex {vertex.id} has no finite place")
-                continue
-            role = Role(profile.vertex_types.get(vertex.type, "plain"))
-            vertices[vertex.id] = Vertex(vertex.id, vertex.x, vertex.y, role)
-        edges = []
-        for edge in read_all(read_edge, graph.edges, "edges", MOST_EDGES, faults):
-            lost = [end for end in (edge.start, edge.end) if end not in vertices]
-            if lost:
-                faults.append(f"edge {edge.id} names unknown vertex {lost[0]}")
-                continue
-            edges.append(Edge(edge.id, edge.start, edge.end))
-        routes = RouteGraph(vertices, tuple(edges), profile.directed)
-        fault = f"graph of {floor}: {faults[0]}" if faults else ""
-        return events.GraphReceived(robot, floor, routes, len(faults), fault)
-
-    return translate
-
-
-def _translate_labels(profile: Profile) -> Translate:
-    read = ros.reader(ros.LabeledVertices, profile.names("labels"))
-    read_label = ros.reader(ros.LabeledVertex, profile.names("label"))
-
-    def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
-        parts = read(msg).vertices
-        found = map(read_label, parts[:MOST_LABELS])
-        labels = {one.vertex_id: brief(one.label, LONGEST_NAME) for one in found}
-        fault = f"labels of {floor}: {beyond(len(parts), MOST_LABELS, 'labels')}"
-        return events.LabelsReceived(robot, floor, labels, *((1, fault) if len(parts) > MOST_LABELS else ()))
-
-    return translate
-
-
-def _translate_metadata(profile: Profile) -> Translate:
-    read = ros.reader(ros.MapMetadata)
-    added = profile.origin == "added"
-    return lambda robot, floor, msg, _at: events.FrameReceived(robot, floor, _frame(read(msg), added))
-
-
-def _translate_map(profile: Profile) -> Translate:
-    read = ros.reader(ros.OccupancyGridMessage)
-    added = profile.origin == "added"
-
-    def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
-        # With numpy, whose import takes longer than all that a command without a screen does.
-        from fleet_tui.model.occupancy import grid_from_ros
-
-        message = read(msg)
-        data = message.data if isinstance(message.data, bytes) else array("b", message.data).tobytes()
-        try:
-            return events.GridReceived(robot, floor, grid_from_ros(_frame(message.info, added), data))
-        except MapError as problem:
-            raise WireError(str(problem)) from None
-
-    return translate
-
-
-def _call(profile: Profile, command: Command, request_id: int) -> Call:
+def _call(names: Names, command: Command, request_id: int) -> Call:
     """The service call of a command. Raises CommandError for one that must not leave."""
-    service = partial(profile.service, robot=command.robot)
     args: dict[str, object]
+
+    def call(key: str, given: Mapping[str, object]) -> Call:
+        return Call(names.service(key, command.robot), names.service_type(key), given)
+
     match command:
         case PlaceOrder(_, start, end):
             args = {"request_id": request_id, "initial_point": start, "end_point": end}
-            return Call(service("order"), _named(args, profile.names("order_call")))
+            return call("order", _named(names, "order_call", args))
         case PlaceOrderWithCargo(robot, end):
             args = {"request_id": request_id, "agent": robot, "end_point": end}
-            return Call(service("order_with_cargo"), _named(args, profile.names("cargo_call")))
+            return call("order_with_cargo", _named(names, "cargo_call", args))
         case CancelOrder(robot, order_id):
             if order_id <= 0:
                 raise CommandError(f"order id {order_id} means all orders to the robot: use clear for that")
             args = {"robot": robot, "ind": order_id}
-            return Call(service("cancel"), _named(args, profile.names("cancel_call")))
+            return call("cancel", _named(names, "cancel_call", args))
         case ClearOrders(robot):
-            return Call(service("clear"), _named({"robot": robot, "ind": 0}, profile.names("cancel_call")))
+            return call("clear", _named(names, "cancel_call", {"robot": robot, "ind": 0}))
         case PauseRobot():
-            return Call(service("pause"), {})
+            return call("pause", {})
         case ResumeRobot():
-            return Call(service("resume"), {})
+            return call("resume", {})
         case _:
             assert_never(command)
 
 
-def _named(args: dict[str, object], names: dict[str, str]) -> dict[str, object]:
+def _named(names: Names, message: str, args: dict[str, object]) -> dict[str, object]:
+    found = dict[str, object]()
     for name, value in args.items():
         if isinstance(value, int) and not -INT32_MAX - 1 <= value <= INT32_MAX:
             raise CommandError(f"{name} {value} does not fit the robot's 32 bits")
-    return {names.get(name, name): value for name, value in args.items()}
-
-
-def interface(profile: Profile) -> Interface:
-    """The interface of these robots under the names of a profile."""
-    refusals = [re.compile(pattern) for pattern in profile.refusals]
-    return Interface(
-        topics=(
-            TopicKind("pose", _translate_pose(), fast=True),
-            TopicKind("queue", _translate_queue(profile)),
-            TopicKind("obstacle", _translate_number(events.ObstacleReported, 0.0, math.inf)),
-            TopicKind("battery", _translate_number(events.BatteryReported, 0.0, 101.0)),
-            TopicKind("cargo", _translate_bool(events.CargoReported)),
-            TopicKind("paused", _translate_bool(events.PausedReported)),
-            TopicKind("graph", _translate_graph(profile), per_floor=True),
-            TopicKind("labels", _translate_labels(profile), per_floor=True),
-            TopicKind("map_metadata", _translate_metadata(profile), per_floor=True),
-            TopicKind("map", _translate_map(profile), per_floor=True, heavy=True),
-        ),
-        call=partial(_call, profile),
-        outcome=lambda command, values, result: judge(command, values, result, refusals),
-    )
+        put(found, names.path(message, name), value)
+    return found

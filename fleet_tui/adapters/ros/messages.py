@@ -10,6 +10,7 @@ from typing import Annotated, Any, TypeVar, cast
 import cbor2
 import msgspec
 
+from fleet_tui.adapters.ros.fields import rearranged
 from fleet_tui.errors import WireError
 from fleet_tui.model.cbor import INT8_ARRAY
 
@@ -159,6 +160,8 @@ class ActionQueue(msgspec.Struct, frozen=True):
 
 S = TypeVar("S", bound=msgspec.Struct)
 
+Paths = Mapping[str, tuple[str, str]]
+
 
 def _from_cbor(value: object) -> object:
     """cbor2 gives typed arrays as tagged bytes, which msgspec doesn't know."""
@@ -167,27 +170,44 @@ def _from_cbor(value: object) -> object:
     return value
 
 
-def reader(struct: type[S], names: Mapping[str, str] | None = None) -> Callable[[object], S]:
-    """A function that reads a message's encoded JSON, or a plain object, into `struct`.
+def _renamed(struct: type[S], paths: Paths) -> type[S]:
+    """Give a struct the site's names of its fields."""
+    fields = [
+        (field.name, field.type) if field.required else (field.name, field.type, field.default)
+        for field in msgspec.structs.fields(struct)
+    ]
+    names = dict(paths.values())
+    return cast("type[S]", msgspec.defstruct(struct.__name__, fields, frozen=True, rename=names))
 
-    `names` maps our field names to those on the wire. It raises WireError naming the field.
-    """
-    if names:
-        fields = [
-            (field.name, field.type) if field.required else (field.name, field.type, field.default)
-            for field in msgspec.structs.fields(struct)
-        ]
-        struct = cast("type[S]", msgspec.defstruct(struct.__name__, fields, frozen=True, rename=dict(names)))
+
+def _check_size(msg: msgspec.Raw) -> None:
+    size = memoryview(msg).nbytes
+    if size > LARGEST:
+        raise WireError(f"{size:,} bytes: a message may have {LARGEST:,}")
+
+
+def reader(struct: type[S], paths: Paths | None = None) -> Callable[[object], S]:
+    """Return a function that reads a message's encoded JSON, or a plain object, into `struct`.
+
+    `paths`: by our name of a field its usual path in the message and the one at this site. The function
+    raises WireError naming the field."""
+    bounded, moved = not issubclass(struct, OccupancyGridMessage), dict[str, tuple[str, str]]()
+    if paths and any("." in path for pair in paths.values() for path in pair):
+        moved = dict(paths)
+    elif paths:
+        struct = _renamed(struct, paths)
     decoder = msgspec.json.Decoder(struct)
-    bounded = not issubclass(struct, OccupancyGridMessage)
 
     def read(msg: object) -> S:
         try:
             if isinstance(msg, msgspec.Raw):
-                size = memoryview(msg).nbytes
-                if bounded and size > LARGEST:
-                    raise WireError(f"{size:,} bytes: a message may have {LARGEST:,}")
-                return decoder.decode(msg)
+                if bounded:
+                    _check_size(msg)
+                if not moved:
+                    return decoder.decode(msg)
+                msg = msgspec.json.decode(msg)
+            if moved:
+                msg = rearranged(msg, moved)
             if isinstance(msg, dict) and "data" in msg:
                 msg = {**msg, "data": _from_cbor(msg["data"])}
             return msgspec.convert(msg, struct)

@@ -1,13 +1,15 @@
-"""From a frame to what it means. Any thread may read: nothing here changes but what was heard."""
+"""From a frame to what it tells. Any thread may read: nothing here changes but what was counted."""
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
 
+from msgspec.structs import replace
+
+from fleet_tui.adapters.adapter import Adapter, Feed
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros import operations, robot_words
 from fleet_tui.adapters.ros.operations import topic_of
-from fleet_tui.adapters.subscriptions import Wanted
-from fleet_tui.config.profile import Profile
-from fleet_tui.config.schema import Link, link_key
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.bounds import brief
@@ -18,12 +20,20 @@ WORTH_A_PROCESS = 4 * 2**20
 """Bytes of a JSON map from which on it is decoded in a process of its own: smaller ones take less time than
 that process takes to start."""
 
-DecodeApart = Callable[[Profile, str, str, bytes], events.GridReceived]
+Read = Sequence[events.Event] | operations.ServiceResponse | operations.Fragment
+DecodeApart = Callable[[Profile, Feed, bytes], events.GridReceived]
 
 # As a CBOR map begins: the key, then its text, shorter than 24 bytes or than 256.
 _CBOR_TOPIC = re.compile(rb"\x65topic(?:([\x60-\x77])|\x78(.))", re.DOTALL)
 # Facts whose parts are read one by one: what is wrong with one comes with the others.
 _IN_PARTS = events.QueueReported, events.GraphReceived, events.LabelsReceived
+
+
+class Limit(NamedTuple):
+    """Megabytes of the largest message that a link takes, and the key of the config that says so."""
+
+    megabytes: float
+    key: str
 
 
 class Reading:
@@ -32,17 +42,16 @@ class Reading:
     def __init__(
         self,
         link: str,
-        bridge: Link,
-        profile: Profile,
-        wanted: Mapping[str, Wanted],
+        limit: Limit,
+        adapters: Mapping[str, Adapter],
+        feeds: Iterable[Feed],
         decode_apart: DecodeApart,
         warn: Callable[[str], None] = lambda _text: None,
     ) -> None:
-        """`decode_apart` decodes a large map elsewhere, and raises WireError; `warn` logs a line."""
-        self._link = link
-        self._bridge = bridge
-        self._profile = profile
-        self._wanted = wanted
+        """`adapters` by robot; `decode_apart` decodes a large map elsewhere, and raises WireError; `warn`
+        logs a line."""
+        self._link, self._limit, self._adapters = link, limit, adapters
+        self._feeds = {feed.address: feed for feed in feeds}
         self._decode_apart, self._warn = decode_apart, warn
         self.maps_heard: set[str] = set()
         """Topics of maps of which one has come on this connection."""
@@ -51,70 +60,70 @@ class Reading:
     def count_anew(self) -> None:
         """Begin to count, as if nothing had come."""
         asked = [
-            TopicCounter(topic, one.robot, one.kind.key, one.kind.per_floor, one.kind.heavy)
-            for topic, one in self._wanted.items()
+            TopicCounter(topic, one.robot, one.key, one.latched and not one.silent, one.on_demand)
+            for topic, one in self._feeds.items()
         ]
         # Large frames are read beside the loop: one count in a million may be lost, but nobody waits.
         self.counter = LinkCounter(self._link, [*asked, TopicCounter(ROSOUT), TopicCounter(DIAGNOSTICS)])
 
-    def read(
-        self, payload: bytes, is_binary: bool, at: float
-    ) -> events.Event | operations.ServiceResponse | operations.Fragment | None:
-        """One frame as what it means."""
+    def read(self, payload: bytes, is_binary: bool, at: float) -> Read:
+        """Read one frame that came at a monotonic second."""
         self.counter.all.take(len(payload), at)
         if len(payload) > WORTH_A_PROCESS and not is_binary:
-            wanted = self._wanted.get(topic_of(payload))
-            if wanted is not None and wanted.kind.heavy:
-                return self._read_apart(wanted, payload, at)
+            feed = self._feeds.get(topic_of(payload))
+            if feed is not None and feed.large:
+                return self._read_apart(feed, payload, at)
         try:
             operation = operations.decode_cbor(payload) if is_binary else operations.decode(payload)
         except WireError as problem:
             self.counter.failed(str(problem), payload, is_binary, at)
-            return events.FrameRejected(self._link, str(problem))
+            return (events.FrameRejected(self._link, str(problem)),)
         match operation:
             case operations.Publish(topic, msg):
                 counter = self.counter.topics.get(topic)
                 if counter is None:
-                    return None
+                    return ()
                 counter.heard(payload, is_binary, at)
                 return self._translate(counter, msg, at)
             case operations.Status(level, text):
                 self._warn(f"the bridge says ({brief(level)}): {brief(text)}")
-                return events.FrameRejected(self._link, f"the bridge says: {text}")
+                return (events.FrameRejected(self._link, f"the bridge says: {text}"),)
+            case None:
+                return ()
         return operation
 
-    def _read_apart(self, wanted: Wanted, payload: bytes, at: float) -> events.Event:
-        topic = wanted.subscription.topic
-        counter = self.counter.topics[topic]
+    def _read_apart(self, feed: Feed, payload: bytes, at: float) -> Sequence[events.Event]:
+        counter = self.counter.topics[feed.address]
         counter.heard(payload, False, at)
+        profile = self._adapters[feed.robot].names.profile
         try:
-            event = self._decode_apart(self._profile, wanted.robot, wanted.floor, payload)
+            event = self._decode_apart(profile, feed, payload)
         except WireError as problem:
             counter.failed(str(problem))
-            return events.MessageRejected(wanted.robot, f"{topic}: {problem}")
-        self.maps_heard.add(topic)
-        return event
+            return _rejected(feed, str(problem))
+        self.maps_heard.add(feed.address)
+        return _of_all(feed, (event,))
 
-    def _translate(self, counter: TopicCounter, msg: object, at: float) -> events.Event | None:
-        topic = counter.topic
-        wanted = self._wanted.get(topic)
+    def _translate(self, counter: TopicCounter, msg: object, at: float) -> Sequence[events.Event]:
+        feed = self._feeds.get(counter.topic)
         try:
-            if wanted is None:
-                self._overhear(topic, msg, at)
-                return None
-            event = wanted.kind.translate(wanted.robot, wanted.floor, msg, at)
+            if feed is None:
+                self._overhear(counter.topic, msg, at)
+                return ()
+            found = tuple(self._adapters[feed.robot].read(feed, msg, at))
         except WireError as problem:
             counter.failed(str(problem))
-            return events.MessageRejected(wanted.robot, f"{topic}: {problem}") if wanted else None
-        if isinstance(event, _IN_PARTS) and event.fault:
-            counter.failed(event.fault)
-        if wanted.kind.heavy:
+            return _rejected(feed, str(problem)) if feed else ()
+        for event in found:
+            if isinstance(event, _IN_PARTS) and event.fault:
+                counter.failed(event.fault)
+        if feed.large:
             self.counter.keep_one_map(counter)
-            self.maps_heard.add(topic)
-        return event
+            self.maps_heard.add(feed.address)
+        return found if len(feed.robots) == 1 else _of_all(feed, found)
 
     def _overhear(self, topic: str, msg: object, at: float) -> None:
-        """What changes nothing in the picture."""
+        """Take what changes nothing in the picture."""
         if topic == ROSOUT:
             line = robot_words.log_line(msg, at)
             self.counter.take_log(line)
@@ -124,20 +133,27 @@ class Reading:
         else:
             self.counter.take_health(robot_words.diagnoses(msg, at))
 
-    def too_large(self, head: bytes, is_binary: bool, size: int, at: float) -> events.Event:
-        """A message that was passed over, with its size and the key that lets it in."""
+    def too_large(self, head: bytes, is_binary: bool, size: int, at: float) -> Sequence[events.Event]:
+        """Name a message that was dropped, with its size and the key that lets it in."""
         topic = _cbor_topic(head) if is_binary else topic_of(head)
         self.counter.dropped += 1
-        text = (
-            f"a message of {size / 1e6:.1f} MB is over the limit of {self._bridge.max_message_mb:g} MB:"
-            f" raise {link_key(self._link)}.max_message_mb"
-        )
-        wanted = self._wanted.get(topic)
-        if wanted is None:
-            return events.FrameRejected(self._link, text)
+        limit, key = self._limit
+        text = f"a message of {size / 1e6:.1f} MB is over the limit of {limit:g} MB: raise {key}"
+        feed = self._feeds.get(topic)
+        if feed is None:
+            return (events.FrameRejected(self._link, text),)
         self.counter.topics[topic].failed(text, Raw(head, is_binary, at, size))
         self.maps_heard.add(topic)
-        return events.MessageRejected(wanted.robot, f"{topic}: {text}")
+        return _rejected(feed, text)
+
+
+def _rejected(feed: Feed, text: str) -> Sequence[events.Event]:
+    return tuple(events.MessageRejected(robot, f"{feed.address}: {text}") for robot in feed.robots)
+
+
+def _of_all(feed: Feed, found: Iterable[Any]) -> Sequence[events.Event]:
+    """Tell each robot's copy of what several share."""
+    return tuple(replace(event, robot=robot) for event in found for robot in feed.robots)
 
 
 def _cbor_topic(head: bytes) -> str:

@@ -1,5 +1,9 @@
 """Names of ROS types: the same type is spelled in more than one way."""
 
+from collections.abc import Mapping
+
+from fleet_tui.adapters.adapter import Feed
+
 _MIDDLES = ("/msg/", "/srv/", "/action/")
 
 
@@ -21,3 +25,13 @@ def same_type(one: str, other: str) -> bool:
 
 def _folded(name: str) -> str:
     return plain_type(name).replace("_", "").lower()
+
+
+def type_problem(feed: Feed, types: Mapping[str, str], table: str = "profile") -> str:
+    """Say why a topic must not be subscribed: with a wrong type it would be lost for every client. `types` by
+    topic, as a bridge tells them; `table`: where the profile stands in the config."""
+    found = types.get(feed.address)
+    if found is None or same_type(found, feed.type):
+        return ""
+    keys = f"{table}.topics.{feed.key} or {table}.types.{feed.key}"
+    return f"{feed.address} has type {found}, not {feed.type}: correct {keys}"

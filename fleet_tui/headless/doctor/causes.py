@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
-from fleet_tui.config.profile import FLOOR_TOPICS, SERVICES, Profile
+from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.config.schema import Config
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
@@ -61,10 +61,10 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
         return
     heard = {one.wanted.robot for one in facts.topics if one.count}
     robots = [robot.name for robot in config.robots if robot.name in heard]
-    robots = [robot for robot in robots if not _has_services(config.profile, robot, facts.rosapi)]
+    robots = [robot for robot in robots if not _has_services(facts.adapters[robot], robot, facts.rosapi)]
     if not robots:
         return
-    services = (config.profile.service(key, robot) for robot in robots for key in SERVICES)
+    services = (name for robot in robots for _, name, _ in facts.adapters[robot].services(robot))
     yield Cause(
         Finding(
             facts.name,
@@ -81,16 +81,16 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
     )
 
 
-def _has_services(profile: Profile, robot: str, rosapi: Rosapi) -> bool:
+def _has_services(adapter: Adapter, robot: str, rosapi: Rosapi) -> bool:
     """Tell whether a robot has services by the names of the profile, or others: those are told one by one."""
-    known = {profile.service(key, robot) for key in SERVICES}
+    known = {name for _, name, _ in adapter.services(robot)}
     return any(service in known or service.startswith(f"/{robot}/") for service in rosapi.services)
 
 
 def _silent_nodes(facts: BridgeFacts, explained: Collection[str]) -> Iterator[Cause]:
     """A node that is registered, and of which nothing comes. A robot all of whose nodes are silent is told
     as a robot."""
-    live = [one for one in facts.topics if one.wanted.kind.key not in FLOOR_TOPICS]
+    live = [one for one in facts.topics if not one.wanted.floor]
     awake = {one.wanted.robot for one in live if one.count}
     of_node: dict[str, list[TopicFacts]] = {}
     for one in facts.topics:
@@ -158,7 +158,7 @@ def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:
 
 
 def _type(facts: BridgeFacts, one: TopicFacts) -> str:
-    return facts.rosapi.topics.get(one.topic) or one.wanted.subscription.type
+    return facts.rosapi.topics.get(one.topic) or one.wanted.type
 
 
 def _publishers(facts: BridgeFacts, one: TopicFacts) -> int | None:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from fleet_tui.adapters.subscriptions import Wanted
+from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.model.events import Event
 
 LONG_ENOUGH = 1.5  # seconds without a message that mean anything
@@ -55,7 +55,7 @@ class TopicFacts:
     bridge's node, where it held the topic still when we had let go; `complaint`: what its log says of it.
     """
 
-    wanted: Wanted
+    wanted: Feed
     subscribed: bool = False
     waited: float = 0.0
     count: int = 0
@@ -75,7 +75,7 @@ class TopicFacts:
     @property
     def topic(self) -> str:
         """Its name on the wire."""
-        return self.wanted.subscription.topic
+        return self.wanted.address
 
     @property
     def is_silent(self) -> bool:
@@ -85,9 +85,10 @@ class TopicFacts:
 
 @dataclass(frozen=True, slots=True)
 class BridgeFacts:
-    """Everything about one bridge that answers. `round_trips` in seconds, `busy_trips` those while all
-    topics came; `ahead`: by how many seconds its clock is ahead of ours, None where it does not say;
-    `lost`: why the link ended meanwhile; `behind`: by how many seconds we ourselves were late at most."""
+    """Everything about one bridge that answers. `round_trips` in seconds, `busy_trips` those while all topics
+    came; `ahead`: by how many seconds its clock is ahead of ours, None where it does not say; `lost`: why the
+    link ended meanwhile; `behind`: by how many seconds we ourselves were late at most; `adapters` by
+    robot."""
 
     name: str
     rosapi: Rosapi
@@ -97,7 +98,8 @@ class BridgeFacts:
     lost: str = ""
     busy_trips: tuple[float, ...] = ()
     behind: float = 0.0
+    adapters: Mapping[str, Adapter] = field(default_factory=dict)
 
     def of(self, robot: str) -> list[TopicFacts]:
         """A robot's topics."""
-        return [facts for facts in self.topics if facts.wanted.robot == robot]
+        return [facts for facts in self.topics if robot in facts.wanted.robots]

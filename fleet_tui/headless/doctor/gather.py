@@ -2,11 +2,11 @@
 
 import asyncio
 import time
+from collections.abc import Mapping
 
-from fleet_tui.adapters import KINDS
+from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.adapters.subscriptions import Wanted, wanted_topics
-from fleet_tui.config.profile import SERVICES
+from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import LinkError
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
@@ -41,23 +41,19 @@ async def measure_calls(wire: Wire, until: float, pause: float = 0.0) -> tuple[f
     return tuple(trips)
 
 
-def asked_topics(config: Config, link: str) -> list[Wanted]:
-    """Every topic of a bridge's robots."""
-    return list(wanted_topics(config, KINDS[config.profile.name](config.profile), link))
-
-
-async def _look_up(config: Config, name: str, wire: Wire, rosapi: Rosapi, until: float) -> Rosapi:
+async def _look_up(
+    wanted: list[Feed], adapters: Mapping[str, Adapter], wire: Wire, rosapi: Rosapi, until: float
+) -> Rosapi:
     """Ask rosapi about the topics and services of a bridge's robots."""
-    wanted = asked_topics(config, name)
-    named = [one.subscription.topic for one in wanted]
-    robots = [robot.name for robot in config.robots if robot.link == name]
-    services = [config.profile.service(key, robot) for robot in robots for key in SERVICES]
+    named = [one.address for one in wanted]
+    robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
+    services = [service for robot in robots for _, service, _ in adapters[robot].services(robot)]
     rosapi = await ask_publishers(wire, rosapi, named, until)
     rosapi = await ask_services(wire, rosapi, services, until)
     if all(map(rosapi.has, named)):
         return rosapi
     # One of the same type may be what was meant.
-    expected = {one.subscription.type for one in wanted}
+    expected = {one.type for one in wanted}
     others = [
         topic
         for topic, type_ in rosapi.topics.items()
@@ -71,12 +67,13 @@ async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeF
     trips = await measure_calls(wire, until)
     rosapi, ahead = await look_around(wire), None
     drawn = [floor.name for floor in config.floors if floor.map]
-    wanted = asked_topics(config, name)
-    listening = asyncio.ensure_future(listen(config.bridge(name), wanted, rosapi, until, drawn))
+    adapters = adapters_of(config)
+    wanted = feeds_of(config, adapters, name)
+    listening = asyncio.ensure_future(listen(config.bridge(name), adapters, wanted, rosapi, until, drawn))
     if not rosapi.problem:
         ahead = await clock_ahead(wire)
-        rosapi = await _look_up(config, name, wire, rosapi, until)
+        rosapi = await _look_up(wanted, adapters, wire, rosapi, until)
     busy = () if listening.done() else await measure_calls(wire, until, BETWEEN)
     heard = await listening
     lost = wire.lost or heard.lost
-    return BridgeFacts(name, rosapi, tuple(heard.topics), trips, ahead, lost, busy, heard.behind)
+    return BridgeFacts(name, rosapi, tuple(heard.topics), trips, ahead, lost, busy, heard.behind, adapters)

@@ -7,9 +7,9 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import NamedTuple
 
+from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.adapters.subscriptions import Wanted
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.headless.doctor.facts import Rosapi, TopicFacts, is_hidden
@@ -29,7 +29,7 @@ ENOUGH_FAST = 10
 # subscribed; and of how many of them it is asked who holds them meanwhile.
 FIRST_TRY, LET_GO, MOST_HELD = 2.0, 0.7, 20
 
-Asked = list[tuple[Wanted, str]]
+Asked = list[tuple[Feed, str]]
 
 
 class Listened(NamedTuple):
@@ -41,13 +41,18 @@ class Listened(NamedTuple):
 
 
 async def listen(
-    bridge: Link, wanted: list[Wanted], rosapi: Rosapi, until: float, drawn: Iterable[str] = ()
+    bridge: Link,
+    adapters: Mapping[str, Adapter],
+    wanted: list[Feed],
+    rosapi: Rosapi,
+    until: float,
+    drawn: Iterable[str] = (),
 ) -> Listened:
-    """Listen to all topics together until each has said enough, or the time is over. `drawn`: floors whose
-    live map nobody needs."""
+    """Listen to all topics together until each has said enough, or the time is over. `adapters` by robot;
+    `drawn`: floors whose live map nobody needs."""
     asked = list(_worth_hearing(wanted, rosapi.topics, drawn))
     count = -(-len(asked) // SHARE)
-    wires = [Wire(bridge) for _ in range(count)]
+    wires = [Wire(bridge, adapters) for _ in range(count)]
     try:
         await asyncio.gather(*(_hear(wire, asked[n::count], rosapi, until) for n, wire in enumerate(wires)))
         now = time.monotonic()
@@ -57,23 +62,23 @@ async def listen(
     finally:
         for wire in wires:
             wire.close()
-    found = (heard.get(one.subscription.topic) or TopicFacts(one) for one in wanted)
+    found = (heard.get(one.address) or TopicFacts(one) for one in wanted)
     topics = [replace(one, complaint=complaints.get(one.topic, "")) for one in found]
     return Listened(topics, lost, max((wire.behind for wire in wires), default=0.0))
 
 
 def _worth_hearing(
-    wanted: Iterable[Wanted], types: Mapping[str, str], drawn: Iterable[str]
-) -> Iterator[tuple[Wanted, str]]:
+    wanted: Iterable[Feed], types: Mapping[str, str], drawn: Iterable[str]
+) -> Iterator[tuple[Feed, str]]:
     """What may be subscribed to, with the bridge's spelling of its type. With a wrong type, or before it
     is there, a topic would be spoiled for every client. Of a floor one live map is enough, and none where
     it is drawn already."""
     floors = set(drawn)
     for one in wanted:
-        topic, type_ = one.subscription.topic, one.subscription.type
+        topic, type_ = one.address, one.type
         if types and not is_hidden(topic) and not same_type(types.get(topic, ""), type_):
             continue
-        if one.kind.heavy:
+        if one.large:
             if one.floor in floors:
                 continue
             floors.add(one.floor)
@@ -93,13 +98,13 @@ async def _hear(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None
         await again
 
 
-async def _wait(wire: Wire, topics: list[Wanted], until: float) -> None:
+async def _wait(wire: Wire, topics: list[Feed], until: float) -> None:
     least = time.monotonic() + AT_LEAST
     while time.monotonic() < until and not wire.lost:
         asleep = time.monotonic()
         await asyncio.sleep(LOOK_EVERY)
         wire.behind = max(wire.behind, time.monotonic() - asleep - LOOK_EVERY)
-        enough = all(wire.heard[one.subscription.topic].count >= _enough(one) for one in topics)
+        enough = all(wire.heard[one.address].count >= _enough(one) for one in topics)
         if enough and time.monotonic() > least:
             return
 
@@ -112,10 +117,10 @@ async def _subscribe(wire: Wire, topics: Asked, latched: bool, until: float) -> 
     for first in range(0, len(topics), BATCH):
         batch = topics[first : first + BATCH]
         for one, type_ in batch:
-            wire.subscribe(one, type_, latched and one.kind.per_floor)
+            wire.subscribe(one, type_, latched and one.latched)
         await wire.beat(max(0.1, until - time.monotonic()))
         for one, _ in batch:
-            wire.heard[one.subscription.topic].since = time.monotonic()
+            wire.heard[one.address].since = time.monotonic()
 
 
 async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None:
@@ -126,16 +131,16 @@ async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) ->
     """
     if rosapi.ros == 1 or until - time.monotonic() < 2 * FIRST_TRY:
         return
-    floors = [(one, type_) for one, type_ in topics if one.kind.per_floor]
+    floors = [(one, type_) for one, type_ in topics if one.latched]
     await _wait(wire, [one for one, _ in floors], time.monotonic() + FIRST_TRY)
     silent = [(one, type_) for one, type_ in floors if _is_silent(wire, one)]
     if not silent:
         return
     for one, _ in silent:
-        wire.let_go(one.subscription.topic)
+        wire.let_go(one.address)
     await asyncio.sleep(LET_GO)
     for one, _ in silent[:MOST_HELD] if not rosapi.problem else ():
-        topic = one.subscription.topic
+        topic = one.address
         holders = await subscribers(wire, topic, until)
         wire.heard[topic].held_by = next((node for node in holders if "rosbridge" in node), "")
     for one, type_ in silent:
@@ -143,10 +148,10 @@ async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) ->
     await _wait(wire, [one for one, _ in silent], until)
 
 
-def _is_silent(wire: Wire, wanted: Wanted) -> bool:
-    heard = wire.heard[wanted.subscription.topic]
+def _is_silent(wire: Wire, wanted: Feed) -> bool:
+    heard = wire.heard[wanted.address]
     return not heard.count and not heard.fragmented
 
 
-def _enough(wanted: Wanted) -> int:
-    return 1 if wanted.kind.per_floor else ENOUGH_FAST if wanted.kind.fast else ENOUGH
+def _enough(wanted: Feed) -> int:
+    return 1 if wanted.latched else ENOUGH_FAST if wanted.fast else ENOUGH

@@ -3,19 +3,19 @@
 import re
 from collections.abc import Collection, Iterable, Mapping
 
+from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
-from fleet_tui.config.profile import SERVICES, Profile
 from fleet_tui.config.schema import Config
 from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 
 
-def robots_on(profile: Profile, rosapi: Rosapi) -> set[str]:
+def robots_on(names: Names, rosapi: Rosapi) -> set[str]:
     """The names in place of a robot's in the topics that are published on a bridge."""
     found = set[str]()
     for topic in filter(rosapi.has, rosapi.topics):
-        for key in ("pose", "queue"):
-            before, mark, after = profile.topics.get(key, profile.topic(key, "{robot}")).partition("{robot}")
+        for key in names.vocabulary.topics.keys() - names.vocabulary.floor_topics:
+            before, mark, after = names.topic(key, "{robot}").partition("{robot}")
             name = topic[len(before) : len(topic) - len(after)] if mark else ""
             if name and topic == before + name + after and "/" not in name:
                 found.add(name)
@@ -26,7 +26,7 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
     """The published names that a topic may have now, those of its type first, as the config would say it."""
     wanted, types = facts.wanted, bridge.rosapi.topics
     free = set(filter(bridge.rosapi.has, types)) - {one.topic for one in bridge.topics}
-    fitting = [topic for topic in free if same_type(types[topic], wanted.subscription.type)]
+    fitting = [topic for topic in free if same_type(types[topic], wanted.type)]
     own = [topic for topic in fitting if topic.startswith(f"/{wanted.robot}/")]
     near = nearest(facts.topic, own) or nearest(facts.topic, fitting) or nearest(facts.topic, free)
     if not near:
@@ -34,20 +34,18 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
     meant = f"did you mean {listed(near)}?"
     if near[0] not in own:
         return meant
-    floor = _floor_in(config.profile, facts, near[0])
+    floor = _floor_in(bridge.adapters[wanted.robot].names, facts, near[0])
     if floor:
         return f"{meant} Then the floor's name is {floor}, not {wanted.floor}"
     template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
-    return f'{meant} Then [profile.topics] {wanted.kind.key} = "{template}"'
+    return f'{meant} Then [profile.topics] {wanted.key} = "{template}"'
 
 
-def _floor_in(profile: Profile, facts: TopicFacts, topic: str) -> str:
+def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:
     """The floor of which this would be the topic, "" if it is not named so."""
     if not facts.wanted.floor:
         return ""
-    before, _, after = profile.topic(facts.wanted.kind.key, facts.wanted.robot, "{floor}").partition(
-        "{floor}"
-    )
+    before, _, after = names.topic(facts.wanted.key, facts.wanted.robot, "{floor}").partition("{floor}")
     found = re.fullmatch(f"{re.escape(before)}([^/]+){re.escape(after)}", topic)
     return found.group(1) if found else ""
 
@@ -66,13 +64,13 @@ def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:
 
     With rosapi the bridge's spelling is found out; without it a topic is asked for by the profile's.
     """
-    rosapi, profile = facts.rosapi, config.profile
-    asked = [(one.wanted.kind.key, one.topic, one.wanted.subscription.type) for one in facts.topics]
+    rosapi = facts.rosapi
+    asked = [(one.wanted.key, one.topic, one.wanted.type) for one in facts.topics]
     topics = _spelled(asked, rosapi.topics)
     called = [
-        (key, profile.service(key, robot), profile.service_type(key))
+        service
         for robot in dict.fromkeys(one.wanted.robot for one in facts.topics)
-        for key in SERVICES
+        for service in facts.adapters[robot].services(robot)
     ]
     services = _spelled(called, rosapi.services)
     written = [

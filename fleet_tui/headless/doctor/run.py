@@ -86,7 +86,7 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
     for robot in robots:
         yield from robot_findings(config, robot, facts, causes)
     for robot in robots:
-        yield from service_findings(config.profile, robot.name, facts, causes)
+        yield from service_findings(robot.name, facts, causes)
 
 
 def building_findings(

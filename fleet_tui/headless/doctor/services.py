@@ -3,36 +3,34 @@
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.config.profile import SERVICES, Profile
 from fleet_tui.headless.doctor.causes import Cause
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
+from fleet_tui.headless.doctor.facts import BridgeFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.names import near_service
 from fleet_tui.headless.doctor.topics import is_there
 
 
-def service_findings(
-    profile: Profile, robot: str, facts: BridgeFacts, causes: Sequence[Cause]
-) -> Iterator[Finding]:
+def service_findings(robot: str, facts: BridgeFacts, causes: Sequence[Cause]) -> Iterator[Finding]:
     """One finding for each service, one for all where they can't be looked up."""
     if facts.rosapi.problem:
         yield Finding(robot, "services", Verdict.SKIPPED, "without rosapi only a command would show them")
     elif not is_there(robot, facts):
         yield Finding(robot, "services", Verdict.SKIPPED, "not on this bridge: see above")
     else:
-        for key in SERVICES:
-            service = profile.service(key, robot)
+        called = list(facts.adapters[robot].services(robot))
+        for key, service, expected in called:
             cause = next((cause for cause in causes if service in cause.services), None)
             if cause is None:
-                yield _service(profile, key, robot, facts.rosapi)
+                yield _service(robot, key, service, expected, facts)
             else:
                 values = {"service": service, "node": facts.rosapi.owners.get(service)}
                 folded = f"{cause.short}: see above"
                 yield Finding(robot, f"service {key}", Verdict.SKIPPED, folded, values=values)
 
 
-def _service(profile: Profile, key: str, robot: str, rosapi: Rosapi) -> Finding:
-    service, expected = profile.service(key, robot), profile.service_type(key)
+def _service(robot: str, key: str, service: str, expected: str, facts: BridgeFacts) -> Finding:
+    rosapi, adapter = facts.rosapi, facts.adapters[robot]
+    table = adapter.names.table
     there, node = rosapi.services.get(service), rosapi.owners.get(service)
     values = {"service": service, "type": there or None, "expected_type": expected, "node": node or None}
 
@@ -40,8 +38,8 @@ def _service(profile: Profile, key: str, robot: str, rosapi: Rosapi) -> Finding:
         return Finding(robot, f"service {key}", verdict, measured, remedy, values, out_of_time)
 
     if service not in rosapi.services:
-        free = rosapi.services.keys() - {profile.service(other, robot) for other in SERVICES}
-        start = "start the node that offers it, or correct [profile.services] " + key
+        free = rosapi.services.keys() - {name for _, name, _ in adapter.services(robot)}
+        start = f"start the node that offers it, or correct [{table}.services] {key}"
         remedy = near_service(robot, key, service, free) or start
         return finding(Verdict.FAIL, f"{service} is not on the bridge", remedy)
     if there is None:
@@ -51,7 +49,7 @@ def _service(profile: Profile, key: str, robot: str, rosapi: Rosapi) -> Finding:
         return finding(
             Verdict.FAIL,
             f"{service}{by} has type {there}, not {expected}",
-            f'if its fields are the same: [profile.service_types] {key} = "{there}"; else correct'
-            f" [profile.services] {key}",
+            f'if its fields are the same: [{table}.service_types] {key} = "{there}"; else correct'
+            f" [{table}.services] {key}",
         )
     return finding(Verdict.OK, f"{service}, {there or 'its type was not told'}{by}")

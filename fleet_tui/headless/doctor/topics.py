@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.config.profile import FLOOR_TOPICS
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.headless.doctor.causes import Cause
 from fleet_tui.headless.doctor.clocks import falls_behind
@@ -27,9 +26,7 @@ def robot_findings(
         cause = next((cause for cause in causes if one.topic in cause.topics), None)
         if cause is not None:
             yield _finding(one, Verdict.SKIPPED, f"{cause.short}: see above")
-        elif first.is_failure and (
-            one.wanted.kind.key not in FLOOR_TOPICS or not is_there(robot.name, facts)
-        ):
+        elif first.is_failure and (not one.wanted.floor or not is_there(robot.name, facts)):
             yield _finding(one, Verdict.SKIPPED, f"{first.measured.partition(':')[0]}: see above")
         else:
             yield _topic(config, one, facts)
@@ -46,7 +43,7 @@ def _robot(
 ) -> Finding:
     if not is_there(robot.name, facts):
         known = {other.name for other in config.robots}
-        others = nearest(robot.name, robots_on(config.profile, facts.rosapi) - known)
+        others = nearest(robot.name, robots_on(facts.adapters[robot.name].names, facts.rosapi) - known)
         remedy = f"did you mean {listed(others)}? Correct its name" if others else "correct its name"
         place = f"robots[{config.robots.index(robot)}].name"
         return Finding(
@@ -56,7 +53,7 @@ def _robot(
             f"not on this bridge: none of its {len(topics)} topics is there",
             f"{remedy} in {place} ([profile.topics] if all are named otherwise), or switch it on",
         )
-    live = [one for one in topics if one.wanted.kind.key not in FLOOR_TOPICS]
+    live = [one for one in topics if not one.wanted.floor]
     heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
     explained = [cause for one in asked for cause in causes if one.topic in cause.topics]
     if not heard and explained and len(explained) >= len(asked):
@@ -87,7 +84,7 @@ def _finding(
     facts: TopicFacts, verdict: Verdict, measured: str, remedy: str = "", **values: object
 ) -> Finding:
     wanted = facts.wanted
-    check = f"{wanted.kind.key} of {wanted.floor}" if wanted.floor else wanted.kind.key
+    check = f"{wanted.key} of {wanted.floor}" if wanted.floor else wanted.key
     # The only thing that is skipped with a remedy is what there was no time for.
     out_of_time = verdict is Verdict.SKIPPED and bool(remedy)
     return Finding(
@@ -99,10 +96,10 @@ def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     rosapi = bridge.rosapi
     if not rosapi.problem and not facts.count and not rosapi.has(facts.topic):
         return _missing(config, facts, bridge)
-    there, expected = rosapi.topics.get(facts.topic, ""), facts.wanted.subscription.type
+    there, expected = rosapi.topics.get(facts.topic, ""), facts.wanted.type
     if there and not same_type(there, expected):
         return _wrong_type(config, facts, there, bridge)
-    if facts.wanted.kind.heavy and not facts.subscribed:
+    if facts.wanted.large and not facts.subscribed:
         return _finding(facts, Verdict.OK, f"{expected}, one is enough: not listened to", type=there)
     if bridge.lost and not facts.count:
         return _finding(facts, Verdict.SKIPPED, f"the link was lost: {bridge.lost}")
@@ -110,7 +107,7 @@ def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
 
 
 def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
-    wanted, key = facts.wanted, facts.wanted.kind.key
+    wanted, key = facts.wanted, facts.wanted.key
     remedy = near_topic(config, facts, bridge)
     floor = next((floor for floor in config.floors if floor.name == wanted.floor), None)
     measured = f"{facts.topic} is not on the bridge"
@@ -130,7 +127,7 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
 
 
 def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFacts) -> Finding:
-    key, expected = facts.wanted.kind.key, facts.wanted.subscription.type
+    key, expected = facts.wanted.key, facts.wanted.type
     other = near_topic(config, facts, bridge)
     same = f'if its fields are the same: [profile.types] {key} = "{there}"'
     return _finding(
@@ -148,7 +145,7 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
     nodes = rosapi.publishers.get(facts.topic)
     values = {
         "type": rosapi.topics.get(facts.topic) or None,
-        "expected_type": facts.wanted.subscription.type,
+        "expected_type": facts.wanted.type,
         "publishers": None if nodes is None else len(nodes),
         "nodes": nodes,
         "messages": facts.count,
@@ -164,9 +161,9 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
     else:
         verdict, measured, remedy = _nothing_came(facts, rosapi)
     if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
-        remedy += f" ({UNSEEN}: are [profile.topics] {facts.wanted.kind.key} and its type right?)"
+        remedy += f" ({UNSEEN}: are [profile.topics] {facts.wanted.key} and its type right?)"
     if verdict is Verdict.OK:
-        measured = f"{measured}, {facts.wanted.subscription.type}"
+        measured = f"{measured}, {facts.wanted.type}"
     by = f", by {listed(nodes)}" if nodes and verdict is not Verdict.SKIPPED else ""
     if verdict is Verdict.OK and nodes and len(nodes) > 1:
         verdict, remedy = Verdict.WARN, f"{len(nodes)} nodes speak for one robot: stop all but one"
@@ -176,14 +173,14 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
 def _asked_again(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
     """Why a floor's topic came only when it was asked for plainly, or in pieces."""
     if facts.fragmented:
-        binary = "never as cbor, " if facts.wanted.kind.heavy else ""
+        binary = "never as cbor, " if facts.wanted.large else ""
         return (
             Verdict.WARN,
             f"comes {binary}only in pieces of JSON ({facts.fragmented / 1e6:.1f} MB): it is larger than the"
             " bridge's max_message_size",
             "start rosbridge with a larger max_message_size (10 MB in its launch file, 1 MB with ros2 run)",
         )
-    asked = "cbor, or quality of service" if facts.wanted.kind.heavy else "quality of service"
+    asked = "cbor, or quality of service" if facts.wanted.large else "quality of service"
     return (
         Verdict.WARN,
         f"came only when it was asked for without {asked}: its publisher is volatile",
@@ -192,7 +189,7 @@ def _asked_again(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
 
 
 def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
-    key = facts.wanted.kind.key
+    key = facts.wanted.key
     if not facts.is_silent:
         return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
     if is_hidden(facts.topic):
@@ -201,7 +198,7 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
     nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
     if facts.complaint:
         nothing += f", rosbridge says: {facts.complaint}"
-    if not facts.wanted.kind.per_floor:
+    if not facts.wanted.latched:
         look = named(LOOK_FOR_NODE, rosapi.ros, nodes[0] if nodes else "")
         return Verdict.FAIL, nothing, f"does the node that publishes it run ({look})?"
     if facts.held_by and nodes:
@@ -222,11 +219,11 @@ def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Ver
         return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
     if facts.faults:
         return Verdict.FAIL, f"{facts.faults} parts can't be read: {facts.problem}", fields
-    if facts.wanted.kind.per_floor:
+    if facts.wanted.latched:
         return Verdict.OK, f"came {facts.first_after or 0.0:.2f} s after a late subscribe", ""
     age = f"last {facts.age or 0.0:.1f} s ago"
     measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
-    if facts.wanted.kind.key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
+    if facts.wanted.key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
         if falls_behind(bridge):
             return Verdict.SKIPPED, f"{measured}: the bridge falls behind, see its load above", ""
         slow = f"{measured}: poses should come with about 10 Hz"

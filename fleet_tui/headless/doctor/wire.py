@@ -3,16 +3,17 @@
 import asyncio
 import re
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
+from types import MappingProxyType
 
+from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.operations import Subscription
 from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.adapters.ros.robot_words import complaint, log_line
-from fleet_tui.adapters.subscriptions import Wanted
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.config.schema import Link
@@ -32,8 +33,9 @@ class Heard:
     """What has come on a topic so far. Monotonic seconds: `asked` for, and `since` when the bridge has
     surely subscribed, which it does one by one."""
 
-    wanted: Wanted
+    wanted: Feed
     asked: float
+    read: Callable[[Feed, object, float], Iterable[Event]]
     since: float | None = None
     count: int = 0
     faults: int = 0
@@ -50,11 +52,12 @@ class Heard:
     def take(self, msg: object, at: float) -> None:
         """One message, still encoded."""
         try:
-            event = self.wanted.kind.translate(self.wanted.robot, self.wanted.floor, msg, at)
+            found = list(self.read(self.wanted, msg, at))
         except WireError as problem:
             self.faults, self.problem = self.faults + 1, str(problem)
         else:
-            self._keep(event, at)
+            for event in found:
+                self._keep(event, at)
         # Last: facts may be asked for in the middle of a large map, by another thread.
         self.first, self.last = self.first or at, at
         self.count += 1
@@ -93,8 +96,10 @@ class Heard:
 class Wire:
     """One bridge, connected once. Everything runs on the network loop."""
 
-    def __init__(self, bridge: Link) -> None:
+    def __init__(self, bridge: Link, adapters: Mapping[str, Adapter] = MappingProxyType({})) -> None:
+        """`adapters` by robot, of those whose topics are heard."""
         self.connection = Connection(bridge, self)
+        self._adapters = adapters
         self.lost = ""
         """Why there is no connection."""
         self.heard: dict[str, Heard] = {}
@@ -126,20 +131,21 @@ class Wire:
         """Make the bridge itself answer; its words. Raises LinkError without an answer."""
         return str(await self.call(HEARTBEAT, {}, within))
 
-    def subscribe(self, wanted: Wanted, type_: str, latched: bool) -> None:
+    def subscribe(self, wanted: Feed, type_: str, latched: bool) -> None:
         """Hear a topic from now on, every message of it. Raises LinkError."""
-        asked = wanted.subscription
-        self.heard[asked.topic] = Heard(wanted, time.monotonic())
-        subscription = Subscription(asked.topic, type_, compression=asked.compression, latched=latched)
+        read = self._adapters[wanted.robot].read
+        self.heard[wanted.address] = Heard(wanted, time.monotonic(), read)
+        compression = "cbor" if wanted.large else "none"
+        subscription = Subscription(wanted.address, type_, compression=compression, latched=latched)
         self.connection.send(operations.subscribe(subscription))
 
     def let_go(self, topic: str) -> None:
         """Hear a topic no longer. Raises LinkError."""
         self.connection.send(operations.unsubscribe(topic))
 
-    def ask_plainly(self, wanted: Wanted, type_: str) -> None:
+    def ask_plainly(self, wanted: Feed, type_: str) -> None:
         """Hear a topic once more, as JSON and with the bridge's own quality of service. Raises LinkError."""
-        topic = wanted.subscription.topic
+        topic = wanted.address
         self.heard[topic].again = True
         self.connection.send(operations.subscribe(Subscription(topic, type_)))
 

@@ -169,7 +169,7 @@ def test_every_field_of_ours_can_have_another_name(message: str) -> None:
         for number, name in enumerate(struct.__struct_fields__)
     }
     renamed = {f"{name}_theirs": value for name, value in plain.items()}
-    read = ros.reader(struct, {name: f"{name}_theirs" for name in plain})
+    read = ros.reader(struct, {name: (name, f"{name}_theirs") for name in plain})
     for msg in (renamed, raw(renamed)):
         assert {name: getattr(read(msg), name) for name in plain} == plain
     with pytest.raises(WireError, match="theirs"):
@@ -177,7 +177,7 @@ def test_every_field_of_ours_can_have_another_name(message: str) -> None:
 
 
 def test_a_field_with_a_default_keeps_it_under_another_name() -> None:
-    read = ros.reader(ros.GraphVertex, {"type": "kind"})
+    read = ros.reader(ros.GraphVertex, {"type": ("type", "kind")})
     assert read({"id": 1, "x": 0.0, "y": 0.0}).type == ""
     assert read({"id": 1, "x": 0.0, "y": 0.0, "kind": "lift"}).type == "lift"
 

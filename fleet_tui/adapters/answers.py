@@ -1,47 +1,13 @@
-"""What an interpreter gives: which topics to ask for, what their messages mean, how to say a command."""
+"""Answers to service calls: what of a command they tell."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
-from fleet_tui.model.events import Event
-
-# (robot, floor, message still encoded, monotonic seconds of arrival) -> the fact; raises WireError.
-Translate = Callable[[str, str, object, float], Event]
 
 LONGEST_JUDGED = 100_000
 """Characters of an answer in which words of refusal are looked for: in 8 MB it would take seconds."""
-
-
-@dataclass(frozen=True, slots=True)
-class TopicKind:
-    """One kind of topic. `per_floor`: there is one for each floor; `heavy`: a map, asked for when
-    its floor is shown and decoded off the loop; `fast`: limited to the pose's rate, not the status's."""
-
-    key: str
-    translate: Translate
-    per_floor: bool = False
-    heavy: bool = False
-    fast: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Call:
-    """A service call, complete and typed: a bridge would fill gaps with zeros."""
-
-    service: str
-    args: Mapping[str, object]
-
-
-@dataclass(frozen=True, slots=True)
-class Interface:
-    """A kind of robot. `topics` are in the order in which they are subscribed."""
-
-    topics: Sequence[TopicKind]
-    call: Callable[[Command, int], Call]
-    outcome: Callable[[Command, object, bool], tuple[Stage, str]]
 
 
 _NEVER_ARRIVED = re.compile(

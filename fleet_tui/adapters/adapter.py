@@ -1,0 +1,96 @@
+"""The seam: what a kind of robots reports, what it accepts, and how both are said."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple, Protocol
+
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.events import Event
+from fleet_tui.model.kind import Kind
+from fleet_tui.model.robot import Robot
+
+
+class Feed(NamedTuple):
+    """One topic to listen to. `robots` are all those it tells of, usually one; `key` is which of their
+    values.
+
+    `rate_ms`: milliseconds between two messages, 0 for every one. `latched`: its last message comes to who
+    subscribes late. `on_demand`: only while somebody looks. `large`: asked for as CBOR and decoded beside the
+    loop. `fast`: comes as often as poses do. `silent`: nothing may come for hours, and all is well.
+    `is_shared`: one topic may tell of all robots."""
+
+    key: str
+    robots: tuple[str, ...]
+    floor: str
+    address: str
+    type: str
+    rate_ms: int = 0
+    latched: bool = False
+    on_demand: bool = False
+    large: bool = False
+    fast: bool = False
+    silent: bool = False
+    is_shared: bool = False
+
+    @property
+    def robot(self) -> str:
+        """The first robot it tells of."""
+        return self.robots[0]
+
+
+class Call(NamedTuple):
+    """A service call, complete and typed: a bridge would fill gaps with zeros."""
+
+    address: str
+    type: str
+    args: Mapping[str, object]
+
+
+class Goal(NamedTuple):
+    """A goal of an action, complete and typed."""
+
+    address: str
+    type: str
+    args: Mapping[str, object]
+
+
+Outgoing = Call | Goal
+
+
+class Site(NamedTuple):
+    """What a configuration says to an adapter: milliseconds between messages, seconds of silence after which
+    a robot counts as offline, and the table that its profile stands in."""
+
+    pose_ms: int = 100
+    status_ms: int = 500
+    offline_after: float = 5.0
+    table: str = "profile"
+
+
+class Adapter(Protocol):
+    """One kind of robots under the names of one profile. Pure, and without a memory: what has to be
+    remembered is in the state of the robot."""
+
+    @property
+    def kind(self) -> Kind:
+        """What these robots report and accept."""
+
+    @property
+    def names(self) -> Names:
+        """The names of their topics, services and actions."""
+
+    def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
+        """Return what to listen to, the most urgent first."""
+
+    def read(self, feed: Feed, msg: object, at: float) -> Iterable[Event]:
+        """Return what a message, still encoded, tells. `at`: monotonic seconds. Raises WireError."""
+
+    def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
+        """Return key, name and type of each service that is called, the most urgent first."""
+
+    def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Outgoing]:
+        """Return what carries a command, in the order in which it must leave. Raises CommandError for one
+        that must not."""
+
+    def outcome(self, command: Command, values: object, result: bool) -> tuple[Stage, str]:
+        """Return what an answer means for a command, with the robot's own words."""

@@ -1,0 +1,83 @@
+"""Messages of the package OH_ressources as facts."""
+
+from fleet_tui.adapters.parts import first_orders, read_all
+from fleet_tui.adapters.ros import messages as ros
+from fleet_tui.adapters.ros.facts import Translate, is_place
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.model import events
+from fleet_tui.model.bounds import (
+    LONGEST_NAME,
+    MOST_EDGES,
+    MOST_LABELS,
+    MOST_ORDERS,
+    MOST_VERTICES,
+    beyond,
+    brief,
+)
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.model.order import Order, OrderQueue
+
+
+def read_queue(names: Names) -> Translate:
+    """Read an ActionQueue."""
+    read = ros.reader(ros.ActionQueue, names.paths("queue"))
+    read_order = ros.reader(ros.QueuedOrder, names.paths("order"))
+    id_name = names.path("order", "id")
+
+    def translate(robot: str, _floor: str, msg: object, at: float) -> events.Event:
+        queue = read(msg)
+        current = queue.current_order_id
+        parts = map(read_order, first_orders(queue.orders, current, id_name))
+        orders = tuple(Order(one.id, one.start, one.end, brief(one.status, LONGEST_NAME)) for one in parts)
+        fault = beyond(len(queue.orders), MOST_ORDERS, "orders")
+        echo = queue.request_id if isinstance(queue.request_id, int) else 0
+        reported = OrderQueue(queue.last_order_id, current, orders, echo)
+        return events.QueueReported(robot, at, reported, fault)
+
+    return translate
+
+
+def read_graph(names: Names) -> Translate:
+    """Read a Graph."""
+    read = ros.reader(ros.Graph, names.paths("graph"))
+    read_vertex = ros.reader(ros.GraphVertex, names.paths("vertex"))
+    read_edge = ros.reader(ros.GraphEdge, names.paths("edge"))
+    scale = names.scale("vertex")
+
+    def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
+        graph, faults = read(msg), list[str]()
+        vertices = {}
+        for vertex in read_all(read_vertex, graph.vertices, "vertices", MOST_VERTICES, faults):
+            x, y = vertex.x * scale, vertex.y * scale
+            if not is_place(x, y):
+                faults.append(f"vertex {vertex.id} has no finite place")
+                continue
+            role = Role(names.role(vertex.type))
+            vertices[vertex.id] = Vertex(vertex.id, x, y, role)
+        edges = []
+        for edge in read_all(read_edge, graph.edges, "edges", MOST_EDGES, faults):
+            lost = [end for end in (edge.start, edge.end) if end not in vertices]
+            if lost:
+                faults.append(f"edge {edge.id} names unknown vertex {lost[0]}")
+                continue
+            edges.append(Edge(edge.id, edge.start, edge.end))
+        routes = RouteGraph(vertices, tuple(edges), names.profile.directed)
+        fault = f"graph of {floor}: {faults[0]}" if faults else ""
+        return events.GraphReceived(robot, floor, routes, len(faults), fault)
+
+    return translate
+
+
+def read_labels(names: Names) -> Translate:
+    """Read LabeledVertices."""
+    read = ros.reader(ros.LabeledVertices, names.paths("labels"))
+    read_label = ros.reader(ros.LabeledVertex, names.paths("label"))
+
+    def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
+        parts = read(msg).vertices
+        found = map(read_label, parts[:MOST_LABELS])
+        labels = {one.vertex_id: brief(one.label, LONGEST_NAME) for one in found}
+        fault = f"labels of {floor}: {beyond(len(parts), MOST_LABELS, 'labels')}"
+        return events.LabelsReceived(robot, floor, labels, *((1, fault) if len(parts) > MOST_LABELS else ()))
+
+    return translate

@@ -1,0 +1,33 @@
+"""Profiles: how one site's robots differ from what is usual for their kind, as the config has them."""
+
+from typing import Any, Literal
+
+import msgspec
+
+VertexRole = Literal["plain", "elevator", "docking"]
+
+
+class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """`[profile]` or `[profiles.NAME]`: overrides only. What is None is as usual for the kind.
+
+    `name` and `kind` mean the same. `fields` leads from our name of a field to its path in the site's
+    message, `scales` to what a number is multiplied with; `silence`: seconds for which a value may stay away
+    before it is old. `origin = "added"` where the stack adds the map's origin. `settings`: tables of single
+    kinds, by kind."""
+
+    name: str = ""
+    kind: str = ""
+    topics: dict[str, str] = {}
+    types: dict[str, str] = {}
+    services: dict[str, str] = {}
+    service_types: dict[str, str] = {}
+    actions: dict[str, str] = {}
+    action_types: dict[str, str] = {}
+    fields: dict[str, str] = {}
+    scales: dict[str, float] = {}
+    silence: dict[str, float] = {}
+    refusals: tuple[str, ...] | None = None
+    vertex_types: dict[str, VertexRole] | None = None
+    directed: bool = False
+    origin: Literal["ros", "added"] = "ros"
+    settings: dict[str, dict[str, Any]] = {}

@@ -1,0 +1,34 @@
+"""The registry of kinds: one line for each."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from msgspec import Struct
+
+from fleet_tui.adapters.adapter import Adapter, Site
+from fleet_tui.adapters.oh_ressources.adapter import OhRessources
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY as OH_RESSOURCES
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.ros.names import Vocabulary
+
+DEFAULT_KIND = "oh_ressources"
+
+
+@dataclass(frozen=True, slots=True)
+class Registered:
+    """A kind of robots: its usual names, what makes its adapter, and what its own table of a profile
+    holds."""
+
+    vocabulary: Vocabulary
+    adapter: Callable[[Profile, Site], Adapter]
+    settings: type[Struct] | None = None
+
+
+KINDS: Mapping[str, Registered] = {
+    "oh_ressources": Registered(OH_RESSOURCES, OhRessources),
+}
+
+
+def kind_of(profile: Profile) -> str:
+    """Return the kind of robots that a profile is for."""
+    return profile.kind or profile.name or DEFAULT_KIND

@@ -1,0 +1,86 @@
+"""Names on the wire: what a kind of robots calls its topics, services, actions and fields, and what a site
+does."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from fleet_tui.adapters.profile import Profile, VertexRole
+
+
+@dataclass(frozen=True, slots=True)
+class Vocabulary:
+    """The usual names of a kind. `topics`, `services` and `actions`: name with `{robot}` and `{floor}` in it,
+    and type, by key; `floor_topics` are the keys of topics of which there is one for each floor. `fields`: by
+    message or topic our names of its fields, each with its usual path in the message."""
+
+    topics: Mapping[str, tuple[str, str]]
+    floor_topics: frozenset[str]
+    services: Mapping[str, tuple[str, str]]
+    fields: Mapping[str, Mapping[str, str]]
+    actions: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    scales: frozenset[str] = frozenset()
+    refusals: tuple[str, ...] = ()
+    vertex_types: Mapping[str, VertexRole] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """The names of one site's robots: those of its profile, else those of the kind. `table` is where the
+    profile stands in the config."""
+
+    vocabulary: Vocabulary
+    profile: Profile
+    table: str = "profile"
+
+    def topic(self, key: str, robot: str, floor: str = "") -> str:
+        """The name of a topic, empty where this site has none."""
+        return _filled(self.profile.topics.get(key, self.vocabulary.topics[key][0]), robot, floor)
+
+    def type(self, key: str) -> str:
+        """The ROS type of a topic."""
+        return self.profile.types.get(key, self.vocabulary.topics[key][1])
+
+    def service(self, key: str, robot: str) -> str:
+        """The name of a service, empty where this site has none."""
+        return _filled(self.profile.services.get(key, self.vocabulary.services[key][0]), robot)
+
+    def service_type(self, key: str) -> str:
+        """The ROS type of a service. Calls don't name it."""
+        return self.profile.service_types.get(key, self.vocabulary.services[key][1])
+
+    def action(self, key: str, robot: str) -> str:
+        """The name of an action, empty where this site has none."""
+        return _filled(self.profile.actions.get(key, self.vocabulary.actions[key][0]), robot)
+
+    def action_type(self, key: str) -> str:
+        """The ROS type of an action."""
+        return self.profile.action_types.get(key, self.vocabulary.actions[key][1])
+
+    def paths(self, message: str) -> dict[str, tuple[str, str]]:
+        """By our name of a field its usual path in a message and the one at this site, where they differ."""
+        usual = self.vocabulary.fields[message]
+        chosen = {name: self.profile.fields.get(f"{message}.{name}", path) for name, path in usual.items()}
+        return {name: (usual[name], path) for name, path in chosen.items() if path != usual[name]}
+
+    def path(self, message: str, name: str) -> str:
+        """The path of a field in a message at this site."""
+        return self.profile.fields.get(f"{message}.{name}", self.vocabulary.fields[message][name])
+
+    def scale(self, key: str) -> float:
+        """The factor by which a number of a topic is multiplied."""
+        return self.profile.scales.get(key, 1.0)
+
+    def role(self, vertex_type: str) -> VertexRole:
+        """The role of a vertex by the type that the wire gives it."""
+        known = self.profile.vertex_types
+        return (self.vocabulary.vertex_types if known is None else known).get(vertex_type, "plain")
+
+    @property
+    def refusals(self) -> tuple[str, ...]:
+        """Patterns of the words with which a robot refuses."""
+        chosen = self.profile.refusals
+        return self.vocabulary.refusals if chosen is None else chosen
+
+
+def _filled(template: str, robot: str, floor: str = "") -> str:
+    return template.replace("{robot}", robot).replace("{floor}", floor)

@@ -1,0 +1,107 @@
+"""Checks of profiles: names that a kind of robots does not know, and topics that can't be told apart."""
+
+import re
+from collections.abc import Iterator, Mapping
+
+import msgspec
+
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.registry import KINDS, kind_of
+from fleet_tui.config.fleet import adapters_of, shared_topics
+from fleet_tui.config.schema import DEFAULT_LINK, Config, link_key
+from fleet_tui.errors import did_you_mean
+
+
+def check_profiles(config: Config) -> Iterator[str]:
+    """Yield one line for each problem of a profile, or with what refers to one."""
+    problems = [*_references(config), *_profile("profile", config.profile)]
+    for name, profile in config.profiles.items():
+        problems += _profile(f"profiles.{name}", profile)
+    yield from problems
+    if not problems:
+        known = {DEFAULT_LINK, *config.links}
+        robots = [
+            robot for robot in config.robots if robot.link in known and _is_known(config, robot.profile)
+        ]
+        config = msgspec.structs.replace(config, robots=robots)
+        yield from shared_topics(config, adapters_of(config))
+
+
+def _is_known(config: Config, name: str) -> bool:
+    return not name or name in config.profiles or name in KINDS
+
+
+def _references(config: Config) -> Iterator[str]:
+    links = {DEFAULT_LINK: config.rosbridge, **config.links}
+    named = [(f"{link_key(name)}.profile", link.profile) for name, link in links.items()]
+    named += [(f"robots[{n}].profile", robot.profile) for n, robot in enumerate(config.robots)]
+    for where, name in named:
+        if not _is_known(config, name):
+            yield f"{where}: no kind and no profile {name!r}{did_you_mean(name, [*config.profiles, *KINDS])}"
+
+
+def _profile(where: str, profile: Profile) -> Iterator[str]:
+    if profile.name and profile.kind and profile.name != profile.kind:
+        yield f"{where}.name: {profile.name!r} and kind {profile.kind!r} mean the same: leave one out"
+    kind = kind_of(profile)
+    if kind not in KINDS:
+        key = "kind" if profile.kind else "name"
+        yield f"{where}.{key}: no kind {kind!r}{did_you_mean(kind, KINDS)}"
+        return
+    known = KINDS[kind].vocabulary
+    fields = {f"{message}.{field}" for message, names in known.fields.items() for field in names}
+    tables: tuple[tuple[str, Mapping[str, object], object], ...] = (
+        ("topics", profile.topics, known.topics),
+        ("types", profile.types, known.topics),
+        ("services", profile.services, known.services),
+        ("service_types", profile.service_types, known.services),
+        ("actions", profile.actions, known.actions),
+        ("action_types", profile.action_types, known.actions),
+        ("fields", profile.fields, fields),
+        ("scales", profile.scales, known.scales),
+        ("silence", profile.silence, set(known.topics) - known.floor_topics),
+    )
+    for table, given, names in tables:
+        assert isinstance(names, Mapping | set | frozenset)
+        for key in given:
+            if key not in names:
+                yield f"{where}.{table}.{key}: unknown key{did_you_mean(key, names)}"
+    yield from _placeholders(where, profile, known.floor_topics)
+    yield from _refusals(where, profile)
+    yield from _settings(where, profile, kind)
+
+
+def _refusals(where: str, profile: Profile) -> Iterator[str]:
+    for n, pattern in enumerate(profile.refusals or ()):
+        try:
+            re.compile(pattern)
+        except (re.error, OverflowError, RecursionError) as problem:
+            yield f"{where}.refusals[{n}]: {pattern!r} is no regular expression: {problem}"
+
+
+def _placeholders(where: str, profile: Profile, floor_topics: frozenset[str]) -> Iterator[str]:
+    tables = (("topics", profile.topics), ("services", profile.services), ("actions", profile.actions))
+    for table, given in tables:
+        for key, template in given.items():
+            for name in re.findall(r"\{([^}]*)\}", template):
+                if name not in (("robot", "floor") if key in floor_topics else ("robot",)):
+                    yield f"{where}.{table}.{key}: {{{name}}} can't be filled in here"
+
+
+def _settings(where: str, profile: Profile, kind: str) -> Iterator[str]:
+    """Check the tables that belong to single kinds."""
+    for name, table in profile.settings.items():
+        struct = KINDS[name].settings if name in KINDS else None
+        if name != kind or struct is None:
+            yield f"{where}.{name}: is no table of the kind {kind}"
+            continue
+        known = [field.name for field in msgspec.structs.fields(struct)]
+        yield from (
+            f"{where}.{name}.{key}: unknown key{did_you_mean(key, known)}"
+            for key in table
+            if key not in known
+        )
+        try:
+            msgspec.convert(table, struct)
+        except msgspec.ValidationError as problem:
+            yield f"{where}.{name}: {problem}"

@@ -1,0 +1,86 @@
+"""The adapters of a configuration: which one each robot has, and what they ask of each link."""
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from fleet_tui.adapters.adapter import Adapter, Feed, Site
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.registry import KINDS, kind_of
+from fleet_tui.adapters.ros.reading import Limit
+from fleet_tui.config.schema import Config, RobotEntry, link_key
+
+
+def profile_of(config: Config, robot: RobotEntry) -> tuple[str, Profile]:
+    """Return the profile of a robot, and the table of the config that it stands in."""
+    known = {**config.links, "rosbridge": config.rosbridge}
+    name = robot.profile or known[robot.link].profile
+    if name in config.profiles:
+        return f"profiles.{name}", config.profiles[name]
+    return ("profile", config.profile) if not name else (f"profiles.{name}", Profile(kind=name))
+
+
+def adapters_of(config: Config) -> dict[str, Adapter]:
+    """Return the adapter of each robot, one for all robots of a profile."""
+    made: dict[str, Adapter] = {}
+    found = {}
+    for robot in config.robots:
+        table, profile = profile_of(config, robot)
+        if table not in made:
+            site = Site(config.ui.pose_ms, config.ui.status_ms, config.alarms.offline_after, table)
+            made[table] = KINDS[kind_of(profile)].adapter(profile, site)
+        found[robot.name] = made[table]
+    return found
+
+
+def feeds_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> list[Feed]:
+    """Return every topic of a link's robots, the most urgent of all robots first. What several robots share
+    is one feed."""
+    found: list[tuple[int, Feed]] = []
+    for robot in config.robots:
+        if robot.link == link:
+            found += enumerate(adapters[robot.name].feeds(robot.name, config.floors_of(robot)))
+    feeds: dict[str, Feed] = {}
+    for _, feed in sorted(found, key=lambda ranked: ranked[0]):
+        known = feeds.get(feed.address)
+        shared = known is not None and known.key == feed.key
+        feeds[feed.address] = feed._replace(robots=known.robots + feed.robots) if known and shared else feed
+    return list(feeds.values())
+
+
+def limit_of(config: Config, link: str) -> Limit:
+    """Return the largest message that a link takes."""
+    return Limit(config.bridges[link].max_message_mb, f"{link_key(link)}.max_message_mb")
+
+
+class Service(NamedTuple):
+    """A service of a robot, and the type it must have."""
+
+    robot: str
+    type: str
+
+
+def services_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> dict[str, Service]:
+    """Return every service of a link's robots by its name, pauses first."""
+    found: list[tuple[int, str, Service]] = []
+    for robot in config.robots:
+        if robot.link == link:
+            for rank, (_, name, type_) in enumerate(adapters[robot.name].services(robot.name)):
+                found.append((rank, name, Service(robot.name, type_)))
+    return {name: service for _, name, service in sorted(found, key=lambda ranked: ranked[0])}
+
+
+def shared_topics(config: Config, adapters: Mapping[str, Adapter]) -> Iterator[str]:
+    """Name each topic that has two values, which could not be told apart."""
+    taken: dict[tuple[str, str], tuple[str, Feed]] = {}
+    for robot in config.robots:
+        adapter = adapters[robot.name]
+        for feed in adapter.feeds(robot.name, config.floors_of(robot)):
+            table, other = taken.setdefault((robot.link, feed.address), (adapter.names.table, feed))
+            is_shared = feed.is_shared and (other.key, other.floor) == (feed.key, feed.floor)
+            if _owner(other) != _owner(feed) and not is_shared:
+                both = f"{_owner(other)} and {_owner(feed)}"
+                yield f"{table}.topics.{feed.key}: {feed.address} is {both}: put {{robot}} or {{floor}} in it"
+
+
+def _owner(feed: Feed) -> str:
+    return " ".join(part for part in (feed.key, "of", feed.robot, feed.floor) if part)

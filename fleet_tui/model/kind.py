@@ -1,0 +1,20 @@
+"""Kinds of robots: what of the model a robot ever reports and accepts."""
+
+from collections.abc import Mapping
+
+from msgspec import Struct, field
+
+ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME = "order", "order to", "cancel", "clear", "pause", "resume"
+"""What a robot may accept: an order from one place to another, one to a place alone, and so on."""
+
+
+class Kind(Struct, frozen=True):
+    """Capabilities of a robot by its kind and profile. `reports` are the values that ever come of it, by the
+    names of Robot's fields; `accepts` what can be asked of it. `silence`: seconds after which a value that
+    stays away is old, infinite where it comes only when it changes; for others `FleetState.patience`
+    counts."""
+
+    name: str = ""
+    reports: frozenset[str] = frozenset()
+    accepts: frozenset[str] = frozenset()
+    silence: Mapping[str, float] = field(default_factory=dict)
