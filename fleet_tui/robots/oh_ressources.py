@@ -5,10 +5,9 @@ import re
 from array import array
 from collections.abc import Callable
 from functools import partial
-from typing import assert_never
 
 from fleet_tui.config.profile import Profile
-from fleet_tui.errors import CommandError, MapError, WireError
+from fleet_tui.errors import MapError, WireError
 from fleet_tui.model import events
 from fleet_tui.model.bounds import (
     LONGEST_NAME,
@@ -19,23 +18,22 @@ from fleet_tui.model.bounds import (
     beyond,
     brief,
 )
-from fleet_tui.model.commands import (
-    INT32_MAX,
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    PlaceOrder,
-    PlaceOrderWithCargo,
-    ResumeRobot,
-)
 from fleet_tui.model.geometry import MapFrame, Pose, yaw_of_quaternion
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.grid import check_frame
-from fleet_tui.model.order import Order, OrderQueue
-from fleet_tui.robots.interface import Call, Interface, TopicKind, Translate, judge
+from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
+from fleet_tui.robots.interface import Interface, TopicKind, Translate, judge
+from fleet_tui.robots.oh_calls import call
 from fleet_tui.robots.parts import first_orders, read_all
 from fleet_tui.rosbridge import messages as ros
+
+STATES = {
+    "Q": OrderState.QUEUED,
+    "W": OrderState.IN_PROCESS,
+    "D": OrderState.DONE,
+    "C": OrderState.CANCELLED,
+}
+"""The letters that are known. W and Q come from the source; the others occur."""
 
 # Metres; a place farther off is none on any floor, and a picture that had to hold it would overflow.
 FARTHEST = 1e9
@@ -106,6 +104,12 @@ def _translate_number(
     return translate
 
 
+def _order(order: ros.QueuedOrder) -> Order:
+    stops = at_vertices(str(order.start), str(order.end))
+    state, word = STATES.get(order.status), brief(order.status, LONGEST_NAME)
+    return Order(str(order.id), stops, state, word, order.id)
+
+
 def _translate_queue(profile: Profile) -> Translate:
     read = ros.reader(ros.ActionQueue, profile.names("queue"))
     names = profile.names("order")
@@ -115,10 +119,12 @@ def _translate_queue(profile: Profile) -> Translate:
         queue = read(msg)
         current = queue.current_order_id
         parts = map(read_order, first_orders(queue.orders, current, names.get("id", "id")))
-        orders = tuple(Order(one.id, one.start, one.end, brief(one.status, LONGEST_NAME)) for one in parts)
+        orders = tuple(map(_order, parts))
         fault = beyond(len(queue.orders), MOST_ORDERS, "orders")
         echo = queue.request_id if isinstance(queue.request_id, int) else 0
-        reported = OrderQueue(queue.last_order_id, current, orders, echo)
+        # None: no order of the list has that id.
+        is_listed = any(order.serial == current for order in orders)
+        reported = OrderQueue(queue.last_order_id, str(current) if is_listed else "", orders, echo)
         return events.QueueReported(robot, at, reported, fault)
 
     return translate
@@ -136,15 +142,16 @@ def _translate_graph(profile: Profile) -> Translate:
             if not _is_place(vertex.x, vertex.y):
                 faults.append(f"vertex {vertex.id} has no finite place")
                 continue
-            role = Role(profile.vertex_types.get(vertex.type, "plain"))
-            vertices[vertex.id] = Vertex(vertex.id, vertex.x, vertex.y, role)
+            id_, role = str(vertex.id), Role(profile.vertex_types.get(vertex.type, "plain"))
+            vertices[id_] = Vertex(id_, vertex.x, vertex.y, role, brief(vertex.type, LONGEST_NAME))
         edges = []
         for edge in read_all(read_edge, graph.edges, "edges", MOST_EDGES, faults):
-            lost = [end for end in (edge.start, edge.end) if end not in vertices]
+            start, end = str(edge.start), str(edge.end)
+            lost = [one for one in (start, end) if one not in vertices]
             if lost:
                 faults.append(f"edge {edge.id} names unknown vertex {lost[0]}")
                 continue
-            edges.append(Edge(edge.id, edge.start, edge.end))
+            edges.append(Edge(str(edge.id), start, end))
         routes = RouteGraph(vertices, tuple(edges), profile.directed)
         fault = f"graph of {floor}: {faults[0]}" if faults else ""
         return events.GraphReceived(robot, floor, routes, len(faults), fault)
@@ -159,7 +166,7 @@ def _translate_labels(profile: Profile) -> Translate:
     def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
         parts = read(msg).vertices
         found = map(read_label, parts[:MOST_LABELS])
-        labels = {one.vertex_id: brief(one.label, LONGEST_NAME) for one in found}
+        labels = {str(one.vertex_id): brief(one.label, LONGEST_NAME) for one in found}
         fault = f"labels of {floor}: {beyond(len(parts), MOST_LABELS, 'labels')}"
         return events.LabelsReceived(robot, floor, labels, *((1, fault) if len(parts) > MOST_LABELS else ()))
 
@@ -190,39 +197,6 @@ def _translate_map(profile: Profile) -> Translate:
     return translate
 
 
-def _call(profile: Profile, command: Command, request_id: int) -> Call:
-    """The service call of a command. Raises CommandError for one that must not leave."""
-    service = partial(profile.service, robot=command.robot)
-    args: dict[str, object]
-    match command:
-        case PlaceOrder(_, start, end):
-            args = {"request_id": request_id, "initial_point": start, "end_point": end}
-            return Call(service("order"), _named(args, profile.names("order_call")))
-        case PlaceOrderWithCargo(robot, end):
-            args = {"request_id": request_id, "agent": robot, "end_point": end}
-            return Call(service("order_with_cargo"), _named(args, profile.names("cargo_call")))
-        case CancelOrder(robot, order_id):
-            if order_id <= 0:
-                raise CommandError(f"order id {order_id} means all orders to the robot: use clear for that")
-            args = {"robot": robot, "ind": order_id}
-            return Call(service("cancel"), _named(args, profile.names("cancel_call")))
-        case ClearOrders(robot):
-            return Call(service("clear"), _named({"robot": robot, "ind": 0}, profile.names("cancel_call")))
-        case PauseRobot():
-            return Call(service("pause"), {})
-        case ResumeRobot():
-            return Call(service("resume"), {})
-        case _:
-            assert_never(command)
-
-
-def _named(args: dict[str, object], names: dict[str, str]) -> dict[str, object]:
-    for name, value in args.items():
-        if isinstance(value, int) and not -INT32_MAX - 1 <= value <= INT32_MAX:
-            raise CommandError(f"{name} {value} does not fit the robot's 32 bits")
-    return {names.get(name, name): value for name, value in args.items()}
-
-
 def interface(profile: Profile) -> Interface:
     """The interface of these robots under the names of a profile."""
     refusals = [re.compile(pattern) for pattern in profile.refusals]
@@ -239,6 +213,6 @@ def interface(profile: Profile) -> Interface:
             TopicKind("map_metadata", _translate_metadata(profile), per_floor=True),
             TopicKind("map", _translate_map(profile), per_floor=True, heavy=True),
         ),
-        call=partial(_call, profile),
+        call=partial(call, profile),
         outcome=lambda command, values, result: judge(command, values, result, refusals),
     )
