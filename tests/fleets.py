@@ -2,7 +2,7 @@
 
 import gzip
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import reduce
 from itertools import pairwise
 from pathlib import Path
@@ -10,10 +10,11 @@ from typing import Any
 
 import msgspec
 
+from fleet_tui.adapters.oh_ressources.reading import STATES
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.apply import apply
-from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.commands import Command, PlaceOrder, Stage
 from fleet_tui.model.events import (
     BatteryReported,
     CommandAdvanced,
@@ -30,7 +31,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import Phase
-from fleet_tui.model.order import Order, OrderQueue
+from fleet_tui.model.order import Order, OrderQueue, at_vertices
 from fleet_tui.view.table import Run
 from tests.watched import config_of
 
@@ -66,20 +67,37 @@ def battery(at: float, percent: float = 80.0, robot: str = R0) -> BatteryReporte
     return BatteryReported(robot, at, percent)
 
 
+def place_order(robot: str, *vertices: str | int) -> PlaceOrder:
+    """An order from one vertex to another, or of the cargo on board to one."""
+    return PlaceOrder(robot, at_vertices(*map(str, vertices)))
+
+
+def order(id_: int, start: int, end: int, letter: str) -> Order:
+    """An order as the source's robots list it."""
+    return Order(str(id_), at_vertices(str(start), str(end)), STATES.get(letter), letter, id_)
+
+
+def order_queue(last: int, current: int, *orders: Order, request_id: int = 0) -> OrderQueue:
+    """A queue as the source's robots tell it; `current` below 0: none."""
+    return OrderQueue(last, str(current) if current >= 0 else "", orders, request_id)
+
+
 def queue(at: float, *orders: tuple[int, int, int, str], current: int = -1, robot: str = R0) -> QueueReported:
-    listed = tuple(Order(*order) for order in orders)
-    return QueueReported(robot, at, OrderQueue(max((o.id for o in listed), default=0), current, listed))
+    listed = tuple(order(*one) for one in orders)
+    last = max((one.serial for one in listed), default=0)
+    return QueueReported(robot, at, order_queue(last, current, *listed))
 
 
-def graph(*ids: int, floor: str = F0, robot: str = R0) -> GraphReceived:
+def graph(*ids: int | str, floor: str = F0, robot: str = R0) -> GraphReceived:
     """Vertices in a row, each joined to the next, a metre apart."""
-    vertices = {id_: Vertex(id_, float(n), 0.0) for n, id_ in enumerate(ids)}
-    edges = tuple(Edge(n, *pair) for n, pair in enumerate(pairwise(ids)))
+    names = [str(id_) for id_ in ids]
+    vertices = {id_: Vertex(id_, float(n), 0.0) for n, id_ in enumerate(names)}
+    edges = tuple(Edge(str(n), *pair) for n, pair in enumerate(pairwise(names)))
     return GraphReceived(robot, floor, RouteGraph(vertices, edges))
 
 
-def labels(named: dict[int, str], floor: str = F0, robot: str = R0) -> LabelsReceived:
-    return LabelsReceived(robot, floor, named)
+def labels(named: Mapping[int, str] | Mapping[str, str], floor: str = F0, robot: str = R0) -> LabelsReceived:
+    return LabelsReceived(robot, floor, {str(id_): label for id_, label in named.items()})
 
 
 def link_up(at: float) -> LinkChanged:

@@ -6,7 +6,6 @@ from dataclasses import replace
 from fleet_tui.headless.outcome import DONE, NOT_DONE, Outcome
 from fleet_tui.headless.session import WaitingStore
 from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
-from fleet_tui.model.order import STATUS_WORDS
 
 
 def follow_order(
@@ -20,8 +19,8 @@ def follow_order(
     record = latest()
     if record.stage not in ORDER_ENDS:
         listed = store.state.robots[record.command.robot].orders.orders
-        status = next((order.status for order in listed if order.id == record.order_id), "")
-        words = f"order {record.order_id} is {STATUS_WORDS.get(status, status or 'in the queue')}"
+        state = next((order.state_text for order in listed if order.id == record.order_id), "")
+        words = f"order {record.order_id} is {state or 'in the queue'}"
         words += ", and was not driven yet when the time was up"
         return replace(queued, outcome="not done", words=words, code=NOT_DONE)
     done = record.stage is Stage.DONE

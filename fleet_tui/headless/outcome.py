@@ -10,7 +10,7 @@ from fleet_tui.model.grammar import written
 from fleet_tui.view.command_line import command_text
 from fleet_tui.view.text import visible
 
-VERSION = 1
+VERSION = 2
 DONE, NOT_DONE, USAGE, NO_LINK = 0, 1, 2, 3
 SUCCESSES = frozenset({Stage.CONFIRMED, Stage.TAKEN})
 NOT_SENT = Stage.NOT_SENT.value
@@ -27,7 +27,7 @@ class Outcome:
     outcome: str
     words: str
     code: int
-    order_id: int | None = None
+    order_id: str | None = None
     seconds: float | None = None
 
     def line(self) -> str:
@@ -61,7 +61,7 @@ def _outcome(
     outcome: str,
     words: str,
     code: int,
-    order_id: int | None = None,
+    order_id: str | None = None,
     seconds: float | None = None,
 ) -> Outcome:
     typed, text = written(command, state), command_text(state, command)

@@ -7,10 +7,10 @@ from fleet_tui.headless.session import missing
 from fleet_tui.model.conditions import behind, late
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
-from fleet_tui.model.order import STATUS_WORDS
+from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 
-VERSION = 1
+VERSION = 2
 
 Values = dict[str, Any]
 
@@ -53,18 +53,23 @@ def _pose(robot: Robot, state: FleetState) -> Values | None:
     }
 
 
+def _stop(robot: Robot, role: str, stop: Stop | None) -> Values:
+    if stop is None or stop.pose is not None:
+        place = None if stop is None or stop.pose is None else [round(stop.pose.x, 2), round(stop.pose.y, 2)]
+        return {role: None, f"{role}_label": None, f"{role}_m": place}
+    return {role: stop.vertex, f"{role}_label": robot.name_of(stop.vertex), f"{role}_m": None}
+
+
 def _orders(robot: Robot) -> list[Values]:
     return [
         {
             "position": position,
             "id": order.id,
-            "start": order.start,
-            "start_label": robot.name_of(order.start),
-            "end": order.end,
-            "end_label": robot.name_of(order.end),
-            "status": order.status,
-            "status_text": STATUS_WORDS.get(order.status),
-            "current": order.id == robot.orders.current_order_id,
+            **_stop(robot, "start", order.start),
+            **_stop(robot, "end", order.end),
+            "status": order.word,
+            "status_text": order.state.value if order.state else None,
+            "current": order is robot.orders.current,
         }
         for position, order in enumerate(robot.orders.in_sequence())
     ]

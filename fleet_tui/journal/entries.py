@@ -15,11 +15,11 @@ from fleet_tui.model.commands import (
     CommandRecord,
     PauseRobot,
     PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Step,
 )
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import Stop, pose_text
 from fleet_tui.model.robot import Robot
 
 TEXT_KEPT = 1000
@@ -121,10 +121,9 @@ def _link(state: FleetState, name: str) -> dict[str, Any]:
 
 def _arguments(robot: Robot | None, command: Command) -> dict[str, Any]:
     match command:
-        case PlaceOrder(_, start, end):
-            return {"what": "order", **_vertex("start", robot, start), **_vertex("end", robot, end)}
-        case PlaceOrderWithCargo(_, end):
-            return {"what": "bring cargo", **_vertex("end", robot, end)}
+        case PlaceOrder(_, stops):
+            start = _stop("start", robot, stops[0]) if len(stops) > 1 else {}
+            return {"what": command.what, **start, **_stop("end", robot, stops[-1])}
         case CancelOrder(_, order_id):
             return {"what": "cancel", "order": order_id}
         case ClearOrders():
@@ -137,9 +136,11 @@ def _arguments(robot: Robot | None, command: Command) -> dict[str, Any]:
             assert_never(command)
 
 
-def _vertex(role: str, robot: Robot | None, vertex: int) -> dict[str, Any]:
-    name = robot.name_of(vertex) if robot else None
-    return {role: vertex, f"{role}_label": "" if name in (None, str(vertex)) else name}
+def _stop(role: str, robot: Robot | None, stop: Stop) -> dict[str, Any]:
+    if stop.pose is not None:
+        return {role: pose_text(stop.pose)}
+    name = robot.name_of(stop.vertex) if robot else None
+    return {role: stop.vertex, f"{role}_label": "" if name in (None, stop.vertex) else name}
 
 
 def alarm_records(

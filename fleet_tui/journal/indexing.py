@@ -91,7 +91,7 @@ def _header(path: Path) -> tuple[Header, int]:
                     f"was written by a newer fleet-tui (format {stamp.version}, this one reads {VERSION}):"
                     " update it"
                 )
-            header = decode(line)
+            header = decode(line, stamp.version)
             assert isinstance(header, Header)
             problems = checked(header.config)
             if problems:
@@ -139,7 +139,7 @@ def _take_lines(recording: Recording, part: Path, lines: Lines) -> Iterator[int]
 def _take(recording: Recording, place: Place, line: bytes) -> bool:
     """Take a record; whether it is a keyframe."""
     moment = _reach(recording, line)
-    record = decode(line)
+    record = decode(line, recording.header.version)
     match record:
         case Header():
             _follow(recording, place.path, record)

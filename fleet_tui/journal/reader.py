@@ -11,6 +11,7 @@ import msgspec
 
 from fleet_tui.config.small_file import open_file
 from fleet_tui.journal.audit_file import KEPT, part
+from fleet_tui.journal.upgrade import upgrade_audit
 from fleet_tui.model.audit_record import AuditRecord
 
 BLOCK = 2**16
@@ -58,7 +59,16 @@ class Reading:
 def _decoded(line: bytes) -> AuditRecord | None:
     try:
         return _DECODER.decode(line)
+    except msgspec.ValidationError:
+        return _of_older_version(line)
     except (msgspec.MsgspecError, UnicodeError, RecursionError):
+        return None
+
+
+def _of_older_version(line: bytes) -> AuditRecord | None:
+    try:
+        return msgspec.convert(upgrade_audit(msgspec.json.decode(line)), AuditRecord)
+    except (msgspec.MsgspecError, KeyError, TypeError, ValueError, RecursionError):
         return None
 
 

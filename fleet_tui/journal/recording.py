@@ -109,7 +109,7 @@ class Recording:
                 file.seek(member)
                 known = _Names.of(self.config)
                 for _, line in Lines(file):
-                    record = decode(line)
+                    record = decode(line, self.header.version)
                     known.check(record)
                     yield record
         except RecordingError as problem:
@@ -119,7 +119,7 @@ class Recording:
 
     def state(self, keyframe: Keyframe) -> FleetState:
         """A keyframe's state. Raises RecordingError, also where it does not fit the config."""
-        state, config = keyframe.fleet_state(), self.config
+        state, config = keyframe.fleet_state(self.header.version), self.config
         fits = (
             list(state.robots) == [robot.name for robot in config.robots]
             and [(robot.name, robot.link) for robot in state.robots.values()]

@@ -15,6 +15,7 @@ from msgspec import Struct
 
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import FleetError, MapError
+from fleet_tui.journal.upgrade import upgrade_record, upgrade_state
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
@@ -22,8 +23,9 @@ from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import OccupancyGrid, check_frame
 from fleet_tui.model.occupancy import OCCUPIED, build_grid
 
-VERSION = 1
-"""Of the records below. It grows when an older program could not read them any more."""
+VERSION = 2
+"""Of the records below. It grows when an older program could not read them any more. Those of version 1
+are read, too: `upgrade` brings them to today's form."""
 
 T = TypeVar("T")
 
@@ -58,10 +60,10 @@ class Keyframe(Struct, frozen=True, tag="keyframe", tag_field="kind"):
         """The keyframe of a state."""
         return cls(at, wall, msgspec.msgpack.encode(state, enc_hook=hook))
 
-    def fleet_state(self) -> FleetState:
+    def fleet_state(self, version: int = VERSION) -> FleetState:
         """The state, as far as its form goes: `Recording.state` also looks whether it fits the config.
-        Raises RecordingError."""
-        return _decoded(_STATES, self.state)
+        `version` is that of its recording. Raises RecordingError."""
+        return _decoded(_STATES, self.state if version >= VERSION else _upgraded_state(self.state))
 
 
 class Heard(Struct, frozen=True, omit_defaults=True, tag="heard", tag_field="kind"):
@@ -200,9 +202,30 @@ def _spelled(value: Any) -> Any:
     return [_spelled(one) for one in value] if isinstance(value, list | tuple) else value
 
 
-def decode(line: bytes) -> Record:
-    """A line as the record it is. Raises RecordingError."""
+def decode(line: bytes, version: int = VERSION) -> Record:
+    """A line as the record it is; `version` is that of its recording. Raises RecordingError."""
+    if version < VERSION and not line.startswith(_FRAMES):
+        line = _upgraded(line)
     return _decoded(_RECORDS, line)
+
+
+# What came over the wire is the same in every version.
+_FRAMES = (b'{"kind":"heard"', b'{"kind":"sent"')
+_BROKEN = (KeyError, TypeError, AttributeError, ValueError, RecursionError, msgspec.MsgspecError)
+
+
+def _upgraded(line: bytes) -> bytes:
+    try:
+        return msgspec.json.encode(upgrade_record(msgspec.json.decode(line)))
+    except _BROKEN as problem:
+        raise RecordingError(f"a record can't be read: {problem!r}") from None
+
+
+def _upgraded_state(state: bytes) -> bytes:
+    try:
+        return msgspec.msgpack.encode(upgrade_state(msgspec.msgpack.decode(state)))
+    except _BROKEN as problem:
+        raise RecordingError(f"a record can't be read: {problem!r}") from None
 
 
 def _decoded(decoder: "msgspec.json.Decoder[T] | msgspec.msgpack.Decoder[T]", content: bytes) -> T:

@@ -7,7 +7,17 @@ from msgspec.structs import replace
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm, acknowledge, ripen, shelve, unshelve
 from fleet_tui.model.bounds import brief
-from fleet_tui.model.commands import Before, CommandRecord, PauseRobot, ResumeRobot, Stage, Step
+from fleet_tui.model.commands import (
+    Before,
+    CancelOrder,
+    ClearOrders,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+    Step,
+)
 from fleet_tui.model.conditions import conditions
 from fleet_tui.model.confirmation import before, confirm
 from fleet_tui.model.fleet import FleetState
@@ -59,12 +69,16 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
     robot = state.robots.get(record.command.robot)
     if robot is None or record.stage not in (Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE):
         return state
-    if isinstance(record.command, PauseRobot):
-        stands_at = robot.pose.value if robot.pose else None
-        return _with_robot(state, replace(robot, paused_by_us=True, paused_at=stands_at))
-    if isinstance(record.command, ResumeRobot):
-        return _with_robot(state, replace(robot, paused_by_us=False, paused_at=None))
-    return state
+    match record.command:
+        case PauseRobot():
+            stands_at = robot.pose.value if robot.pose else None
+            return _with_robot(state, replace(robot, paused_by_us=True, paused_at=stands_at))
+        case ResumeRobot():
+            return _with_robot(state, replace(robot, paused_by_us=False, paused_at=None))
+        case PlaceOrder() | CancelOrder() | ClearOrders():
+            return state
+        case _:
+            assert_never(record.command)
 
 
 def _advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetState:
@@ -128,8 +142,16 @@ def _apply_to_robot(
         case events.PoseReported():
             robot = apply_report(robot, event)
             return _with_robot(state, replace(robot, floor=_floor_with(state, robot.frame_id)))
-        case _:
+        case (
+            events.BatteryReported()
+            | events.CargoReported()
+            | events.ObstacleReported()
+            | events.QueueReported()
+            | events.PausedReported()
+        ):
             return _with_robot(state, apply_report(robot, event))
+        case _:
+            assert_never(event)
 
 
 def _floor_with(state: FleetState, frame_id: str) -> str | None:
@@ -205,4 +227,5 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
         case events.FloorMapLoaded():
             return _load_floor_map(state, event)
         case _:
+            # Does not type-check with a new kind of fact that is about no robot.
             return _apply_to_robot(state, event)

@@ -2,8 +2,9 @@
 
 import msgspec
 
-VERSION = 1
-"""Of the fields below. It grows when one changes its meaning; a new field leaves it as it is."""
+VERSION = 2
+"""Of the fields below. It grows when one changes its meaning; a new field leaves it as it is. Until 1, ids of
+vertices and orders were numbers; they are read as text."""
 
 
 class AuditRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
@@ -12,7 +13,8 @@ class AuditRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
     `time` is ISO 8601 with the offset. `kind` is command, alarm or console; `what` is which one of
     these (order, pause, offline, ...), `change` what happened to it (sent, refused, raised, ...) and
     `words` the reason, or the robot's own words. `id` is the request id of a command, `order` the
-    id of an order in the robot's queue; `floor` is the one the robot was on.
+    id of an order in the robot's queue; `start` and `end` are vertex ids, or poses in metres; `floor` is
+    the one the robot was on.
     """
 
     version: int
@@ -26,11 +28,11 @@ class AuditRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
     robot: str = ""
     words: str = ""
     id: int | None = None
-    start: int | None = None
+    start: str | None = None
     start_label: str = ""
-    end: int | None = None
+    end: str | None = None
     end_label: str = ""
-    order: int | None = None
+    order: str | None = None
     floor: str = ""
     link: str = ""
     url: str = ""

@@ -3,6 +3,7 @@
 The same for keys, menus, forms, typed lines and the command line. A pause is never held back.
 """
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 
 from fleet_tui.errors import did_you_mean
@@ -12,17 +13,15 @@ from fleet_tui.model.commands import (
     Command,
     PauseRobot,
     PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Wish,
 )
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.model.order import OPEN_STATUSES, STATUS_WORDS
+from fleet_tui.model.order import PENDING
 from fleet_tui.model.problem import Problem, Rights
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.route_checks import (
-    ends_of,
     floor_mismatch,
     mistakable,
     no_path,
@@ -31,6 +30,7 @@ from fleet_tui.model.route_checks import (
     unknown_vertex,
 )
 
+_NOT_POSITIVE = re.compile(r"-[0-9]+|0+", re.ASCII)
 SAME_WITHIN = 1.0
 """Seconds within which the same orders given again are a slip of the finger."""
 
@@ -73,14 +73,14 @@ def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
 
 def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """An order would be driven now."""
-    if ends_of(command) and state.is_paused(robot):
+    if isinstance(command, PlaceOrder) and state.is_paused(robot):
         ours = "" if robot.paused is not None else " (by us)"
         yield Problem("paused", f"{robot.name} is paused{ours}", blocks=False)
 
 
 def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """What becomes of an order can be seen."""
-    if not ends_of(command) or robot.heard is None or not state.is_online(robot):
+    if not isinstance(command, PlaceOrder) or robot.heard is None or not state.is_online(robot):
         return
     if robot.queue is None or state.is_old(robot.queue):
         since = "has not come" if robot.queue is None else f"is {age(state.now - robot.queue.at)} old"
@@ -92,7 +92,8 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
     """What is to be cancelled is there."""
     if not isinstance(command, CancelOrder):
         return
-    if command.order_id <= 0:
+    # Where ids are numbers: the others have their own words for all orders.
+    if _NOT_POSITIVE.fullmatch(command.order_id):
         text = f"order id {command.order_id} would mean all orders to the robot: use clear for that"
         yield Problem("id means all", text)
         return
@@ -102,7 +103,7 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
         text = f"order {command.order_id} is not in the queue of {robot.name}"
         yield Problem("not in the queue", text + (" as last heard" if old else ""), blocks=not old)
     elif order.is_over:
-        text = f"order {command.order_id} of {robot.name} is {STATUS_WORDS[order.status]} already"
+        text = f"order {command.order_id} of {robot.name} is {order.state_text} already"
         yield Problem("not in the queue", text, blocks=not old)
 
 
@@ -116,15 +117,18 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
 
 def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """With cargo on board and nothing to do there is only a destination; without cargo there is none."""
-    waiting = sum(order.status in OPEN_STATUSES for order in robot.orders.orders)
-    if isinstance(command, PlaceOrder) and robot.has_cargo and not robot.orders.orders:
-        text = f"{robot.name} has cargo on board and no orders: it needs only a destination"
-        yield Problem("cargo on board", text, blocks=False)
-    elif isinstance(command, PlaceOrderWithCargo) and not robot.has_cargo:
+    if not isinstance(command, PlaceOrder):
+        return
+    waiting = sum(order.state in PENDING for order in robot.orders.orders)
+    if not command.with_cargo:
+        if robot.has_cargo and not robot.orders.orders:
+            text = f"{robot.name} has cargo on board and no orders: it needs only a destination"
+            yield Problem("cargo on board", text, blocks=False)
+    elif not robot.has_cargo:
         sure = robot.cargo is not None and not state.is_old(robot.cargo)
         text = f"{robot.name} has no cargo on board: an order needs From and To"
         yield Problem("no cargo", text if sure else f"{robot.name} does not say that it has cargo", sure)
-    elif isinstance(command, PlaceOrderWithCargo) and waiting:
+    elif waiting:
         text = f"{robot.name} has cargo on board, and {waiting} order{'s' * (waiting > 1)} pending"
         yield Problem("cargo on board", text, blocks=False)
 
@@ -167,6 +171,7 @@ def problems(state: FleetState, wish: Wish, allowed: Rights) -> list[Problem]:
 def repeated(wish: Wish, given: Mapping[tuple[Command, ...], float], now: float) -> list[Problem]:
     """The same orders given again at once are a slip of the finger. `given`: when each was (monotonic)."""
     at = given.get(wish.commands)
-    if at is None or now - at >= SAME_WITHIN or not any(map(ends_of, wish.commands)):
+    places = any(isinstance(command, PlaceOrder) for command in wish.commands)
+    if at is None or now - at >= SAME_WITHIN or not places:
         return []
     return [Problem("repeated", f"the same order was given {now - at:.1f} s ago")]

@@ -7,29 +7,31 @@ from itertools import pairwise
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-INT32_MAX = 2**31 - 1
+from fleet_tui.model.order import Order, Stop, at_vertices
 
 
 class PlaceOrder(Struct, frozen=True, tag=True):
-    """Carry from vertex `start` to vertex `end`."""
+    """Carry from the first of the `stops` to the last. To a single one goes the cargo on board."""
 
     robot: str
-    start: int
-    end: int
+    stops: tuple[Stop, ...]
 
+    @property
+    def with_cargo(self) -> bool:
+        """Tell whether it brings what is on board already."""
+        return len(self.stops) == 1
 
-class PlaceOrderWithCargo(Struct, frozen=True, tag=True):
-    """Bring the cargo on board to vertex `end`."""
-
-    robot: str
-    end: int
+    @property
+    def what(self) -> str:
+        """What is asked, in a word or two."""
+        return "bring cargo" if self.with_cargo else "order"
 
 
 class CancelOrder(Struct, frozen=True, tag=True):
-    """Take one order out of the queue. `order_id` is above 0: 0 would mean all of them."""
+    """Take one order out of the queue."""
 
     robot: str
-    order_id: int
+    order_id: str
 
 
 class ClearOrders(Struct, frozen=True, tag=True):
@@ -50,7 +52,7 @@ class ResumeRobot(Struct, frozen=True, tag=True):
     robot: str
 
 
-Command = PlaceOrder | PlaceOrderWithCargo | CancelOrder | ClearOrders | PauseRobot | ResumeRobot
+Command = PlaceOrder | CancelOrder | ClearOrders | PauseRobot | ResumeRobot
 
 
 class Wish(Struct, frozen=True):
@@ -58,20 +60,21 @@ class Wish(Struct, frozen=True):
     was chosen by name, since the wire knows only ids, and floors may have the same ones."""
 
     commands: tuple[Command, ...]
-    floors: Mapping[int, str] = field(default_factory=dict)
+    floors: Mapping[str, str] = field(default_factory=dict)
 
 
-def chain(robot: str, vertices: Sequence[int], with_cargo: bool = False) -> tuple[Command, ...]:
+def chain(robot: str, vertices: Sequence[str], with_cargo: bool = False) -> tuple[Command, ...]:
     """Orders that visit the vertices one after the other: A, B, C is A -> B and B -> C. `with_cargo`:
     what is on board goes to the first one."""
-    first = [PlaceOrderWithCargo(robot, vertices[0])] if with_cargo else []
-    return (*first, *(PlaceOrder(robot, start, end) for start, end in pairwise(vertices)))
+    first = [PlaceOrder(robot, at_vertices(vertices[0]))] if with_cargo else []
+    return (*first, *(PlaceOrder(robot, at_vertices(*ends)) for ends in pairwise(vertices)))
 
 
 class Stage(Enum):
     """Where a command stands; the value is what the operator reads."""
 
     CHECKED = "checked"
+    WAITING = "waiting here"
     SENT = "sent"
     ACCEPTED = "accepted"
     NO_ANSWER = "no answer"
@@ -86,14 +89,27 @@ class Stage(Enum):
     CANCELLED = "cancelled"
     CANCELLED_ELSEWHERE = "cancelled elsewhere"
     LOST = "lost"
+    FAILED = "failed"
+    REPLACED = "replaced"
 
 
 _SEEN = frozenset({Stage.CONFIRMED, Stage.NOT_CONFIRMED, Stage.TAKEN})
-ORDER_ENDS = frozenset({Stage.DONE, Stage.CANCELLED, Stage.CANCELLED_ELSEWHERE, Stage.LOST})
+ORDER_ENDS = frozenset(
+    {
+        Stage.DONE,
+        Stage.CANCELLED,
+        Stage.CANCELLED_ELSEWHERE,
+        Stage.LOST,
+        Stage.FAILED,
+        Stage.REPLACED,
+    }
+)
 """Ends of an order that was in the queue."""
 
 NEXT: Mapping[Stage, frozenset[Stage]] = {
-    Stage.CHECKED: frozenset({Stage.SENT, Stage.NOT_SENT}),
+    Stage.CHECKED: frozenset({Stage.SENT, Stage.NOT_SENT, Stage.WAITING}),
+    # An order that this console keeps until the robot is free for it.
+    Stage.WAITING: frozenset({Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}),
     Stage.SENT: frozenset({Stage.ACCEPTED, Stage.REFUSED, Stage.NO_ANSWER, Stage.UNKNOWN}),
     Stage.ACCEPTED: _SEEN,
     # An answer may come late; the link may go while it is waited for.
@@ -102,23 +118,34 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.REFUSED: frozenset(),
     Stage.NOT_SENT: frozenset(),
     # Of an order; a pause can only be lost, and any other command has ended.
-    Stage.CONFIRMED: ORDER_ENDS,
+    Stage.CONFIRMED: ORDER_ENDS | {Stage.WAITING},
     # A robot that was frozen obeys when it wakes.
     Stage.NOT_CONFIRMED: frozenset({Stage.LATE}),
-    Stage.LATE: ORDER_ENDS,
+    Stage.LATE: ORDER_ENDS | {Stage.WAITING},
     Stage.TAKEN: frozenset({Stage.LOST}),
     Stage.DONE: frozenset(),
     Stage.CANCELLED: frozenset(),
     Stage.CANCELLED_ELSEWHERE: frozenset(),
     Stage.LOST: frozenset(),
+    Stage.FAILED: frozenset(),
+    Stage.REPLACED: frozenset(),
 }
 """The allowed transitions. A stage without a next one is an end."""
 
-OPEN = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
+OPEN = frozenset({Stage.CHECKED, Stage.WAITING, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Stages in which the outcome of a command is not known yet."""
 
 FAILURES = frozenset(
-    {Stage.REFUSED, Stage.NOT_SENT, Stage.NOT_CONFIRMED, Stage.LATE, Stage.CANCELLED_ELSEWHERE, Stage.LOST}
+    {
+        Stage.REFUSED,
+        Stage.NOT_SENT,
+        Stage.NOT_CONFIRMED,
+        Stage.LATE,
+        Stage.CANCELLED_ELSEWHERE,
+        Stage.LOST,
+        Stage.FAILED,
+        Stage.REPLACED,
+    }
 )
 """The stages that need a person."""
 
@@ -134,18 +161,18 @@ class Step(Struct, frozen=True):
 class Before(Struct, frozen=True):
     """What the robot had reported when the command was given: telemetry is read against it.
 
-    `last_order_id` is None where no queue had come; `request_id` is the one that the queue echoed.
-    `counted` is how far its order ids had counted by its own word. `moving`: its pose had just changed."""
+    `last_serial` is None where no queue had come; `request_id` is the one that the queue echoed.
+    `counted` is how far its orders had counted by its own word. `moving`: its pose had just changed."""
 
-    last_order_id: int | None = None
+    last_serial: int | None = None
     moving: bool = False
     request_id: int = 0
     counted: int = 0
 
 
 class CommandRecord(Struct, frozen=True):
-    """One command from the key to its end. `issued_at` is monotonic, `wall` Unix seconds; `order_id`
-    is the order in the robot's queue that a placed one was recognised as."""
+    """One command from the key to its end. `issued_at` is monotonic, `wall` Unix seconds; `order_id` and
+    `order_serial` are those of the order in the robot's queue that a placed one was recognised as."""
 
     id: int
     command: Command
@@ -153,7 +180,8 @@ class CommandRecord(Struct, frozen=True):
     wall: float
     steps: tuple[Step, ...]
     before: Before
-    order_id: int | None = None
+    order_id: str | None = None
+    order_serial: int | None = None
 
     @property
     def stage(self) -> Stage:
@@ -178,13 +206,17 @@ class CommandRecord(Struct, frozen=True):
     @property
     def has_open_order(self) -> bool:
         """Tell whether the order that it placed is in the robot's queue, as far as is known."""
-        places = isinstance(self.command, PlaceOrder | PlaceOrderWithCargo)
-        return places and self.order_id is not None and self.stage in (Stage.CONFIRMED, Stage.LATE)
+        return (
+            isinstance(self.command, PlaceOrder)
+            and self.order_id is not None
+            and self.stage in (Stage.CONFIRMED, Stage.LATE)
+        )
 
     @property
     def outcome(self) -> Step | None:
-        """The step that decided it, None while it is open."""
-        return next((step for step in self.steps if step.stage not in OPEN), None)
+        """The step that decided it, None while it is open. An order that waits here again is open again."""
+        waited = max((n for n, step in enumerate(self.steps) if step.stage is Stage.WAITING), default=0)
+        return next((step for step in self.steps[waited:] if step.stage not in OPEN), None)
 
     def time_of(self, stage: Stage) -> float | None:
         """When it reached a stage last, None if never."""
@@ -195,3 +227,7 @@ class CommandRecord(Struct, frozen=True):
         if step.stage not in NEXT[self.stage]:
             return self
         return replace(self, steps=(*self.steps, step))
+
+    def recognised(self, order: Order, step: Step) -> "CommandRecord":
+        """The record one step on, with the order that it placed."""
+        return replace(self.advanced(step), order_id=order.id, order_serial=order.serial)

@@ -57,7 +57,7 @@ def _cancel(line: str, named: Sequence[Token], start: int, state: FleetState, se
     robot = _robot(named[0], state) if named else state.robots.get(selected)
     if len(named) > 1:
         return []
-    ids = [str(order.id) for order in robot.orders.in_sequence()] if robot else []
+    ids = [order.id for order in robot.orders.in_sequence()] if robot else []
     found = _lines(line, start, ids, last=True)
     return found if named else [*found, *_lines(line, start, state.robots)]
 

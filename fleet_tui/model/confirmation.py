@@ -5,8 +5,6 @@ An answer is only the robot's word; the queue and the pose have the last one.
 
 from typing import assert_never
 
-from msgspec.structs import replace
-
 from fleet_tui.model.commands import (
     Before,
     CancelOrder,
@@ -14,14 +12,13 @@ from fleet_tui.model.commands import (
     CommandRecord,
     PauseRobot,
     PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
     Step,
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
-from fleet_tui.model.order import OPEN_STATUSES, STATUS_WORDS, OrderQueue
+from fleet_tui.model.order import PENDING, Order, OrderQueue, OrderState
 from fleet_tui.model.robot import Robot
 
 STANDS_AFTER = 1.0
@@ -34,10 +31,10 @@ WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 def before(robot: Robot, now: float) -> Before:
     """What the robot has reported up to `now`, when a command is given."""
     queue = robot.orders
-    last = max([queue.last_order_id, *(order.id for order in queue.orders)]) if robot.queue else None
+    last = max([queue.last_serial, *(order.serial for order in queue.orders)]) if robot.queue else None
     standing = robot.standing
     moving = standing is not None and now - standing.at < STANDS_AFTER
-    return Before(last, moving, queue.request_id, queue.last_order_id)
+    return Before(last, moving, queue.request_id, queue.last_serial)
 
 
 def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
@@ -49,38 +46,45 @@ def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
 
 
 def _is_of_another_life(other: CommandRecord, record: CommandRecord, last: int) -> bool:
-    """Whether the robot has begun to count anew between two commands: an id seen before the second one
+    """Whether the robot has begun to count anew between two commands: a serial seen before the second one
     was given was above the last one known when it was."""
     claimed = other.time_of(Stage.LATE) or other.time_of(Stage.CONFIRMED)
     decided = claimed is not None and claimed <= record.issued_at
-    return other.order_id is not None and decided and other.order_id > last
+    return other.order_serial is not None and decided and other.order_serial > last
 
 
-def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool = True) -> int | None:
-    """Find the order in the queue that a command placed: same ends, a new id, nobody else's. `by_echo`:
+def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool = True) -> Order | None:
+    """Find the order in the queue that a command placed: same stops, new, nobody else's. `by_echo`:
     not where the queue says that another request placed it."""
-    queue, command, last = _queue_since(robot, record), record.command, record.before.last_order_id
-    if queue is None or last is None:
+    queue, command, last = _queue_since(robot, record), record.command, record.before.last_serial
+    if queue is None or last is None or not isinstance(command, PlaceOrder):
         return None
-    if queue.last_order_id < record.before.counted:
-        last = 0  # the robot was started anew before it took the order: its ids start over
+    if queue.last_serial < record.before.counted:
+        last = 0  # the robot was started anew before it took the order: its serials start over
     taken = {
         other.order_id
         for other in state.commands
         if other.command.robot == robot.name and not _is_of_another_life(other, record, last)
     }
-    start = command.start if isinstance(command, PlaceOrder) else None
-    end = command.end if isinstance(command, PlaceOrder | PlaceOrderWithCargo) else None
-    ids = [
-        order.id
+    found = [
+        order
         for order in queue.orders
-        if order.id > last and order.id not in taken and order.end == end and start in (None, order.start)
+        if order.serial > last and order.id not in taken and could_be(command, order)
     ]
     if not by_echo:
-        return min(ids, default=None)
+        return _oldest(found)
     own = (0, record.id, record.before.request_id)
-    ids = [id_ for id_ in ids if id_ not in robot.traces or robot.traces[id_].request_id in own]
-    return _by_echo(ids, queue, record)
+    found = [one for one in found if one.id not in robot.traces or robot.traces[one.id].request_id in own]
+    return _by_echo(found, queue, record)
+
+
+def could_be(command: PlaceOrder, order: Order) -> bool:
+    """Tell whether an order is as this command asks. One for the cargo on board begins wherever it was."""
+    return order.stops[-1:] == command.stops if command.with_cargo else order.stops == command.stops
+
+
+def _oldest(orders: list[Order]) -> Order | None:
+    return min(orders, key=lambda order: order.serial, default=None)
 
 
 def is_given_again(state: FleetState, record: CommandRecord) -> bool:
@@ -91,31 +95,36 @@ def is_given_again(state: FleetState, record: CommandRecord) -> bool:
     )
 
 
-def _by_echo(ids: list[int], queue: OrderQueue, record: CommandRecord) -> int | None:
+def _by_echo(found: list[Order], queue: OrderQueue, record: CommandRecord) -> Order | None:
     """Choose among equal orders. The queue echoes the request of its newest order, if at all: where the
     echo changed since the command was given, the newest order belongs to that request."""
-    if queue.request_id == record.id and queue.last_order_id in ids:
-        return queue.last_order_id
+    newest = [order for order in found if order.serial == queue.last_serial]
+    if queue.request_id == record.id and newest:
+        return newest[0]
     if queue.request_id not in (0, record.id, record.before.request_id):
-        ids = [id_ for id_ in ids if id_ != queue.last_order_id]
-    return min(ids, default=None)
+        found = [order for order in found if order not in newest]
+    return _oldest(found)
 
 
 def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
     """Which of the orders that were to go are still in the queue; None while no queue has come."""
-    queue, last = _queue_since(robot, record), record.before.last_order_id
+    queue, last = _queue_since(robot, record), record.before.last_serial
     if queue is None:
         return None
     match record.command:
         case CancelOrder(_, order_id):
-            left = [order for order in queue.orders if order.id == order_id and order.status != "C"]
-        case _:
             left = [
-                order
-                for order in queue.orders
-                if order.status in OPEN_STATUSES and (last is None or order.id <= last)
+                one for one in queue.orders if one.id == order_id and one.state is not OrderState.CANCELLED
             ]
-    return [f"order {order.id} is {STATUS_WORDS.get(order.status, order.status)}" for order in left]
+        case ClearOrders():
+            left = [
+                one for one in queue.orders if one.state in PENDING and (last is None or one.serial <= last)
+            ]
+        case PlaceOrder() | PauseRobot() | ResumeRobot():
+            left = []
+        case _:
+            assert_never(record.command)
+    return [f"order {order.id} is {order.state_text}" for order in left]
 
 
 def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
@@ -158,12 +167,12 @@ def _paused(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool
 def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool) -> CommandRecord:
     """The record, confirmed if telemetry shows that the command was carried out."""
     match record.command:
-        case PlaceOrder() | PlaceOrderWithCargo():
-            order_id = find_order(state, robot, record, by_echo)
-            if order_id is None:
+        case PlaceOrder():
+            order = find_order(state, robot, record, by_echo)
+            if order is None:
                 return record
-            step = Step(Stage.CONFIRMED, state.now, f"seen in the queue as order {order_id}")
-            return replace(record.advanced(step), order_id=order_id)
+            step = Step(Stage.CONFIRMED, state.now, f"seen in the queue as order {order.id}")
+            return record.recognised(order, step)
         case CancelOrder() | ClearOrders():
             if _still_there(robot, record) != []:
                 return record
@@ -192,14 +201,19 @@ def _instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) ->
 
 def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
     """What telemetry showed where a command can't be seen to have been carried out."""
-    if isinstance(record.command, PauseRobot | ResumeRobot):
-        return _instead_of_pause(state, robot, record)
-    if _queue_since(robot, record) is None:
-        return "its queue has not been heard since"
-    if isinstance(record.command, PlaceOrder | PlaceOrderWithCargo):
-        unknown = record.before.last_order_id is None
-        return "its queue was not known before" if unknown else "no such order in its queue"
-    return ", ".join((_still_there(robot, record) or [])[:3])
+    unheard = _queue_since(robot, record) is None
+    match record.command:
+        case PauseRobot() | ResumeRobot():
+            return _instead_of_pause(state, robot, record)
+        case PlaceOrder() | CancelOrder() | ClearOrders() if unheard:
+            return "its queue has not been heard since"
+        case PlaceOrder():
+            unknown = record.before.last_serial is None
+            return "its queue was not known before" if unknown else "no such order in its queue"
+        case CancelOrder() | ClearOrders():
+            return ", ".join((_still_there(robot, record) or [])[:3])
+        case _:
+            assert_never(record.command)
 
 
 def _deadline(state: FleetState, robot: Robot, record: CommandRecord) -> float | None:

@@ -92,7 +92,7 @@ class LabelsReceived(Struct, frozen=True, tag=True):
 
     robot: str
     floor: str
-    labels: Mapping[int, str]
+    labels: Mapping[str, str]
     faults: int = 0
     fault: str = ""
 

@@ -6,27 +6,29 @@ returned, and stays until somebody acknowledges it.
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
+from typing import assert_never
 
 from fleet_tui.model.alarm import Condition, Key, Priority
 from fleet_tui.model.batches import batches
 from fleet_tui.model.commands import (
     FAILURES,
+    ORDER_ENDS,
     CancelOrder,
     ClearOrders,
     Command,
     CommandRecord,
     PauseRobot,
     PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
 )
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
 
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""
-_OVER = {stage: f"was {stage.value}" for stage in (Stage.LATE, Stage.CANCELLED_ELSEWHERE, Stage.LOST)}
+_OVER = {stage: f"was {stage.value}" for stage in FAILURES & (ORDER_ENDS | {Stage.LATE}) - {Stage.FAILED}}
 MANY = 5
 """Failed commands to so many robots that were given together are one alarm."""
 
@@ -38,10 +40,8 @@ def has_failed(record: CommandRecord) -> bool:
 
 def _wish(robot: Robot, command: Command) -> str:
     match command:
-        case PlaceOrder(_, start, end):
-            return f"order {robot.name_of(start) or start} -> {robot.name_of(end) or end}"
-        case PlaceOrderWithCargo(_, end):
-            return f"bring cargo -> {robot.name_of(end) or end}"
+        case PlaceOrder(_, stops):
+            return f"{command.what} {route_text(stops, lambda vertex: robot.name_of(vertex) or vertex)}"
         case CancelOrder(_, order_id):
             return f"cancel order {order_id}"
         case ClearOrders():
@@ -50,6 +50,8 @@ def _wish(robot: Robot, command: Command) -> str:
             return "pause"
         case ResumeRobot():
             return "resume"
+        case _:
+            assert_never(command)
 
 
 def failed_commands(state: FleetState) -> Iterator[Condition]:

@@ -2,21 +2,19 @@
 
 from typing import assert_never
 
-from msgspec.structs import replace
-
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
     CommandRecord,
     PauseRobot,
     PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
     Step,
 )
 from fleet_tui.model.confirmation import find_order, is_given_again, is_overtaken
 from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest, listed_end
 from fleet_tui.model.reason import last_command
 from fleet_tui.model.robot import Robot
@@ -36,9 +34,15 @@ def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
         return record
     if record.stage is Stage.NOT_CONFIRMED:
         return _carried_out_late(state, robot, record)
-    if isinstance(record.command, PauseRobot):
-        return _lost_pause(state, robot, record)
-    return _ended(state, robot, record) if record.has_open_order else record
+    match record.command:
+        case PauseRobot():
+            return _lost_pause(state, robot, record)
+        case PlaceOrder():
+            return _ended(state, robot, record) if record.has_open_order else record
+        case CancelOrder() | ClearOrders() | ResumeRobot():
+            return record
+        case _:
+            assert_never(record.command)
 
 
 def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
@@ -61,7 +65,7 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
 
 
-def _listed(robot: Robot, order_id: int) -> GoneOrder | None:
+def _listed(robot: Robot, order_id: str) -> GoneOrder | None:
     """Find the end of an order that was over when it was first seen."""
     over = (order for order in robot.orders.orders if order.id == order_id and order.is_over)
     return next((listed_end(order, robot.queue.at) for order in over if robot.queue), None)
@@ -70,6 +74,8 @@ def _listed(robot: Robot, order_id: int) -> GoneOrder | None:
 def _end_stage(state: FleetState, record: CommandRecord, gone: GoneOrder) -> Stage:
     if gone.reason == STARTED_OVER:
         return Stage.LOST
+    if gone.stage in (Stage.FAILED, Stage.REPLACED):
+        return gone.stage
     ours = _removals(state, record, gone)
     if gone.stage is Stage.DONE:
         return Stage.CANCELLED if ours & _REMOVED else Stage.DONE
@@ -86,18 +92,18 @@ def _removals(state: FleetState, record: CommandRecord, gone: GoneOrder) -> set[
         if other.command.robot == record.command.robot
         and other.id != record.id
         and record.issued_at <= other.issued_at <= gone.at
-        and _removes(other, gone.order.id)
+        and _removes(other, gone.order)
     }
 
 
-def _removes(record: CommandRecord, order_id: int) -> bool:
+def _removes(record: CommandRecord, order: Order) -> bool:
     match record.command:
         case CancelOrder(_, cancelled):
-            return cancelled == order_id
+            return cancelled == order.id
         case ClearOrders():
-            last = record.before.last_order_id
-            return last is None or order_id <= last
-        case PlaceOrder() | PlaceOrderWithCargo() | PauseRobot() | ResumeRobot():
+            last = record.before.last_serial
+            return last is None or order.serial <= last
+        case PlaceOrder() | PauseRobot() | ResumeRobot():
             return False
         case _:
             assert_never(record.command)
@@ -105,19 +111,18 @@ def _removes(record: CommandRecord, order_id: int) -> bool:
 
 def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
     match record.command:
-        case PlaceOrder() | PlaceOrderWithCargo():
+        case PlaceOrder():
             waits = state.now - record.at < LATE_ORDER and not is_given_again(state, record)
-            order_id = find_order(state, robot, record) if waits else None
-            if order_id is None:
+            order = find_order(state, robot, record) if waits else None
+            if order is None:
                 return record
-            late = record.advanced(_late(state, record, f"order {order_id}"))
-            return replace(late, order_id=order_id)
+            return record.recognised(order, _late(state, record, f"order {order.id}"))
         case CancelOrder() | ClearOrders():
             happened = any(
                 one.at > record.at
-                and one.stage is not Stage.DONE
+                and one.stage in (Stage.CANCELLED, Stage.LOST)
                 and one.reason != STARTED_OVER
-                and _removes(record, one.order.id)
+                and _removes(record, one.order)
                 and not _removals(state, record, one) & _MAY_HAVE_REMOVED
                 for one in robot.gone
             )

@@ -11,24 +11,24 @@ A robot is its name or its number, a place its label or its vertex id; `id=7` is
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from typing import assert_never
 
 from msgspec import Struct
 
 from fleet_tui.errors import CommandError, did_you_mean
 from fleet_tui.model.commands import (
-    INT32_MAX,
     CancelOrder,
     ClearOrders,
     Command,
     PauseRobot,
     PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Wish,
     chain,
 )
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.lookup import called, places
+from fleet_tui.model.lookup import NUMBER, called, places, plain_id
+from fleet_tui.model.order import natural, vertices_of
 from fleet_tui.model.robot import Robot
 
 USAGE = {
@@ -44,7 +44,6 @@ ALL = "all"
 _TOKEN = re.compile(
     r"""(?P<to>(?<![^\s>])->|>)|"(?P<two>[^"]*)"(?=[\s>]|$)|'(?P<one>[^']*)'(?=[\s>]|$)|[^\s>]+"""
 )
-_NUMBER = re.compile(r"-?[0-9]{1,10}", re.ASCII)
 
 
 class Token(Struct, frozen=True):
@@ -84,9 +83,10 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
         case "order", [name, *named] if named:
             return _order(find_robot(name, state), named)
         case "cancel", [number] if selected in state.robots:
-            return Wish((CancelOrder(selected, _order_id(number)),))
+            return Wish((CancelOrder(selected, _order_id(state.robots[selected], number)),))
         case "cancel", [name, number]:
-            return Wish((CancelOrder(find_robot(name, state).name, _order_id(number)),))
+            robot = find_robot(name, state)
+            return Wish((CancelOrder(robot.name, _order_id(robot, number)),))
         case "clear", [name]:
             return Wish((ClearOrders(find_robot(name, state).name),))
         case "pause", [name]:
@@ -104,9 +104,8 @@ def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot
     same = [name for name in state.robots if name.casefold() == word.casefold()]
     for name in [word] if word in state.robots else same if len(same) == 1 else []:
         return state.robots[name]
-    number = _number(word)
     for robot in state.robots.values():
-        if robot.number == number:
+        if str(robot.number) == plain_id(word):
             return robot
     near = did_you_mean(word, known or state.robots)
     raise CommandError(f"no robot{' or command' if known else ''} is called {_said(word)}{near}")
@@ -118,37 +117,43 @@ def _robots(word: str, state: FleetState) -> list[str]:
     return [find_robot(word, state).name]
 
 
-def _number(word: str) -> int | None:
-    number = int(word) if _NUMBER.fullmatch(word) else None
-    return number if number is not None and -INT32_MAX - 1 <= number <= INT32_MAX else None
-
-
-def _order_id(word: str) -> int:
-    number = _number(word)
-    if number is None:
-        raise CommandError(f"{_said(word)} is no order id: a number as the queue shows it")
-    return number
+def _order_id(robot: Robot, word: str) -> str:
+    """The id that a word means: one of the queue, or any number, since the queue may be old."""
+    if any(order.id == word for order in robot.orders.orders):
+        return word
+    if not NUMBER.fullmatch(word):
+        raise CommandError(f"{_said(word)} is no order id: write it as the queue shows it")
+    return plain_id(word)
 
 
 def _said(word: str) -> str:
     return repr(word if len(word) <= 40 else word[:39] + "…")
 
 
-def _vertex(robot: Robot, word: str) -> tuple[int, str]:
+def _vertex_id(robot: Robot, word: str) -> str:
+    """The vertex id that a word is, empty for none: one of the robot's graphs, or any number."""
+    if robot.name_of(word) is not None:
+        return word
+    return plain_id(word) if NUMBER.fullmatch(word) else ""
+
+
+def _vertex(robot: Robot, word: str) -> tuple[str, str]:
     """The vertex that a word means, and its floor where it was called by its label."""
-    number = _number(word.removeprefix("id="))
-    if word.startswith("id=") and number is not None:
-        return number, ""
+    id_ = _vertex_id(robot, word.removeprefix("id="))
+    if word.startswith("id=") and id_:
+        return id_, ""
+    if NUMBER.fullmatch(word) and word.startswith("-"):
+        id_ = ""  # a negative number is an id only where that is said
     found = {place.vertex: place for place in called(robot, word)}
-    if not found and number is not None and number >= 0:
-        return number, ""
-    if number is not None and number >= 0 and robot.name_of(number) is not None:
-        found.setdefault(number, next(iter(found.values())))
+    if not found and id_:
+        return id_, ""
+    if id_ and robot.name_of(id_) is not None:
+        found.setdefault(id_, next(iter(found.values())))
     if not found:
         near = did_you_mean(word, [place.name for place in places(robot)])
         raise CommandError(f"{robot.name} knows no place called {_said(word)}{near}")
     if len(found) > 1:
-        ids = " or ".join(f"id={vertex}" for vertex in sorted(found))
+        ids = " or ".join(_id_word(vertex) for vertex in sorted(found, key=natural))
         raise CommandError(f"{_said(word)} can mean several places of {robot.name}: write {ids}")
     ((vertex, place),) = found.items()
     return vertex, place.floor
@@ -198,35 +203,46 @@ def _label(line: str, leg: list[Token]) -> str:
 def written(command: Command, state: FleetState) -> str:
     """A command as a line that `parse` reads back."""
     match command:
-        case PlaceOrder(name, start, end):
+        case PlaceOrder(name, stops):
             robot = state.robots[name]
-            return f"order {name} {_word(robot, start)} {_word(robot, end)}"
-        case PlaceOrderWithCargo(name, end):
-            return f"order {name} {_word(state.robots[name], end)}"
+            return " ".join(["order", name, *(_word(robot, vertex) for vertex in vertices_of(stops))])
         case CancelOrder(name, order_id):
-            return f"cancel {name} {order_id}"
+            return f"cancel {name} {_quoted(order_id)}"
         case ClearOrders(name):
             return f"clear {name}"
         case PauseRobot(name):
             return f"pause {name}"
         case ResumeRobot(name):
             return f"resume {name}"
+        case _:
+            assert_never(command)
 
 
-def _word(robot: Robot, vertex: int) -> str:
+def _word(robot: Robot, vertex: str) -> str:
     """The label in quotes where it needs them, else the id."""
-    return next(iter(_words(robot, vertex)), f"id={vertex}")
-
-
-def _words(robot: Robot, vertex: int) -> Iterator[str]:
     name = robot.name_of(vertex)
+    if name is None or not (word := next(_spellings(name), "")):
+        return _id_word(vertex)
+    try:
+        return word if _vertex(robot, name)[0] == vertex else _id_word(vertex)
+    except CommandError:
+        return _id_word(vertex)
+
+
+def _id_word(vertex: str) -> str:
+    return _quoted(f"id={vertex}")
+
+
+def _quoted(text: str) -> str:
+    """A text as one word of a line, as far as that is possible."""
+    return next(_spellings(text), text)
+
+
+def _spellings(text: str) -> Iterator[str]:
+    """The words of a line that are read back as this text."""
     # One that begins with a quote might find the end of that quote in the next word.
-    plain = [] if name is None or name.startswith(("'", '"')) else [name]
-    for word in plain if name is None else [*plain, f'"{name}"', f"'{name}'"]:
+    plain = [] if text.startswith(("'", '"')) else [text]
+    for word in [*plain, f'"{text}"', f"'{text}'"]:
         found = tokens(word)
-        if len(found) == 1 and found[0].text == name and not found[0].separates and found[0].end == len(word):
-            try:
-                if _vertex(robot, name)[0] == vertex:
-                    yield word
-            except CommandError:
-                return
+        if len(found) == 1 and found[0].text == text and not found[0].separates and found[0].end == len(word):
+            yield word

@@ -18,33 +18,34 @@ class Role(Enum):
 
 
 class Vertex(Struct, frozen=True, gc=False):
-    """A place on the graph: x, y in metres in the map's world frame."""
+    """A place on the graph: x, y in metres in the map's world frame. `type` is the robot stack's own word."""
 
-    id: int
+    id: str
     x: float
     y: float
     role: Role = Role.PLAIN
+    type: str = ""
 
 
 class Edge(Struct, frozen=True, gc=False):
     """A drivable connection between two vertex ids."""
 
-    id: int
-    start: int
-    end: int
+    id: str
+    start: str
+    end: str
 
 
 class RouteGraph(Struct, frozen=True, dict=True):
     """Vertices by id and the edges between them; edges go both ways unless `directed`."""
 
-    vertices: Mapping[int, Vertex] = field(default_factory=dict)
+    vertices: Mapping[str, Vertex] = field(default_factory=dict)
     edges: tuple[Edge, ...] = ()
     directed: bool = False
 
     @cached_property
-    def neighbours(self) -> Mapping[int, tuple[tuple[int, float], ...]]:
+    def neighbours(self) -> Mapping[str, tuple[tuple[str, float], ...]]:
         """For each vertex id the reachable ids with the length in metres of the way there."""
-        found: dict[int, list[tuple[int, float]]] = {id_: [] for id_ in self.vertices}
+        found: dict[str, list[tuple[str, float]]] = {id_: [] for id_ in self.vertices}
         for edge in self.edges:
             start, end = self.vertices.get(edge.start), self.vertices.get(edge.end)
             if start is None or end is None:
@@ -55,11 +56,11 @@ class RouteGraph(Struct, frozen=True, dict=True):
                 found[edge.end].append((edge.start, length))
         return {id_: tuple(ways) for id_, ways in found.items()}
 
-    def path(self, start: int, end: int) -> tuple[int, ...]:
+    def path(self, start: str, end: str) -> tuple[str, ...]:
         """The shortest way as vertex ids, both ends included; empty if there is none."""
         if start not in self.vertices or end not in self.vertices:
             return ()
-        reached: dict[int, tuple[float, int]] = {start: (0.0, start)}
+        reached: dict[str, tuple[float, str]] = {start: (0.0, start)}
         queue = [(0.0, start)]
         while queue:
             distance, vertex = heapq.heappop(queue)

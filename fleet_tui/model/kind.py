@@ -15,6 +15,6 @@ class Kind(Struct, frozen=True):
     counts."""
 
     name: str = ""
-    reports: frozenset[str] = frozenset()
-    accepts: frozenset[str] = frozenset()
+    reports: tuple[str, ...] = ()
+    accepts: tuple[str, ...] = ()
     silence: Mapping[str, float] = field(default_factory=dict)

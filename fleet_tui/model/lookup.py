@@ -1,18 +1,22 @@
 """Finding a vertex by what an operator types: part of a label, or an id."""
 
+import re
 from collections.abc import Sequence
 
 from msgspec import Struct
 
-from fleet_tui.model.commands import PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import vertices_of
 from fleet_tui.model.robot import Robot
+
+NUMBER = re.compile(r"-?[0-9]{1,10}", re.ASCII)
 
 
 class Place(Struct, frozen=True):
     """A vertex that an order can name."""
 
-    vertex: int
+    vertex: str
     name: str
     floor: str
 
@@ -28,17 +32,18 @@ def places(robot: Robot) -> list[Place]:
     return sorted(found, key=lambda place: (place.floor != robot.floor, place.name.casefold()))
 
 
-def recent_ends(state: FleetState, robot: Robot) -> list[int]:
-    """Where the robot was last sent, the newest first: by this console, and by its queue."""
+def recent_ends(state: FleetState, robot: Robot) -> list[str]:
+    """The vertices to which the robot was last sent, the newest first: by this console, and by its queue."""
     given = [
-        record.command.end
+        record.command.stops[-1:]
         for record in reversed(state.commands)
-        if isinstance(record.command, PlaceOrder | PlaceOrderWithCargo) and record.command.robot == robot.name
+        if isinstance(record.command, PlaceOrder) and record.command.robot == robot.name
     ]
-    return list(dict.fromkeys([*given, *(order.end for order in reversed(robot.orders.orders))]))
+    listed = [order.stops[-1:] for order in reversed(robot.orders.orders)]
+    return list(dict.fromkeys(vertex for stops in given + listed for vertex in vertices_of(stops)))
 
 
-def matches(robot: Robot, typed: str, recent: Sequence[int] = ()) -> list[Place]:
+def matches(robot: Robot, typed: str, recent: Sequence[str] = ()) -> list[Place]:
     """The places that what was typed can mean, the best first: whole label, id, start, part; among
     equals the `recent` ones."""
     wanted = typed.strip().casefold()
@@ -49,16 +54,19 @@ def matches(robot: Robot, typed: str, recent: Sequence[int] = ()) -> list[Place]
     whole = [place for place in everything if place.name.casefold() == wanted]
     starts = [place for place in everything if place.name.casefold().startswith(wanted)]
     parts = [place for place in everything if wanted in place.name.casefold()]
-    return list(dict.fromkeys([*whole, *_by_id(robot, wanted), *starts, *parts]))
+    return list(dict.fromkeys([*whole, *_by_id(robot, typed.strip()), *starts, *parts]))
+
+
+def plain_id(word: str) -> str:
+    """An id as a robot writes it: a number without zeros before it, any other text as it is."""
+    return str(int(word)) if NUMBER.fullmatch(word) else word
 
 
 def _by_id(robot: Robot, typed: str) -> list[Place]:
-    if not (typed.isascii() and typed.isdigit() and len(typed) <= 10):
-        return []
-    vertex = int(typed)
     return [
-        Place(vertex, chart.labels.get(vertex, str(vertex)), floor)
+        Place(vertex, chart.labels.get(vertex, vertex), floor)
         for floor, chart in robot.charts.items()
+        for vertex in dict.fromkeys((typed, plain_id(typed)))
         if chart.graph is not None and vertex in chart.graph.vertices
     ]
 

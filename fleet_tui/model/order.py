@@ -1,44 +1,126 @@
-"""Transport orders as a robot reports them."""
+"""Transport orders as a robot reports them, whatever its stack calls their states."""
+
+import re
+from collections.abc import Callable
+from enum import Enum
 
 from msgspec import Struct
 
-# Both of the first come from the source; the others occur. An unknown letter is shown as it is.
-STATUS_WORDS = {"W": "in process", "Q": "queued", "D": "done", "C": "cancelled"}
-OPEN_STATUSES = frozenset("WQ")
-"""Orders that will still be driven."""
+from fleet_tui.model.geometry import Pose
+
+_DIGITS = re.compile(r"([0-9]+)")
+
+
+class OrderState(Enum):
+    """How far an order is; the value is what the operator reads."""
+
+    QUEUED = "queued"
+    IN_PROCESS = "in process"
+    PAUSED = "paused"
+    DONE = "done"
+    CANCELLED = "cancelled"
+    LOST = "lost"
+    FAILED = "failed"
+    REPLACED = "replaced"
+    REFUSED = "refused"
+
+
+BEGUN = frozenset({OrderState.IN_PROCESS, OrderState.PAUSED})
+"""States of an order that the robot has begun."""
+PENDING = BEGUN | {OrderState.QUEUED}
+"""States of an order that will still be driven."""
+OVER = frozenset(OrderState) - PENDING
+"""States of an order that is only still listed."""
+
+
+class Stop(Struct, frozen=True):
+    """A place that an order leads to: a vertex by its id, or a pose; exactly one of both."""
+
+    vertex: str = ""
+    pose: Pose | None = None
+
+
+def natural(id_: str) -> list[tuple[bool, int, str]]:
+    """A key that sorts ids as a person does: 2 before 10."""
+    parts = (part.lstrip("0") if part.isdigit() else part for part in _DIGITS.split(id_))
+    return [(not part.isdigit(), len(part) if part.isdigit() else 0, part) for part in parts]
+
+
+def at_vertices(*vertices: str) -> tuple[Stop, ...]:
+    """The stops at these vertices."""
+    return tuple(map(Stop, vertices))
+
+
+def vertices_of(stops: tuple[Stop, ...]) -> tuple[str, ...]:
+    """The ids of the stops that are vertices."""
+    return tuple(stop.vertex for stop in stops if stop.pose is None)
+
+
+def route_text(stops: tuple[Stop, ...], name: Callable[[str], str]) -> str:
+    """Write stops as `A -> B`, a single one as `-> B`, none as `-> ?`; `name` gives that of a vertex id."""
+    names = [name(stop.vertex) if stop.pose is None else pose_text(stop.pose) for stop in stops]
+    return " -> ".join(names) if len(names) > 1 else f"-> {names[0] if names else '?'}"
+
+
+def pose_text(pose: Pose) -> str:
+    """Write where a pose is, in metres."""
+    return f"({pose.x:.1f}, {pose.y:.1f})"
 
 
 class Order(Struct, frozen=True):
-    """Bring cargo from vertex `start` to vertex `end`; `status` is the robot's own letter."""
+    """Go to the `stops` one after the other; none: they are not known.
 
-    id: int
-    start: int
-    end: int
-    status: str
+    `state` is None where the robot's own `word` for it says nothing to us. `serial` grows with each order
+    that the robot takes: a new order has a higher one than all before it.
+    """
+
+    id: str
+    stops: tuple[Stop, ...]
+    state: OrderState | None
+    word: str
+    serial: int
 
     @property
     def is_over(self) -> bool:
         """Tell whether it is only still listed."""
-        return self.status in ("D", "C")
+        return self.state in OVER
+
+    @property
+    def start(self) -> Stop | None:
+        """The first stop, None where the robot starts from wherever it is."""
+        return self.stops[0] if len(self.stops) > 1 else None
+
+    @property
+    def end(self) -> Stop | None:
+        """The last stop, None where it is not known."""
+        return self.stops[-1] if self.stops else None
+
+    @property
+    def state_text(self) -> str:
+        """Its state in our words, else in the robot's own."""
+        return self.state.value if self.state else self.word
 
 
 class OrderQueue(Struct, frozen=True):
-    """A robot's orders. `current_order_id` means none where no order of the list has it; `request_id` is
-    the request that placed the newest order, 0 where the robot does not echo it."""
+    """A robot's orders. `last_serial` is the serial of the newest order that it ever took; `current_id` is
+    empty for none; `request_id` is the request that placed the newest order, 0 where the robot does not
+    echo it."""
 
-    last_order_id: int
-    current_order_id: int
+    last_serial: int
+    current_id: str
     orders: tuple[Order, ...]
     request_id: int = 0
 
     @property
     def current(self) -> Order | None:
         """The order being driven."""
-        return next((order for order in self.orders if order.id == self.current_order_id), None)
+        if not self.current_id:
+            return None
+        return next((order for order in self.orders if order.id == self.current_id), None)
 
     @property
     def open(self) -> tuple[Order, ...]:
-        """The orders that will still be driven, as far as their letters tell."""
+        """The orders that will still be driven, as far as their states tell."""
         return tuple(order for order in self.in_sequence() if not order.is_over)
 
     def in_sequence(self) -> tuple[Order, ...]:

@@ -11,7 +11,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.order import Order, OrderQueue
+from fleet_tui.model.order import BEGUN, Order, OrderQueue, OrderState
 
 ARRIVES = 2.0
 """Metres from its last vertex within which a robot was, if it drove the order and did not just lose it."""
@@ -26,7 +26,7 @@ BLIND_AFTER = 5.0
 STARTED_OVER = "the robot's order ids started over"
 
 Away = Callable[[Order], tuple[float, float] | None]
-"""Metres from the robot to an order's last vertex, infinite on another floor, and the monotonic second at
+"""Metres from the robot to an order's last stop, infinite on another floor, and the monotonic second at
 which that was heard; None where unknown."""
 
 
@@ -45,8 +45,8 @@ class OrderTrace(Struct, frozen=True):
 
 
 class GoneOrder(Struct, frozen=True):
-    """An order that left the queue, or is listed as ended, at a monotonic second: DONE, CANCELLED or LOST,
-    and what showed it."""
+    """An order that left the queue, or is listed as ended, at a monotonic second: which of ORDER_ENDS it
+    was, and what showed it."""
 
     order: Order
     at: float
@@ -54,7 +54,7 @@ class GoneOrder(Struct, frozen=True):
     reason: str
 
 
-def trace_movement(traces: Mapping[int, OrderTrace], away: Away) -> Mapping[int, OrderTrace]:
+def trace_movement(traces: Mapping[str, OrderTrace], away: Away) -> Mapping[str, OrderTrace]:
     """Keep when a robot was at the end of an order that it has begun."""
     arrived = {
         id_: replace(trace, arrived_at=seen[1])
@@ -70,20 +70,20 @@ def _is_news(trace: OrderTrace, metres: float, at: float) -> bool:
 
 
 def trace_queue(
-    traces: Mapping[int, OrderTrace],
+    traces: Mapping[str, OrderTrace],
     queue: OrderQueue,
     at: float,
     before: tuple[float, int] | None,
     away: Away,
-) -> tuple[Mapping[int, OrderTrace], list[GoneOrder]]:
-    """Compare a queue with the orders that were open before it; `before`: when the queue came last, and how
-    far its ids had counted then.
+) -> tuple[Mapping[str, OrderTrace], list[GoneOrder]]:
+    """Compare a queue with the orders that were open before it; `before`: when the queue came last, and its
+    last serial then.
 
     Returns the orders that are open now, and those that have ended.
     """
     listed = {order.id: order for order in queue.orders}
     heard = before[0] if before else None
-    starts_over = before is not None and queue.last_order_id < before[1]
+    starts_over = before is not None and queue.last_serial < before[1]
     gone = [
         _end_of(trace, listed.get(id_), heard, at, starts_over, away)
         for id_, trace in traces.items()
@@ -96,15 +96,15 @@ def trace_queue(
 
 
 def _traced(before: OrderTrace | None, order: Order, queue: OrderQueue) -> OrderTrace:
-    begun = order.status == "W" or order.id == queue.current_order_id
+    begun = order.state in BEGUN or order is queue.current
     if before is None or not _is_same(before.order, order):
-        is_newest = order.id == queue.last_order_id
+        is_newest = order.serial == queue.last_serial
         return OrderTrace(order, begun, request_id=queue.request_id if is_newest else 0)
     return replace(before, order=order, begun=before.begun or begun)
 
 
 def _is_same(one: Order, other: Order) -> bool:
-    return (one.id, one.start, one.end) == (other.id, other.start, other.end)
+    return (one.id, one.serial, one.stops) == (other.id, other.serial, other.stops)
 
 
 def _is_over(trace: OrderTrace, listed: Order | None) -> bool:
@@ -146,12 +146,22 @@ def _unlisted_end(trace: OrderTrace, heard: float | None, at: float, away: Away)
     return Stage.LOST, f"it left the queue with the robot {where}"
 
 
+_ENDS = {
+    OrderState.DONE: Stage.DONE,
+    OrderState.CANCELLED: Stage.CANCELLED,
+    OrderState.LOST: Stage.LOST,
+    OrderState.FAILED: Stage.FAILED,
+    OrderState.REPLACED: Stage.REPLACED,
+    OrderState.REFUSED: Stage.FAILED,
+}
+
+
 def listed_end(order: Order, at: float) -> GoneOrder:
     """The end of an order that the robot lists as over."""
-    stage = Stage.CANCELLED if order.status == "C" else Stage.DONE
-    return GoneOrder(order, at, stage, "as the robot reports")
+    assert order.state is not None
+    return GoneOrder(order, at, _ENDS[order.state], "as the robot reports")
 
 
-def latest(gone: Iterable[GoneOrder], order_id: int, since: float) -> GoneOrder | None:
+def latest(gone: Iterable[GoneOrder], order_id: str, since: float) -> GoneOrder | None:
     """Find how an order ended at or after a monotonic second, None while it has not."""
     return next((one for one in gone if one.order.id == order_id and one.at >= since), None)

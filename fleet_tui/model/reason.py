@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 from enum import IntEnum
+from functools import partial
 
 from msgspec import Struct
 
 from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import Order
+from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
 
 RECENT = 30.0
@@ -42,14 +43,14 @@ def stands_since(robot: Robot) -> float | None:
     return robot.standing.at if robot.standing else None
 
 
-def name_of(robot: Robot, vertex: int) -> str:
+def name_of(robot: Robot, vertex: str) -> str:
     """A vertex by its label or id; one that no graph of the robot has is marked."""
     return robot.name_of(vertex) or f"{vertex}?"
 
 
 def mission(robot: Robot, order: Order) -> str:
-    """An order by its id and its two ends."""
-    return f"order {order.id}, {name_of(robot, order.start)} -> {name_of(robot, order.end)}"
+    """An order by its id and its stops."""
+    return f"order {order.id}, {route_text(order.stops, partial(name_of, robot))}"
 
 
 def last_command(state: FleetState, robot: Robot, *kinds: type[Command]) -> CommandRecord | None:

@@ -10,7 +10,7 @@ from fleet_tui.model import events
 from fleet_tui.model.bounds import LONGEST_NAME, MOST_ORDERS, brief
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.movement import gets_on, is_apart, leap
-from fleet_tui.model.order import Order, OrderQueue
+from fleet_tui.model.order import Order, OrderQueue, vertices_of
 from fleet_tui.model.order_life import trace_movement, trace_queue
 from fleet_tui.model.robot import Chart, Reading, Robot, StampClock, with_fault
 
@@ -90,26 +90,26 @@ def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
     return [
         f"order {order.id} names unknown vertex {vertex}"
         for order in queue.orders
-        for vertex in (order.start, order.end)
+        for vertex in vertices_of(order.stops)
         if robot.name_of(vertex) is None
     ]
 
 
 def _metres_to_end(robot: Robot, order: Order) -> tuple[float, float] | None:
-    chart = robot.charts.get(robot.floor or "")
-    if robot.pose is None or chart is None or chart.graph is None:
+    chart, end = robot.charts.get(robot.floor or ""), order.end
+    if robot.pose is None or end is None or (end.pose is None and (chart is None or chart.graph is None)):
         return None
     # Like the queue's, the time of arrival: a bridge may be late with both.
     at = max(robot.pose.at, robot.clock.at if robot.clock else robot.pose.at)
-    vertex = chart.graph.vertices.get(order.end)
-    if vertex is None:
+    place = end.pose or (chart.graph.vertices.get(end.vertex) if chart and chart.graph else None)
+    if place is None:
         return math.inf, at
-    return math.dist((robot.pose.value.x, robot.pose.value.y), (vertex.x, vertex.y)), at
+    return math.dist((robot.pose.value.x, robot.pose.value.y), (place.x, place.y)), at
 
 
 def _without_lost_pause(robot: Robot, event: events.QueueReported) -> Robot:
-    """A robot whose order ids start over was started anew: nothing that was asked of it holds any more."""
-    if not robot.paused_by_us or event.queue.last_order_id >= robot.orders.last_order_id:
+    """A robot whose orders are counted anew was started anew: nothing that was asked of it holds any more."""
+    if not robot.paused_by_us or event.queue.last_serial >= robot.orders.last_serial:
         return robot
     return replace(robot, paused_by_us=False, paused_at=None, pause_lost_at=event.at)
 
@@ -121,7 +121,7 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
     for line in lost_vertices(robot, queue):
         if line not in before:
             robot = with_fault(robot, line)
-    last = (robot.queue.at, robot.orders.last_order_id) if robot.queue else None
+    last = (robot.queue.at, robot.orders.last_serial) if robot.queue else None
     traces, gone = trace_queue(robot.traces, queue, at, last, partial(_metres_to_end, robot))
     robot = replace(_without_lost_pause(robot, event), queue=Reading(queue, at))
     if event.fault:

@@ -37,15 +37,15 @@ class Chart(Struct, frozen=True, eq=False):
 
     frame: MapFrame | None = None
     graph: RouteGraph | None = None
-    labels: Mapping[int, str] = field(default_factory=dict)
+    labels: Mapping[str, str] = field(default_factory=dict)
     grid: OccupancyGrid | None = None
 
-    def name_of(self, vertex: int) -> str | None:
-        """The label of a vertex, else its id as text; None where the graph has no such vertex."""
+    def name_of(self, vertex: str) -> str | None:
+        """The label of a vertex, else its id; None where the graph has no such vertex."""
         if vertex in self.labels:
             return self.labels[vertex]
         known = self.graph is not None and vertex in self.graph.vertices
-        return str(vertex) if known else None
+        return vertex if known else None
 
 
 class Robot(Struct, frozen=True, eq=False):
@@ -72,7 +72,7 @@ class Robot(Struct, frozen=True, eq=False):
     cargo: Reading[bool] | None = None
     obstacle: Reading[float] | None = None
     queue: Reading[OrderQueue] | None = None
-    traces: Mapping[int, OrderTrace] = field(default_factory=dict)
+    traces: Mapping[str, OrderTrace] = field(default_factory=dict)
     gone: tuple[GoneOrder, ...] = ()
     says_paused: bool = False
     kind: Kind = Kind()
@@ -94,9 +94,9 @@ class Robot(Struct, frozen=True, eq=False):
     @property
     def orders(self) -> OrderQueue:
         """The queue as last reported, empty if never."""
-        return self.queue.value if self.queue else OrderQueue(0, -1, ())
+        return self.queue.value if self.queue else OrderQueue(0, "", ())
 
-    def name_of(self, vertex: int) -> str | None:
+    def name_of(self, vertex: str) -> str | None:
         """The label or id of a vertex in any of this robot's graphs, None where none has it.
 
         Ids of different floors may be the same: the floor it is on comes first.

@@ -3,27 +3,37 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
+from typing import assert_never
 
 from fleet_tui.errors import did_you_mean
-from fleet_tui.model.commands import Command, PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+)
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Role, RouteGraph
+from fleet_tui.model.order import vertices_of
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot
 
 
-def _name(robot: Robot, vertex: int) -> str:
-    return robot.name_of(vertex) or str(vertex)
+def _name(robot: Robot, vertex: str) -> str:
+    return robot.name_of(vertex) or vertex
 
 
-def ends_of(command: Command) -> tuple[int, ...]:
+def ends_of(command: Command) -> tuple[str, ...]:
     """The vertices that an order names."""
     match command:
-        case PlaceOrder(_, start, end):
-            return start, end
-        case PlaceOrderWithCargo(_, end):
-            return (end,)
-    return ()
+        case PlaceOrder(_, stops):
+            return vertices_of(stops)
+        case CancelOrder() | ClearOrders() | PauseRobot() | ResumeRobot():
+            return ()
+        case _:
+            assert_never(command)
 
 
 def unknown_vertex(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -36,31 +46,32 @@ def unknown_vertex(state: FleetState, robot: Robot, command: Command) -> Iterato
             waits = f"vertex {vertex} is unknown as long as the graph of {', '.join(missing)} has not come"
             yield Problem("unknown vertex", f"{robot.name}: {waits}", blocks=False)
         else:
-            known = [str(id_) for graph in _graphs(robot).values() for id_ in graph.vertices]
-            text = f"{robot.name} knows no vertex {vertex}{did_you_mean(str(vertex), known)}"
+            known = [id_ for graph in _graphs(robot).values() for id_ in graph.vertices]
+            text = f"{robot.name} knows no vertex {vertex}{did_you_mean(vertex, known)}"
             yield Problem("unknown vertex", text)
 
 
 def same_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """There is a way to drive."""
-    if isinstance(command, PlaceOrder) and command.start == command.end:
-        yield Problem("same place", f"From and To are the same place: {_name(robot, command.end)}")
+    for start, end in pairwise(ends_of(command)):
+        if start == end:
+            yield Problem("same place", f"From and To are the same place: {_name(robot, end)}")
 
 
 def _graphs(robot: Robot) -> Mapping[str, RouteGraph]:
     return {floor: chart.graph for floor, chart in robot.charts.items() if chart.graph is not None}
 
 
-def _floors(robot: Robot, vertex: int) -> set[str]:
+def _floors(robot: Robot, vertex: str) -> set[str]:
     """The floors that have such a vertex. Ids of different floors may be the same."""
     return {floor for floor, graph in _graphs(robot).items() if vertex in graph.vertices}
 
 
-def _lifts(graph: RouteGraph) -> list[int]:
+def _lifts(graph: RouteGraph) -> list[str]:
     return [vertex.id for vertex in graph.vertices.values() if vertex.role is Role.ELEVATOR]
 
 
-def _are_joined(graphs: Mapping[str, RouteGraph], start: int, end: int) -> bool:
+def _are_joined(graphs: Mapping[str, RouteGraph], start: str, end: str) -> bool:
     """Whether a way is known, on one floor or by elevators, which are all taken to meet."""
     if any(graph.path(start, end) for graph in graphs.values()):
         return True
@@ -76,14 +87,14 @@ def _lack_lifts(robot: Robot, floors: Iterable[str]) -> bool:
 
 def no_path(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """The graph leads from one to the other."""
-    if not isinstance(command, PlaceOrder) or not robot.knows_all_graphs():
+    if not robot.knows_all_graphs():
         return
-    starts, ends = _floors(robot, command.start), _floors(robot, command.end)
-    if not starts or not ends or (not starts & ends and _lack_lifts(robot, starts | ends)):
-        return
-    if not _are_joined(_graphs(robot), command.start, command.end):
-        names = f"{_name(robot, command.start)} to {_name(robot, command.end)}"
-        yield Problem("no path", f"{robot.name} knows no path from {names}")
+    for start, end in pairwise(ends_of(command)):
+        starts, ends = _floors(robot, start), _floors(robot, end)
+        unknown = not starts or not ends or (not starts & ends and _lack_lifts(robot, starts | ends))
+        if not unknown and not _are_joined(_graphs(robot), start, end):
+            names = f"{_name(robot, start)} to {_name(robot, end)}"
+            yield Problem("no path", f"{robot.name} knows no path from {names}")
 
 
 def no_way_there(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -113,7 +124,7 @@ def floor_mismatch(state: FleetState, robot: Robot, command: Command) -> Iterato
             yield Problem("floor mismatch", text, blocks=False)
 
 
-def mistakable(robot: Robot, floors: Mapping[int, str]) -> Iterator[Problem]:
+def mistakable(robot: Robot, floors: Mapping[str, str]) -> Iterator[Problem]:
     """The wire knows only ids: one that was chosen on another floor may be another place on this one."""
     here = robot.charts.get(robot.floor or "")
     for vertex, floor in floors.items():

@@ -30,15 +30,17 @@ class InTheWay(Struct, frozen=True, eq=False):
 
     robot: Robot
     ahead: float
-    vertex: int
+    vertex: str
 
 
-def next_stop(robot: Robot) -> int | None:
-    """The vertex that its current order leads to now: the end with the cargo on board, else the start."""
+def next_stop(robot: Robot) -> str | None:
+    """The vertex that its current order leads to now: the end with the cargo on board or where there is no
+    other stop, else the start. None also where it leads to a pose."""
     order = robot.orders.current
     if order is None:
         return None
-    return order.end if robot.has_cargo else order.start
+    stop = order.end if robot.has_cargo else order.start or order.end
+    return stop.vertex if stop is not None and stop.pose is None else None
 
 
 def graph_here(robot: Robot) -> RouteGraph | None:
@@ -46,7 +48,7 @@ def graph_here(robot: Robot) -> RouteGraph | None:
     return robot.charts.get(robot.floor or "", Chart()).graph
 
 
-def vertex_here(robot: Robot) -> int | None:
+def vertex_here(robot: Robot) -> str | None:
     """The vertex at which it stands, None on the way between two."""
     graph = graph_here(robot)
     if graph is None or robot.pose is None:
@@ -57,7 +59,7 @@ def vertex_here(robot: Robot) -> int | None:
     return nearest
 
 
-def way_ahead(robot: Robot) -> tuple[int, ...]:
+def way_ahead(robot: Robot) -> tuple[str, ...]:
     """The vertices that lie before it on the way to its next stop; to an elevator where that is elsewhere."""
     graph, stop = graph_here(robot), next_stop(robot)
     start = _nearest(graph, robot.pose.value) if graph is not None and robot.pose is not None else None
@@ -110,15 +112,15 @@ def _along(points: list[Point], at: Point) -> tuple[float, int] | None:
     return None
 
 
-def _nearest(graph: RouteGraph, pose: Pose) -> int | None:
+def _nearest(graph: RouteGraph, pose: Pose) -> str | None:
     return min(graph.vertices, key=lambda id_: _distance(graph, id_, pose), default=None)
 
 
-def _distance(graph: RouteGraph, vertex: int, pose: Pose) -> float:
+def _distance(graph: RouteGraph, vertex: str, pose: Pose) -> float:
     place = graph.vertices[vertex]
     return math.dist((place.x, place.y), (pose.x, pose.y))
 
 
-def _length(graph: RouteGraph, start: int, end: int) -> float:
+def _length(graph: RouteGraph, start: str, end: str) -> float:
     one, other = graph.vertices[start], graph.vertices[end]
     return math.dist((one.x, one.y), (other.x, other.y))

@@ -5,7 +5,6 @@ from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
     PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
 )
@@ -17,8 +16,7 @@ from fleet_tui.model.traffic import in_the_way, next_stop, vertex_here
 
 def command(state: FleetState, robot: Robot) -> Reason | None:
     """What was to make it drive is under way, or failed a short while ago."""
-    kinds = (ResumeRobot,) if state.is_paused(robot) else (PlaceOrder, PlaceOrderWithCargo)
-    record = last_command(state, robot, *kinds)
+    record = last_command(state, robot, ResumeRobot if state.is_paused(robot) else PlaceOrder)
     if record is None or (robot.orders.current is not None and not state.is_paused(robot)):
         return None
     failed = record.stage in FAILURES and state.now - record.at < RECENT
@@ -46,7 +44,7 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
         return Reason("queue unknown", "its queue has not been heard", Strength.POSSIBLE)
     if robot.orders.open or robot.has_cargo:
         return None
-    record = last_command(state, robot, PlaceOrder, PlaceOrderWithCargo, ClearOrders, CancelOrder)
+    record = last_command(state, robot, PlaceOrder, ClearOrders, CancelOrder)
     taken = record is not None and isinstance(record.command, ClearOrders | CancelOrder)
     evidence = "its queue is empty: it waits for one"
     if record is not None and taken and record.stage is Stage.CONFIRMED:

@@ -50,4 +50,8 @@ def missing(field: str, typed: str = "") -> str:
 
 def line(choice: Place | str) -> str:
     """One of them as it is listed."""
-    return choice if isinstance(choice, str) else f"{visible(choice.name)}  ({choice.vertex}, {choice.floor})"
+    return (
+        choice
+        if isinstance(choice, str)
+        else f"{visible(choice.name)}  ({visible(choice.vertex)}, {choice.floor})"
+    )

@@ -161,7 +161,7 @@ class Navigation(
         match event.pane, event.key:
             case "fleet", str(robot):
                 self.robot_menu(robot)
-            case "queue", (str(robot), int(order_id), _):
+            case "queue", (str(robot), str(order_id), _):
                 self.queue_menu(robot, order_id)
             case "alarms", (str(source), str(kind)):
                 self.alarm_menu(source, kind)
@@ -170,7 +170,7 @@ class Navigation(
     def button_pressed(self, event: messages.ButtonPressed) -> None:
         """A button of the queue."""
         match event.name, event.key:
-            case "cancel", (str(robot), int(order_id), _):
+            case "cancel", (str(robot), str(order_id), _):
                 self.ask_cancel(robot, order_id)
             case "clear", _:
                 self.action_clear()

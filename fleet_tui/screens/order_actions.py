@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Wish
 from fleet_tui.model.lookup import Place
 from fleet_tui.screens.dispatch import Dispatch
-from fleet_tui.view.fleet_rows import mission, place
+from fleet_tui.view.fleet_rows import mission, way
 from fleet_tui.view.selection import Selection
+from fleet_tui.view.text import visible
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
@@ -28,25 +29,25 @@ class OrderActions(Dispatch):
         """Open the order form for the selected robot."""
         self.order_form.start(self.selection.robot)
 
-    def order_at(self, vertex: int, floor: str) -> None:
+    def order_at(self, vertex: str, floor: str) -> None:
         """Open the order form for a vertex chosen on the map, if it is one of the robot's own graph."""
         robot = self.state.robots[self.selection.robot]
         chart = robot.charts.get(floor)
         name = chart.name_of(vertex) if chart else None
         if name is None:
-            self.say(f"{robot.name} knows no vertex {vertex} on {floor}")
+            self.say(f"{robot.name} knows no vertex {visible(vertex)} on {floor}")
         else:
             self.order_form.start(robot.name, Place(vertex, name, floor))
 
     def action_cancel(self) -> None:
         """Cancel the order under the queue's cursor, after asking."""
         match self.queue.cursor:
-            case (str(robot), int(order_id), _):
+            case (str(robot), str(order_id), _):
                 self.ask_cancel(robot, order_id)
             case _:
                 self.say("there is no order to cancel")
 
-    def ask_cancel(self, robot: str, order_id: int) -> None:
+    def ask_cancel(self, robot: str, order_id: str) -> None:
         """Cancel one order, after asking."""
         self.do(Wish((CancelOrder(robot, order_id),)))
 
@@ -54,27 +55,25 @@ class OrderActions(Dispatch):
         """Clear all orders of the selected robot, after asking."""
         self.do(Wish((ClearOrders(self.selection.robot),)))
 
-    def queue_menu(self, name: str, order_id: int) -> None:
+    def queue_menu(self, name: str, order_id: str) -> None:
         """Where an order comes from, and what can be done with it."""
         robot = self.state.robots[name]
         order = next((order for order in robot.orders.orders if order.id == order_id), None)
         if order is None:
-            self.say(f"order {order_id} is gone already")
+            self.say(f"order {visible(order_id)} is gone already")
             return
-        ends = place(robot, order.start), place(robot, order.end)
-        entries: list[Entry] = [
-            ("Cancel this order", lambda: self.ask_cancel(name, order_id)),
-            (
-                f"Again: {ends[0]} -> {ends[1]}",
-                lambda: self.do(Wish((PlaceOrder(name, order.start, order.end),))),
-            ),
-            (
-                f"Return trip: {ends[1]} -> {ends[0]}",
-                lambda: self.do(Wish((PlaceOrder(name, order.end, order.start),))),
-            ),
+        back = order.stops[::-1]
+        entries: list[Entry] = [("Cancel this order", lambda: self.ask_cancel(name, order_id))]
+        if order.stops:
+            again = Wish((PlaceOrder(name, order.stops),))
+            entries.append((f"Again: {way(robot, order.stops)}", lambda: self.do(again)))
+        if len(back) > 1:
+            returning = Wish((PlaceOrder(name, back),))
+            entries.append((f"Return trip: {way(robot, back)}", lambda: self.do(returning)))
+        entries += [
             (f"Clear all orders of {name}", lambda: self.do(Wish((ClearOrders(name),)))),
         ]
         from fleet_tui.view.order_story import origin  # the first paint does without it
 
         told = origin(self.state, name, order, self.clock)
-        self.menu.show(f"Order {order_id} of {name}: {mission(robot, order)}\n{told}", entries)
+        self.menu.show(f"Order {visible(order_id)} of {name}: {mission(robot, order)}\n{told}", entries)

@@ -10,11 +10,10 @@ from itertools import combinations
 
 import numpy as np
 
-from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.simulator.floorplan import Cells, Plan, draw
+from fleet_tui.simulator.graph import Edge, RouteGraph, Vertex
 
 FLOOR_IDS = 100  # floor k numbers its vertices and edges from k * FLOOR_IDS
-ROLES = {"elevator": Role.ELEVATOR, "charger": Role.DOCKING}
 
 _GROUND = Plan(
     columns=(0.0, 8.0, 17.0, 26.0, 35.0),
@@ -90,10 +89,7 @@ def build_floor(number: int) -> Floor:
     types |= {plan.elevator[0]: "elevator", plan.docking[0]: "charger"}
     suffix = "" if number < 2 else f" {number}"
     named = dict(sorted([*plan.labels.items(), plan.elevator, plan.docking]))
-    vertices = {
-        base + index: Vertex(base + index, x, y, ROLES.get(types.get(index, "way"), Role.PLAIN))
-        for index, (x, y) in enumerate(spots)
-    }
+    vertices = {base + index: Vertex(base + index, x, y) for index, (x, y) in enumerate(spots)}
     aisles = [pair for pair in _neighbours(plan) if pair not in plan.closed]
     cells = draw(plan, [(_spots(plan)[start], _spots(plan)[end]) for start, end in aisles], ELEVATOR_AT)
     edges = tuple(Edge(base + i, base + start, base + end) for i, (start, end) in enumerate(aisles))

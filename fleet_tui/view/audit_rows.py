@@ -15,8 +15,8 @@ TROUBLE = frozenset(stage.value for stage in (*FAILURES, Stage.NO_ANSWER, Stage.
 _INKS = {"confirmed": Ink.GOOD, "raised": Ink.WARN, "raised again": Ink.WARN}
 
 
-def _vertex(label: str, id_: int, with_id: bool) -> str:
-    return f"{label} ({id_})" if label and with_id else label or str(id_)
+def _vertex(label: str, id_: str, with_id: bool) -> str:
+    return f"{label} ({id_})" if label and with_id else label or id_
 
 
 def what_text(record: AuditRecord, with_ids: bool = False) -> str:

@@ -1,6 +1,7 @@
 """The line that says where the last commands stand, in the words of the operator."""
 
 from collections.abc import Iterator, Sequence
+from typing import assert_never
 
 from fleet_tui.model.batches import TOGETHER, pauses, summary
 from fleet_tui.model.commands import (
@@ -11,12 +12,11 @@ from fleet_tui.model.commands import (
     CommandRecord,
     PauseRobot,
     PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
 )
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.view.fleet_rows import place
+from fleet_tui.view.fleet_rows import way
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run, cut, width_of
 from fleet_tui.view.text import visible
@@ -36,18 +36,18 @@ def command_text(state: FleetState, command: Command) -> str:
     """A command in the words of the operator."""
     robot = state.robots[command.robot]
     match command:
-        case PlaceOrder(name, start, end):
-            return f"{name} order {place(robot, start)} -> {place(robot, end)}"
-        case PlaceOrderWithCargo(name, end):
-            return f"{name} bring cargo -> {place(robot, end)}"
+        case PlaceOrder(name, stops):
+            return f"{name} {command.what} {way(robot, stops)}"
         case CancelOrder(name, order_id):
-            return f"{name} cancel order {order_id}"
+            return f"{name} cancel order {visible(order_id)}"
         case ClearOrders(name):
             return f"{name} clear all orders"
         case PauseRobot(name):
             return f"{name} pause"
         case ResumeRobot(name):
             return f"{name} resume"
+        case _:
+            assert_never(command)
 
 
 def stage_text(record: CommandRecord, now: float) -> str:
@@ -61,7 +61,7 @@ def _group_runs(state: FleetState, records: list[CommandRecord], brief: bool = F
     """Commands of one kind at one stage, as one: pause all of a large fleet is one line."""
     first = records[0]
     text = command_text(state, first.command)
-    if brief and isinstance(first.command, PlaceOrder | PlaceOrderWithCargo):
+    if brief and isinstance(first.command, PlaceOrder):
         text = f"{first.command.robot} order"
     if len(records) > 1:
         text += f" and {len(records) - 1} more like it"

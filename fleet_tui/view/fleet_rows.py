@@ -1,10 +1,11 @@
 """The fleet pane: one row for each robot, calm while nothing needs a person."""
 
 from collections.abc import Iterator
+from functools import partial
 
 from fleet_tui.model.conditions import is_news
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
-from fleet_tui.model.order import Order
+from fleet_tui.model.order import Order, Stop, route_text
 from fleet_tui.model.reason import own_pause
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.roles import Ink
@@ -14,15 +15,20 @@ from fleet_tui.view.text import fit, visible
 CARGO = "■"
 
 
-def place(robot: Robot, vertex: int) -> str:
+def place(robot: Robot, vertex: str) -> str:
     """A vertex as an operator reads it; one that no graph of the robot has is marked."""
     name = robot.name_of(vertex)
-    return visible(name) if name is not None else f"{vertex}?"
+    return visible(name) if name is not None else f"{visible(vertex)}?"
 
 
 def mission(robot: Robot, order: Order) -> str:
     """`A -> B` by labels."""
-    return f"{place(robot, order.start)} -> {place(robot, order.end)}"
+    return way(robot, order.stops)
+
+
+def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
+    """Stops by their labels."""
+    return route_text(stops, partial(place, robot))
 
 
 def floor_text(state: FleetState, robot: Robot) -> str:

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fleet_tui.model.graph import Role
+from fleet_tui.model.order import natural
 from fleet_tui.view.camera import Camera
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.drawing import Drawing
@@ -26,7 +27,7 @@ class Look:
     labels: bool = True
     trails: bool = False
     cursor: tuple[float, float] | None = None
-    pointed: int | None = None
+    pointed: str | None = None
 
     @property
     def plain(self) -> bool:
@@ -77,9 +78,9 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
             cells.write(*spot, text, Ink.TARGET if vertex.id in targets else Ink.LABEL)
 
 
-def _rank(vertex: SceneVertex, targets: tuple[int, ...], look: Look) -> tuple[bool, bool, bool, int]:
+def _rank(vertex: SceneVertex, targets: tuple[str, ...], look: Look) -> tuple[bool, bool, bool, object]:
     """The smallest goes first."""
-    return vertex.id not in targets, vertex.id != look.pointed, vertex.role is Role.PLAIN, vertex.id
+    return vertex.id not in targets, vertex.id != look.pointed, vertex.role is Role.PLAIN, natural(vertex.id)
 
 
 Tags = dict[int, Place]

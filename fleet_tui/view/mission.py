@@ -10,16 +10,15 @@ import numpy as np
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role, RouteGraph
-from fleet_tui.model.order import Order
+from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Chart, Robot
 from fleet_tui.view.scene import Line, Mission
 
 ORDERS_SHOWN = 8
-ENDED = ("D", "C")
 AT_VERTEX = 0.5
 """Metres within which a robot stands at a vertex: even on a one-way edge it can start from there."""
 
-Place = tuple[int, float]
+Place = tuple[str, float]
 """A vertex id, and the metres that lie before it."""
 
 
@@ -27,7 +26,7 @@ Place = tuple[int, float]
 class _Way:
     """A way along the graph, and its length in metres: without lines and endless if there is none."""
 
-    start: int | None = None
+    start: str | None = None
     lines: tuple[Line, ...] = ()
     length: float = math.inf
 
@@ -43,11 +42,11 @@ class _Routes:
         self._squares = np.maximum((self._along**2).sum(axis=1), 1e-12)
         self._way = lru_cache(maxsize=512)(self._search)
 
-    def _line(self, start: int, end: int) -> Line:
+    def _line(self, start: str, end: str) -> Line:
         one, other = self._places[start], self._places[end]
         return one.x, one.y, other.x, other.y
 
-    def _search(self, start: int, goal: int) -> _Way:
+    def _search(self, start: str, goal: str) -> _Way:
         passed = self._graph.path(start, goal)
         if not passed:
             return _Way()
@@ -72,12 +71,12 @@ class _Routes:
         back = any(id_ == edge.start for id_, _ in self._graph.neighbours[edge.end])
         return (end, start if back or start[1] < AT_VERTEX else (edge.start, math.inf))
 
-    def edge(self, ends: tuple[Place, ...], ahead: int) -> Line:
+    def edge(self, ends: tuple[Place, ...], ahead: str) -> Line:
         """The edge between two ends in the direction of one of them."""
         behind = next((id_ for id_, _ in ends if id_ != ahead), ahead)
         return self._line(behind, ahead)
 
-    def point(self, vertex: int) -> tuple[float, float]:
+    def point(self, vertex: str) -> tuple[float, float]:
         """Where a vertex is, in metres."""
         return self._places[vertex].x, self._places[vertex].y
 
@@ -87,18 +86,18 @@ def _routes(chart: Chart) -> _Routes | None:
     return _Routes(chart.graph) if chart.graph is not None else None
 
 
-def floor_of(robot: Robot, vertex: int) -> str | None:
+def floor_of(robot: Robot, vertex: str) -> str | None:
     """The floor on which a vertex of the robot's orders is; where ids repeat, the one it is on itself."""
     floors = sorted(robot.charts, key=lambda name: name != robot.floor)
     graphs = ((name, robot.charts[name].graph) for name in floors)
     return next((name for name, graph in graphs if graph is not None and vertex in graph.vertices), None)
 
 
-def targets(robot: Robot, floor: str) -> tuple[int, ...]:
-    """The ends of the robot's current order that are on a floor."""
+def targets(robot: Robot, floor: str) -> tuple[str, ...]:
+    """The vertices at which the robot's current order stops on a floor."""
     current = robot.orders.current
-    ends = (current.start, current.end) if current else ()
-    return tuple(vertex for vertex in ends if floor_of(robot, vertex) == floor)
+    stops = vertices_of(current.stops) if current else ()
+    return tuple(vertex for vertex in stops if floor_of(robot, vertex) == floor)
 
 
 def mission(robot: Robot, floor: str) -> Mission | None:
@@ -106,7 +105,7 @@ def mission(robot: Robot, floor: str) -> Mission | None:
 
     Cheap enough for every tick: nothing is searched again while robot and orders move on the same edges.
     """
-    orders = [order for order in robot.orders.in_sequence() if order.status not in ENDED][:ORDERS_SHOWN]
+    orders = list(robot.orders.open[:ORDERS_SHOWN])
     routes = _routes(robot.charts[floor]) if floor in robot.charts and orders else None
     if routes is None:
         return None
@@ -114,7 +113,7 @@ def mission(robot: Robot, floor: str) -> Mission | None:
     legs = list(_legs(robot, floor, routes, orders, at))
     current = tuple(line for order, way in legs if order is robot.orders.current for line in way.lines)
     following = tuple(line for order, way in legs if order is not robot.orders.current for line in way.lines)
-    order, way = legs[0]
+    order, way = legs[0] if legs else (orders[0], _Way())
     if order is not robot.orders.current or robot.floor != floor or way.start is None:
         return Mission(current, following)
     return Mission(current, following, routes.edge(at, way.start))
@@ -131,10 +130,10 @@ def _legs(
             at = goals
 
 
-def _stops(robot: Robot, order: Order) -> tuple[int, ...]:
-    """The vertices an order still leads to: with the cargo on board its start is done."""
+def _stops(robot: Robot, order: Order) -> tuple[str, ...]:
+    """The vertices an order still leads to: with the cargo on board only the last stop is left."""
     loaded = order is robot.orders.current and robot.has_cargo
-    return (order.end,) if loaded else (order.start, order.end)
+    return vertices_of(order.stops[-1:] if loaded else order.stops)
 
 
 def _whereabouts(robot: Robot, floor: str, routes: _Routes) -> tuple[Place, ...]:
@@ -143,7 +142,7 @@ def _whereabouts(robot: Robot, floor: str, routes: _Routes) -> tuple[Place, ...]
     return routes.near(robot.pose.value) if robot.floor == floor else routes.elevators
 
 
-def _places(robot: Robot, floor: str, routes: _Routes, vertex: int) -> tuple[Place, ...]:
+def _places(robot: Robot, floor: str, routes: _Routes, vertex: str) -> tuple[Place, ...]:
     """A vertex as seen from a floor: itself, the elevators where it is on another, nothing if nowhere."""
     actual = floor_of(robot, vertex)
     if actual is None:

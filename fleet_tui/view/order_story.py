@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 
-from fleet_tui.model.commands import CommandRecord, PlaceOrder, PlaceOrderWithCargo, Stage
+from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
+from fleet_tui.model.confirmation import could_be
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order
 
@@ -19,23 +20,17 @@ def _may_be(record: CommandRecord, order: Order) -> bool:
     """Whether a command whose order was never recognised could have placed this one."""
     if record.order_id is not None or record.stage in NEVER_THERE:
         return False
-    last = record.before.last_order_id
-    if last is not None and order.id <= last:
+    last = record.before.last_serial
+    if last is not None and order.serial <= last:
         return False
-    match record.command:
-        case PlaceOrder(_, start, end):
-            return (start, end) == (order.start, order.end)
-        case PlaceOrderWithCargo(_, end):
-            return end == order.end
-    return False
+    return isinstance(record.command, PlaceOrder) and could_be(record.command, order)
 
 
 def origin(state: FleetState, robot: str, order: Order, clock: Callable[[float], str]) -> str:
     """`given here at 12:04:31, accepted, confirmed`, or that this console did not give it."""
     ours = [record for record in state.commands if record.command.robot == robot]
-    placed = (PlaceOrder, PlaceOrderWithCargo)
     for record in ours:
-        if record.order_id == order.id and isinstance(record.command, placed):
+        if record.order_id == order.id and isinstance(record.command, PlaceOrder):
             return f"given here at {clock(record.wall)}, {_told(record)}"
     for record in ours:
         if _may_be(record, order):

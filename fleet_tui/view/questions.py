@@ -1,9 +1,10 @@
 """What is asked before a wish is sent that loses something, or that was warned of."""
 
 from collections.abc import Iterator, Sequence
+from typing import assert_never
 
 from fleet_tui.model.batches import batch_name
-from fleet_tui.model.commands import CancelOrder, ClearOrders, Wish
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, PlaceOrder, ResumeRobot, Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Problem
 from fleet_tui.view.command_line import command_text
@@ -20,13 +21,17 @@ def losses(state: FleetState, wish: Wish) -> Iterator[str]:
         orders = robot.orders.in_sequence()
         match command:
             case CancelOrder(name, order_id):
-                yield f"Cancel order {order_id} of {name}?"
+                yield f"Cancel order {visible(order_id)} of {name}?"
                 yield from (mission(robot, order) for order in orders if order.id == order_id)
             case ClearOrders(name):
                 yield f"Clear all {len(orders)} order{'s' * (len(orders) != 1)} of {name}?"
-                yield from (f"  {order.id}  {mission(robot, order)}" for order in orders[:SHOWN])
+                yield from (f"  {visible(order.id)}  {mission(robot, order)}" for order in orders[:SHOWN])
                 if len(orders) > SHOWN:
                     yield f"  and {len(orders) - SHOWN} more"
+            case PlaceOrder() | PauseRobot() | ResumeRobot():
+                pass
+            case _:
+                assert_never(command)
 
 
 def wish_text(state: FleetState, wish: Wish) -> str:

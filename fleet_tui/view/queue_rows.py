@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable, Mapping
 
-from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, PlaceOrderWithCargo
+from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.confirmation import find_order
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.order import STATUS_WORDS, Order
+from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.command_line import stage_text
 from fleet_tui.view.fleet_rows import mission
@@ -38,16 +38,18 @@ def _under_way(state: FleetState, selected: str, all_robots: bool) -> list[Comma
 
 def _awaited(state: FleetState, under_way: list[CommandRecord]) -> int:
     """How many orders were given here that no queue shows yet: one that it shows may lack its answer."""
-    placed = [one for one in under_way if isinstance(one.command, PlaceOrder | PlaceOrderWithCargo)]
+    placed = [
+        one for one in under_way if isinstance(one.command, PlaceOrder) and one.stage is not Stage.WAITING
+    ]
     names = [one.command.robot for one in placed]
-    ids = [find_order(state, state.robots[name], one) for name, one in zip(names, placed, strict=True)]
-    return len(placed) - len({(name, id_) for name, id_ in zip(names, ids, strict=True) if id_ is not None})
+    found = [find_order(state, state.robots[name], one) for name, one in zip(names, placed, strict=True)]
+    return len(placed) - len({(name, one.id) for name, one in zip(names, found, strict=True) if one})
 
 
-def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tuple[str, int], str]:
-    """By robot and order: how far a cancel of it is; order 0 stands for all."""
+def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tuple[str, str], str]:
+    """By robot and order: how far a cancel of it is; an empty order stands for all."""
     return {
-        (command.robot, command.order_id if isinstance(command, CancelOrder) else 0): stage_text(
+        (command.robot, command.order_id if isinstance(command, CancelOrder) else ""): stage_text(
             record, state.now
         )
         for record in records
@@ -56,21 +58,20 @@ def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tup
 
 
 def _status(order: Order, room: int) -> str:
-    """The robot's own letter, with its word where there is room for all of it."""
-    word = STATUS_WORDS.get(order.status)
-    words = f"{order.status} {word}" if word else visible(order.status)
-    return words if cell_width(words) <= room or not word else order.status
+    """Its state, in the robot's own word where that is all that there is room for."""
+    text, word = visible(order.state_text), visible(order.word)
+    return word if cell_width(text) > room >= cell_width(word) > 0 else text
 
 
 def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving: str) -> Row:
     names, places, ids, missions = columns
     robot, position, order = entry
-    current = order.id == robot.orders.current_order_id
+    current = order is robot.orders.current
     ink = Ink.TEXT if current else Ink.DIM
-    unknown = robot.knows_all_graphs() and None in (robot.name_of(order.start), robot.name_of(order.end))
+    unknown = robot.knows_all_graphs() and None in map(robot.name_of, vertices_of(order.stops))
     runs: list[Run] = [
         (fit(robot.name, names) + " " if names else "", Ink.TEXT),
-        (f"{position:{places}d} {order.id:{ids}d} ", Ink.DIM),
+        (f"{position:{places}d} {fit(order.id, ids, right=True)} ", Ink.DIM),
         (fit(mission(robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
     ]
     room = width - 1 - (0 if order.is_over else len(CANCEL))
@@ -107,13 +108,13 @@ def _rows(
     columns = (
         column((entry[0].name for entry in entries), 6, 12) if all_robots else 0,
         column((str(entry[1]) for entry in entries), 1, 4),
-        column((str(entry[2].id) for entry in entries), 1, 11),
+        column((entry[2].id for entry in entries), 1, 11),
         column((mission(entry[0], entry[2]) for entry in entries), 10, 40),
     )
 
     def row(place: int) -> Row:
         robot, _, order = entries[place]
-        stage = leaving.get((robot.name, order.id)) or leaving.get((robot.name, 0), "")
+        stage = leaving.get((robot.name, order.id)) or leaving.get((robot.name, ""), "")
         return _row(entries[place], columns, width, stage)
 
     return LateRows([(robot.name, order.id, position) for robot, position, order in entries], row)

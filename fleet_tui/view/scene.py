@@ -18,7 +18,7 @@ Line = tuple[float, float, float, float]
 class SceneVertex:
     """A vertex at x, y in metres; `label` is empty for one without."""
 
-    id: int
+    id: str
     x: float
     y: float
     role: Role = Role.PLAIN
@@ -71,7 +71,7 @@ class Scene:
     vertices: tuple[SceneVertex, ...] = ()
     edges: tuple[Line, ...] = ()
     robots: tuple[SceneRobot, ...] = ()
-    target_vertices: tuple[int, ...] = ()
+    target_vertices: tuple[str, ...] = ()
     note: str = ""
     one_way: tuple[Line, ...] = ()
     mission: Mission | None = None

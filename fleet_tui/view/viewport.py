@@ -123,7 +123,7 @@ class Viewport:
         return pixel if all(map(math.isfinite, pixel)) else None
 
 
-def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> int | None:
+def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> str | None:
     """The id of the vertex under the map's cursor."""
     if cursor is None:
         return None

@@ -16,7 +16,7 @@ class RobotPicked(Message):
 class VertexPicked(Message):
     """The operator pointed at a vertex of the shown floor's graph."""
 
-    def __init__(self, id: int) -> None:
+    def __init__(self, id: str) -> None:
         super().__init__()
         self.id = id
 

@@ -17,13 +17,12 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.apply import apply
-from fleet_tui.model.commands import PlaceOrder, Stage
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
-from fleet_tui.model.order import Order, OrderQueue
 from tests.adapting import adapter_of, event_of
-from tests.fleets import recording
+from tests.fleets import order, order_queue, place_order, recording
 
 ROBOT = "robot_1"
 UNIT = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
@@ -81,9 +80,9 @@ def test_the_recording_ends_in_the_state_it_tells() -> None:
     assert robot.floor == "first"
     assert robot.battery.value == pytest.approx(87.09254)
     assert (robot.obstacle.value, robot.has_cargo, robot.paused) == (0.0, False, None)
-    orders = (Order(4, 105, 8, "W"), Order(5, 105, 2, "Q"))
-    assert robot.orders == OrderQueue(5, 4, orders, request_id=4)
-    assert [robot.name_of(id_) for id_ in (105, 8, 2, 9999)] == ["105", "8", "Lab ground", None]
+    orders = (order(4, 105, 8, "W"), order(5, 105, 2, "Q"))
+    assert robot.orders == order_queue(5, 4, *orders, request_id=4)
+    assert [robot.name_of(id_) for id_ in ("105", "8", "2", "9999")] == ["105", "8", "Lab ground", None]
 
 
 def test_the_recording_brings_both_floors() -> None:
@@ -91,10 +90,10 @@ def test_the_recording_brings_both_floors() -> None:
     assert {floor: len(chart.labels) for floor, chart in charts.items()} == {"ground": 7, "first": 7}
     ground = charts["ground"]
     assert ground.graph is not None and ground.frame is not None
-    assert (len(ground.graph.vertices), ground.graph.vertices[4].role) == (15, Role.ELEVATOR)
-    assert ground.graph.vertices[10].role is Role.DOCKING
-    assert ground.graph.vertices[0].role is ground.graph.vertices[1].role is Role.PLAIN
-    assert ground.graph.path(0, 7) in ((0, 1, 2, 7), (0, 5, 6, 7))
+    assert (len(ground.graph.vertices), ground.graph.vertices["4"].role) == (15, Role.ELEVATOR)
+    assert ground.graph.vertices["10"].role is Role.DOCKING
+    assert ground.graph.vertices["0"].role is ground.graph.vertices["1"].role is Role.PLAIN
+    assert ground.graph.path("0", "7") in (tuple("0127"), tuple("0567"))
     assert (ground.frame.width, ground.frame.height, ground.frame.origin) == (400, 300, Pose(-1.0, -2.0))
     assert charts["first"].frame is None
 
@@ -117,7 +116,7 @@ def test_the_recorded_answers_are_judged_by_their_words() -> None:
         operation = decode(line["text"].encode()) if line["dir"] == "in" else None
         if isinstance(operation, ServiceResponse):
             answers[operation.id] = adapter_of().outcome(
-                PlaceOrder(ROBOT, 0, 7), operation.values, operation.result
+                place_order(ROBOT, 0, 7), operation.values, operation.result
             )
     refused = {id_: words for id_, (outcome, words) in answers.items() if outcome is Stage.REFUSED}
     assert refused.keys() == {"c6", "c7", "c8", "c9"}
@@ -129,13 +128,13 @@ def test_the_recorded_answers_are_judged_by_their_words() -> None:
 
 def test_good_messages_are_the_facts_they_tell() -> None:
     assert event("pose", POSE) == events.PoseReported(ROBOT, 10.0, Pose(1.0, 2.0, 0.0), "ground", 5.0)
-    queue = OrderQueue(1, 1, (Order(1, 0, 7, "W"),), request_id=1)
+    queue = order_queue(1, 1, order(1, 0, 7, "W"), request_id=1)
     assert event("queue", QUEUE) == events.QueueReported(ROBOT, 10.0, queue)
     assert event("obstacle", {"data": 4.2}) == events.ObstacleReported(ROBOT, 10.0, 4.2)
     assert event("battery", {"data": 55.5}) == events.BatteryReported(ROBOT, 10.0, 55.5)
     assert event("cargo", {"data": True}) == events.CargoReported(ROBOT, 10.0, True)
     assert event("paused", {"data": False}) == events.PausedReported(ROBOT, 10.0, False)
-    assert event("labels", GOOD["labels"]) == events.LabelsReceived(ROBOT, "ground", {0: "Base"})
+    assert event("labels", GOOD["labels"]) == events.LabelsReceived(ROBOT, "ground", {"0": "Base"})
 
 
 def with_(msg: dict[str, Any], path: str, value: object) -> dict[str, Any]:

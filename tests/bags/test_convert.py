@@ -27,10 +27,9 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.link import Phase
 from fleet_tui.model.occupancy import grid_from_ros
-from fleet_tui.model.order import Order, OrderQueue
 from fleet_tui.playback.frames import Frames
 from tests.bags.made import KINDS, WALL, Said, bag_config, written
-from tests.fleets import F0, LINK, R0
+from tests.fleets import F0, LINK, R0, order, order_queue
 from tests.journal.recordings import plain
 
 POSE = "geometry_msgs/msg/PoseStamped"
@@ -92,13 +91,13 @@ def as_told() -> list[tuple[float, events.Event]]:
     """What the night means: seconds from the beginning, and the facts."""
     frame = MapFrame(0.5, 3, 2, Pose(0.0, 0.0, 0.0))
     cells = np.array([0, 100, -1, 0, 50, 0], np.int8).tobytes()
-    vertices = {1: Vertex(1, 1.0, 2.0), 2: Vertex(2, 3.0, 4.0, Role.DOCKING)}
-    queue = OrderQueue(7, 7, (Order(7, 1, 2, "Grüße ☃"),))
+    vertices = {"1": Vertex("1", 1.0, 2.0), "2": Vertex("2", 3.0, 4.0, Role.DOCKING, "charger")}
+    queue = order_queue(7, 7, order(7, 1, 2, "Grüße ☃"))
     return [
         (0, events.GridReceived(R0, F0, grid_from_ros(frame, cells))),
         (0, events.FrameReceived(R0, F0, frame)),
-        (0, events.GraphReceived(R0, F0, RouteGraph(vertices, (Edge(5, 1, 2),), False))),
-        (0, events.LabelsReceived(R0, F0, {1: "B"})),
+        (0, events.GraphReceived(R0, F0, RouteGraph(vertices, (Edge("5", "1", "2"),), False))),
+        (0, events.LabelsReceived(R0, F0, {"1": "B"})),
         (0.25, events.QueueReported(R0, 1.25, queue)),
         (0.25, events.CargoReported(R0, 1.25, True)),
         *(
@@ -254,7 +253,7 @@ def test_renamed_fields_and_topics_are_read_as_the_profile_says(tmp_path: Path) 
     said = [Said(0, f"/{R0}/tasks", "agv/msg/Tasks", {"last": 3, "now": 3, "tasks": [task]})]
     bag = written(tmp_path, "ros1", said, store)
     _, recording = made_of(bag, config, tmp_path / "r.jsonl.gz")
-    assert played(recording).robots[R0].orders == OrderQueue(3, 3, (Order(3, 1, 2, "Q"),))
+    assert played(recording).robots[R0].orders == order_queue(3, 3, order(3, 1, 2, "Q"))
 
 
 @pytest.mark.parametrize("form", ["ros1", "mcap"])

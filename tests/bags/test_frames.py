@@ -17,7 +17,7 @@ from fleet_tui.bags.frames import Framer
 from fleet_tui.model import events
 from tests.adapting import adapter_of, event_of
 from tests.bags.made import made, types
-from tests.fleets import F0, R0
+from tests.fleets import F0, R0, order
 
 INTEGERS = {f"{sign}int{bits}": (sign, bits) for sign in ("", "u") for bits in (8, 16, 32, 64)}
 FLOATS: dict[str, Literal[32, 64]] = {"float32": 32, "float64": 64}
@@ -110,7 +110,7 @@ def test_our_decoders_get_back_what_was_said(orders: list[tuple[int, int, int, s
     raw = (store.serialize_ros1 if is_ros1 else store.serialize_cdr)(msg, kind)
     event = read("queue", Framer(store, kind, "/a", is_ros1, as_cbor=False).frame(bytes(raw)), False)
     assert isinstance(event, events.QueueReported)
-    assert [(one.id, one.start, one.end, one.status) for one in event.queue.orders] == orders
+    assert list(event.queue.orders) == [order(*one) for one in orders]
 
 
 def read(key: str, frame: bytes, is_binary: bool) -> events.Event:

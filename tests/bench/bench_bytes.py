@@ -58,7 +58,7 @@ def hall(robots: int, rng: random.Random) -> Scene:
         classes[top : top + 24, 60:-60:2] = OCCUPIED
     frame = MapFrame(resolution, width, height)
     places = tuple(
-        SceneVertex(n, rng.uniform(1, HALL[0] - 1), rng.uniform(1, HALL[1] - 1), label=f"Place {n}")
+        SceneVertex(str(n), rng.uniform(1, HALL[0] - 1), rng.uniform(1, HALL[1] - 1), label=f"Place {n}")
         for n in range(12)
     )
     fleet = tuple(

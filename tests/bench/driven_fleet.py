@@ -6,12 +6,13 @@ from collections.abc import Iterator
 from fleet_tui.config.start import initial_state
 from fleet_tui.model import events
 from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
-from fleet_tui.model.order import Order, OrderQueue
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.world import World
 from fleet_tui.store import Store
+from tests.fleets import order, order_queue
 from tests.watched import config_of
 
 TICK = 0.1
@@ -34,10 +35,14 @@ class DrivenFleet:
         yield events.LinkChanged("rosbridge", now, Phase.UP)
         yield events.CommandPathChanged("rosbridge", CommandPath.ALIVE, "")
         floor = self._world.building.floors[0]
+        labels = {str(id_): label for id_, label in floor.labels.items()}
+        vertices = {str(one.id): Vertex(str(one.id), one.x, one.y) for one in floor.graph.vertices.values()}
+        edges = tuple(Edge(str(one.id), str(one.start), str(one.end)) for one in floor.graph.edges)
+        graph = RouteGraph(vertices, edges)
         frame = MapFrame(RESOLUTION, WIDTH, HEIGHT, Pose(*ORIGIN))
         for name in self._world.robots:
-            yield events.GraphReceived(name, floor.name, floor.graph)
-            yield events.LabelsReceived(name, floor.name, floor.labels)
+            yield events.GraphReceived(name, floor.name, graph)
+            yield events.LabelsReceived(name, floor.name, labels)
             yield events.FrameReceived(name, floor.name, frame)
         cells = floor.cells.astype("int8").tobytes()
         yield events.GridReceived("robot_0", floor.name, grid_from_ros(frame, cells))
@@ -55,8 +60,8 @@ class DrivenFleet:
                 yield events.BatteryReported(name, now, robot.battery)
                 yield events.CargoReported(name, now, robot.cargo)
                 yield events.ObstacleReported(name, now, robot.obstacle)
-                orders = tuple(Order(one.id, one.start, one.end, one.status) for one in robot.orders)
-                queue = OrderQueue(robot.last_order_id, robot.current_order_id, orders)
+                orders = (order(one.id, one.start, one.end, one.status) for one in robot.orders)
+                queue = order_queue(robot.last_order_id, robot.current_order_id, *orders)
                 yield events.QueueReported(name, now, queue)
         yield events.LinkHeard("rosbridge", now)
         yield events.TimePassed(now, wall)

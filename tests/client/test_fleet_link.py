@@ -11,14 +11,15 @@ from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
     PauseRobot,
-    PlaceOrder,
     ResumeRobot,
     Stage,
 )
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
+from tests.fleets import place_order
 from tests.linked import finished, linked, path, phase, ready
 from tests.watched import config_of
 
@@ -73,11 +74,11 @@ async def test_an_order_is_accepted_cancelled_and_cleared(server: RosbridgeServe
     async with linked(config_of(server.url, 1)) as (link, store):
         state = await store.until(ready)
         ids = {label: id_ for id_, label in state.robots["robot_0"].charts["floor_0"].labels.items()}
-        order = PlaceOrder("robot_0", ids["Base"], ids["Consumidores"])
+        order = place_order("robot_0", ids["Base"], ids["Consumidores"])
         assert (await finished(link, store, order)).stage is Stage.CONFIRMED
         state = store.state
         placed = state.robots["robot_0"].orders.orders[0]
-        assert (placed.start, placed.end) == (order.start, order.end)
+        assert placed.stops == order.stops
         assert (await finished(link, store, CancelOrder("robot_0", placed.id))).stage is Stage.CONFIRMED
         assert not store.state.robots["robot_0"].orders.orders
         await finished(link, store, order)
@@ -100,7 +101,7 @@ async def test_pause_and_resume_are_told_by_the_robot(server: RosbridgeServer) -
 async def test_a_refusal_in_an_answer_that_went_well(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
-        record = await finished(link, store, PlaceOrder("robot_0", 0, 9999))
+        record = await finished(link, store, place_order("robot_0", 0, 9999))
     assert record.stage is Stage.REFUSED
     assert "no vertex 9999" in record.words
 
@@ -109,7 +110,7 @@ async def test_a_refusal_in_an_answer_that_went_well(server: RosbridgeServer) ->
 async def test_a_cancel_that_would_mean_all_never_leaves(server: RosbridgeServer, order_id: int) -> None:
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
-        record = await finished(link, store, CancelOrder("robot_0", order_id))
+        record = await finished(link, store, CancelOrder("robot_0", str(order_id)))
     assert record.stage is Stage.NOT_SENT
     assert not server.calls
 
@@ -257,12 +258,9 @@ async def test_two_consoles_see_one_order(server: RosbridgeServer) -> None:
     async with linked(config) as (link, mine), linked(config) as (_, theirs):
         await mine.until(ready)
         await theirs.until(ready)
-        await finished(link, mine, PlaceOrder("robot_0", 0, 1))
+        await finished(link, mine, place_order("robot_0", 0, 1))
         state = await theirs.until(lambda state: state.robots["robot_0"].orders.orders)
-        assert (
-            state.robots["robot_0"].orders.orders[0].start,
-            state.robots["robot_0"].orders.orders[0].end,
-        ) == (0, 1)
+        assert state.robots["robot_0"].orders.orders[0].stops == at_vertices("0", "1")
 
 
 async def test_closing_leaves_no_task_behind(server: RosbridgeServer) -> None:

@@ -6,7 +6,7 @@ from collections.abc import AsyncIterator
 import pytest
 
 from fleet_tui.client import latched, subscriber
-from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.simulator.faults import play, wire
@@ -14,6 +14,7 @@ from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
 from fleet_tui.transports.rosbridge import connection
+from tests.fleets import place_order
 from tests.linked import finished, linked, phase, ready
 from tests.watched import WatchedStore, config_of
 
@@ -56,7 +57,7 @@ async def test_everything_latched_comes_after_each_restart_of_the_bridge(server:
             await server.restart_bridge()
             await store.until(lambda state: not phase(Phase.UP)(state))
             await came_again(link, store, before)
-        record = await finished(link, store, PlaceOrder("robot_0", 0, 1))
+        record = await finished(link, store, place_order("robot_0", 0, 1))
         assert record.stage is Stage.CONFIRMED
 
 

@@ -4,11 +4,12 @@ import pytest
 
 from fleet_tui.client import sourcing
 from fleet_tui.model.checks import problems
-from fleet_tui.model.commands import PlaceOrder, Wish
+from fleet_tui.model.commands import Wish
 from fleet_tui.model.events import MessagesUnsourced
 from fleet_tui.model.problem import Rights
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.fleets import place_order
 from tests.linked import linked
 from tests.watched import config_of
 
@@ -26,7 +27,7 @@ async def test_a_bridge_without_the_messages_is_told_with_the_remedy(
         state = await store.until(
             lambda state: any(alarm.condition.kind == "messages" for alarm in state.alarms)
         )
-        found = problems(state, Wish((PlaceOrder("robot_0", 0, 1),)), Rights())
+        found = problems(state, Wish((place_order("robot_0", 0, 1),)), Rights())
         assert ("queue unheard", False) in [(problem.check, problem.blocks) for problem in found]
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from fleet_tui.adapters.ros.reading import Read, Reading
 from fleet_tui.model.checks import problems
-from fleet_tui.model.commands import PauseRobot, PlaceOrder, ResumeRobot, Stage, Wish
+from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage, Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.lag import BEHIND
 from fleet_tui.model.link import CommandPath
@@ -18,6 +18,7 @@ from tests.faults.kept import linked
 from tests.faults.report import report
 from tests.faults.shown import shown
 from tests.faults.through import Holds, Stopwatch, fresh, lost, usual
+from tests.fleets import place_order
 from tests.linked import finished, path, ready
 
 UNREGISTERED = "the robots' nodes are not registered: restart them"
@@ -83,7 +84,7 @@ async def test_a_bridge_without_the_robots_messages(server: RosbridgeServer) -> 
         noticed = await watch.until(raised("messages"))
         remedy = "rosbridge lacks the messages of OH_ressources: source their workspace, then restart it"
         assert remedy in shown(store.state)
-        asked = problems(store.state, Wish((PlaceOrder("robot_0", 19, 0),)), Rights())
+        asked = problems(store.state, Wish((place_order("robot_0", 19, 0),)), Rights())
         assert "queue unheard" in [problem.check for problem in asked]
         server.unsourced.clear()
         await server.restart_bridge()

@@ -1,6 +1,6 @@
 """What becomes of a command after it left: each end is told, also one that nobody here asked for."""
 
-from fleet_tui.model.commands import PlaceOrder, Stage
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
@@ -8,9 +8,10 @@ from tests.faults.kept import linked
 from tests.faults.report import report
 from tests.faults.shown import shown
 from tests.faults.through import Holds, Stopwatch, usual
+from tests.fleets import place_order
 from tests.linked import finished, ready
 
-ORDER = PlaceOrder("robot_0", 19, 0)
+ORDER = place_order("robot_0", 19, 0)
 
 
 def stage(wanted: Stage) -> Holds:

@@ -6,7 +6,7 @@ import pytest
 
 from fleet_tui.client import latched
 from fleet_tui.demo import demo_config
-from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import play, wire
 from fleet_tui.simulator.ros.ros2 import ROS2
@@ -17,6 +17,7 @@ from tests.faults.report import report
 from tests.faults.shown import shown
 from tests.faults.test_bridge import all_online, raised
 from tests.faults.through import Stopwatch, lost, usual
+from tests.fleets import place_order
 from tests.linked import finished, ready
 
 
@@ -39,7 +40,7 @@ async def test_the_bridge_gives_a_call_up(server: RosbridgeServer) -> None:
     async with linked(usual(server.url, 2)) as (link, store):
         await store.until(ready)
         watch = Stopwatch(store)
-        link.submit(PlaceOrder("robot_0", 19, 0))
+        link.submit(place_order("robot_0", 19, 0))
         noticed = await watch.until(
             lambda state: state.commands and stages(state) & {Stage.UNKNOWN, Stage.NO_ANSWER}
         )
@@ -70,7 +71,7 @@ async def test_the_bridge_is_restarted_with_latched_topics(
         )
         asked = [one for one in server.received if one["op"] == "subscribe" and one["topic"] == names[0]]
         assert len(asked) == 2, "it came only when it was asked for once more"
-        record = await finished(link, store, PlaceOrder("robot_0", 19, 0))
+        record = await finished(link, store, place_order("robot_0", 19, 0))
         assert record.stage is Stage.CONFIRMED
     seen = "connection lost; then graphs and labels again"
     report("ROS 2: the bridge is restarted", "latched topics, asked for at once", seen, noticed, healed)
@@ -81,7 +82,7 @@ async def test_maps_and_graphs_are_published_volatile(server: RosbridgeServer) -
     async with linked(usual(server.url, 2)) as (link, store):
         watch = Stopwatch(store)
         healed = await watch.until(ready)
-        assert (await finished(link, store, PlaceOrder("robot_0", 19, 0))).stage is Stage.CONFIRMED
+        assert (await finished(link, store, place_order("robot_0", 19, 0))).stage is Stage.CONFIRMED
     seen = "nothing: they are asked for once more, without qos"
     report("ROS 2: graphs are published volatile", f"every {wire.AGAIN:g} s, not latched", seen, None, healed)
 

@@ -31,11 +31,11 @@ async def test_json_says_the_same_with_a_version(server: RosbridgeServer, tmp_pa
     config_file(tmp_path, server.url, 2, 2)
     done = await run(tmp_path, "status", "--json")
     report = json.loads(done.out)
-    assert (done.code, report["version"], report["attention"]) == (0, 1, [])
+    assert (done.code, report["version"], report["attention"]) == (0, 2, [])
     assert [link["state"] for link in report["links"]] == ["up"]
     first = report["robots"][0]
     assert first["online"] and first["never_came"] == [] and first["floor"] == "floor_0"
-    assert [(order["start"], order["end"], order["status"]) for order in first["orders"]] == [(0, 1, "W")]
+    assert [(order["start"], order["end"], order["status"]) for order in first["orders"]] == [("0", "1", "W")]
     assert first["orders"][0]["start_label"] == "Base"
 
 

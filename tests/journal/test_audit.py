@@ -19,24 +19,36 @@ from fleet_tui.journal import audit as module
 from fleet_tui.journal.audit import Audit, auditing, encode, operator_name
 from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
 from fleet_tui.journal.entries import TEXT_KEPT, Origin, command_records
+from fleet_tui.model.audit_record import VERSION
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
     Command,
     PauseRobot,
-    PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
 )
 from fleet_tui.model.events import AlarmAcknowledged, CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.store import Store
-from tests.fleets import F0, R0, T0, WALL, battery, commanded, fleet, link_lost, queue, tick, told
+from tests.fleets import (
+    F0,
+    R0,
+    T0,
+    WALL,
+    battery,
+    commanded,
+    fleet,
+    link_lost,
+    place_order,
+    queue,
+    tick,
+    told,
+)
 from tests.journal.records import ANA, known_fleet, read, record, watched
 from tests.watched import config_of
 
-ORDER = PlaceOrder(R0, 1, 2)
+ORDER = place_order(R0, 1, 2)
 
 
 def give(store: Store, id_: int, command: Command, *stages: Stage, words: str = "") -> None:
@@ -54,8 +66,8 @@ def test_a_command_from_the_key_to_its_end(tmp_path: Path) -> None:
     assert [one.change for one in found] == ["checked", "sent", "accepted"]  # its queue was not known before
     for one in found:
         assert (one.id, one.kind, one.what, one.robot, one.floor) == (7, "command", "order", R0, F0)
-        assert (one.start, one.start_label, one.end, one.end_label) == (1, "Base", 2, "")
-        assert (one.operator, one.console, one.run, one.version) == ("ana", "host:1", "run1", 1)
+        assert (one.start, one.start_label, one.end, one.end_label) == ("1", "Base", "2", "")
+        assert (one.operator, one.console, one.run, one.version) == ("ana", "host:1", "run1", VERSION)
         assert (one.link, one.url) == ("rosbridge", "ws://site:9090")
         assert datetime.fromisoformat(one.time).utcoffset() is not None
 
@@ -81,15 +93,15 @@ def test_the_order_that_was_recognised_and_the_robots_words_are_in_it(tmp_path: 
     store.tell(queue(T0 + 1, (12, 1, 2, "Q")))
     store.tell(tick(T0 + 2))
     last = read(tmp_path)[-1]
-    assert (last.change, last.order, last.words) == ("confirmed", 12, "seen in the queue as order 12")
+    assert (last.change, last.order, last.words) == ("confirmed", "12", "seen in the queue as order 12")
     assert read(tmp_path)[-2].words == "ACCEPTED"
 
 
 @pytest.mark.parametrize(
     ("command", "what", "arguments"),
     [
-        (PlaceOrderWithCargo(R0, 3), "bring cargo", {"end": 3, "end_label": "Store"}),
-        (CancelOrder(R0, 12), "cancel", {"order": 12}),
+        (place_order(R0, 3), "bring cargo", {"end": "3", "end_label": "Store"}),
+        (CancelOrder(R0, "12"), "cancel", {"order": "12"}),
         (ClearOrders(R0), "clear", {}),
         (PauseRobot(R0), "pause", {}),
         (ResumeRobot(R0), "resume", {}),
@@ -414,7 +426,9 @@ def test_a_record_reads_back_as_it_was() -> None:
 
     from fleet_tui.model.audit_record import AuditRecord
 
-    whole = record("w", id=1, start=2, end=3, start_label="é", order=4, floor=F0, priority="low", count=5)
+    whole = record(
+        "w", id=1, start="2", end="3", start_label="é", order="4", floor=F0, priority="low", count=5
+    )
     assert msgspec.json.decode(encode(whole), type=AuditRecord) == whole
 
 

@@ -6,6 +6,7 @@ import stat
 import subprocess
 import time
 from collections.abc import Callable, Iterator
+from functools import reduce
 from pathlib import Path
 
 import pytest
@@ -86,7 +87,7 @@ def played(path: Path, config: Config) -> Iterator[tuple[object, FleetState]]:
             case Heard(channel="topics"):
                 at = record.at if record.came is None else record.came
                 brought = readings[record.link].read(record.payload, record.binary, at)
-                state = apply(state, brought) if isinstance(brought, events.Event) else state
+                state = reduce(apply, brought, state) if isinstance(brought, tuple) else state
         yield record, state
 
 

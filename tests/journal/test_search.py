@@ -19,7 +19,7 @@ from tests.fleets import WALL
 from tests.journal.records import ANA, record
 
 NOW = datetime.fromtimestamp(WALL, UTC) + timedelta(hours=3)
-REFUSED = record("no way", change="refused", what="order", start=1, start_label="Base", end=3, id=42)
+REFUSED = record("no way", change="refused", what="order", start="1", start_label="Base", end="3", id=42)
 
 
 @pytest.mark.parametrize(

@@ -12,16 +12,14 @@ from fleet_tui.model.commands import (
     Command,
     CommandRecord,
     PauseRobot,
-    PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
 )
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported
 from fleet_tui.model.fleet import FleetState
-from tests.fleets import R0, T0, commanded, fleet, link_lost, link_up, pose, queue, tick, told
+from tests.fleets import R0, T0, commanded, fleet, link_lost, link_up, place_order, pose, queue, tick, told
 
-ORDER = PlaceOrder(R0, 1, 2)
+ORDER = place_order(R0, 1, 2)
 SENT, ACCEPTED, UNKNOWN, NO_ANSWER = Stage.SENT, Stage.ACCEPTED, Stage.UNKNOWN, Stage.NO_ANSWER
 PATIENCE = fleet().limits.confirm_after
 
@@ -50,7 +48,7 @@ def test_an_order_that_appears_in_the_queue_is_confirmed_whatever_was_answered(a
     state = up(*commanded(1, ORDER, SENT, answer), tick(T0 + 1))
     assert only(state).stage is answer
     state = told(state, queue(T0 + 2, (4, 8, 9, "W"), (5, 1, 2, "Q"), current=4), tick(T0 + 2))
-    assert (only(state).stage, only(state).order_id) == (Stage.CONFIRMED, 5)
+    assert (only(state).stage, only(state).order_id) == (Stage.CONFIRMED, "5")
     assert only(state).words == "seen in the queue as order 5"
 
 
@@ -91,11 +89,11 @@ def test_two_same_orders_are_two_in_the_queue() -> None:
     one = told(state, queue(T0 + 1, (5, 1, 2, "W")), tick(T0 + 1))
     assert [record.stage for record in one.commands] == [Stage.CONFIRMED, ACCEPTED]
     two = told(one, queue(T0 + 2, (5, 1, 2, "W"), (6, 1, 2, "Q")), tick(T0 + 2))
-    assert [record.order_id for record in two.commands] == [5, 6]
+    assert [record.order_id for record in two.commands] == ["5", "6"]
 
 
 def test_with_cargo_only_the_destination_counts() -> None:
-    state = up(*commanded(1, PlaceOrderWithCargo(R0, 2), SENT, ACCEPTED))
+    state = up(*commanded(1, place_order(R0, 2), SENT, ACCEPTED))
     assert only(told(state, queue(T0 + 1, (5, 77, 2, "W")), tick(T0 + 1))).stage is Stage.CONFIRMED
 
 
@@ -123,10 +121,10 @@ def test_a_late_answer_still_counts() -> None:
 @pytest.mark.parametrize(
     ("command", "queue_then", "stage"),
     [
-        (CancelOrder(R0, 4), (), Stage.CONFIRMED),
-        (CancelOrder(R0, 4), ((4, 8, 9, "C"),), Stage.CONFIRMED),
-        (CancelOrder(R0, 4), ((4, 8, 9, "W"),), Stage.NOT_CONFIRMED),
-        (CancelOrder(R0, 4), ((4, 8, 9, "D"),), Stage.NOT_CONFIRMED),
+        (CancelOrder(R0, "4"), (), Stage.CONFIRMED),
+        (CancelOrder(R0, "4"), ((4, 8, 9, "C"),), Stage.CONFIRMED),
+        (CancelOrder(R0, "4"), ((4, 8, 9, "W"),), Stage.NOT_CONFIRMED),
+        (CancelOrder(R0, "4"), ((4, 8, 9, "D"),), Stage.NOT_CONFIRMED),
         (ClearOrders(R0), (), Stage.CONFIRMED),
         (ClearOrders(R0), ((4, 8, 9, "D"), (5, 1, 2, "W")), Stage.CONFIRMED),  # 5 came after the clear
         (ClearOrders(R0), ((4, 8, 9, "W"),), Stage.NOT_CONFIRMED),
@@ -215,8 +213,8 @@ def test_the_end_of_a_pause_does_not_read_as_if_it_were_paused(command: Command,
 
 COMMANDS = [
     ORDER,
-    PlaceOrderWithCargo(R0, 2),
-    CancelOrder(R0, 4),
+    place_order(R0, 2),
+    CancelOrder(R0, "4"),
     ClearOrders(R0),
     PauseRobot(R0),
     ResumeRobot(R0),

@@ -5,7 +5,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm, AlarmStage
-from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from tests.fleets import (
     LINK,
@@ -18,6 +18,7 @@ from tests.fleets import (
     labels,
     link_lost,
     link_up,
+    place_order,
     pose,
     queue,
     tick,
@@ -216,7 +217,7 @@ def ended(id_: int, at: float, *stages: Stage, words: str = "") -> list[events.E
 
 
 def failed(state: FleetState, id_: int, at: float, *stages: Stage, words: str = "queue full") -> FleetState:
-    issued = events.CommandIssued(id_, PlaceOrder(R0, 1, 2), at, WALL)
+    issued = events.CommandIssued(id_, place_order(R0, 1, 2), at, WALL)
     ends = ended(id_, at, *(stages or (Stage.REFUSED,)), words=words)
     return told(state, battery(at), tick(at), issued, *ends, tick(at))
 

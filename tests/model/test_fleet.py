@@ -5,7 +5,7 @@ import pytest
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm
 from fleet_tui.model.apply import COMMANDS_KEPT
-from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
+from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
@@ -24,6 +24,7 @@ from tests.fleets import (
     labels,
     link_lost,
     link_up,
+    place_order,
     pose,
     queue,
     tick,
@@ -66,7 +67,7 @@ def test_every_value_lands_in_its_place_with_its_time() -> None:
     assert [reading and reading.at for reading in readings] == [T0 + n for n in range(1, 7)]
     assert robot.pose is not None and robot.pose.value == Pose(3.0, 4.0)
     assert (robot.battery and robot.battery.value, robot.obstacle and robot.obstacle.value) == (55.0, 2.5)
-    assert robot.has_cargo and robot.orders.current is not None and robot.orders.current.id == 1
+    assert robot.has_cargo and robot.orders.current is not None and robot.orders.current.id == "1"
     assert robot.heard == T0 + 6
 
 
@@ -76,7 +77,7 @@ def test_what_is_latched_is_kept_but_is_no_sign_of_life() -> None:
     state = told(fleet(), *charts, events.GridReceived(R0, F0, GRID), events.MessageRejected(R0, "bad"))
     chart = state.robots[R0].charts[F0]
     assert chart.frame == FRAME and chart.grid is GRID
-    assert chart.graph is not None and chart.name_of(1) == "Base"
+    assert chart.graph is not None and chart.name_of("1") == "Base"
     assert state.robots[R0].heard is None
     assert not told(state, tick(T0 + 0.1)).is_online(state.robots[R0])
 
@@ -203,7 +204,7 @@ def test_a_command_ends_exactly_once_whatever_comes() -> None:
 
 
 def test_the_newest_commands_are_kept() -> None:
-    commands: list[Command] = [PlaceOrder(R0, n, n) for n in range(COMMANDS_KEPT + 5)]
+    commands: list[Command] = [place_order(R0, n, n) for n in range(COMMANDS_KEPT + 5)]
     state = fleet()
     for n, command in enumerate(commands):
         state = told(state, *commanded(n, command, Stage.SENT, Stage.REFUSED))
@@ -228,7 +229,7 @@ def test_ages_in_words(seconds: float, text: str) -> None:
 
 def test_robots_that_know_the_same_graph_share_one() -> None:
     def routes(x: float) -> RouteGraph:
-        return RouteGraph({1: Vertex(1, x, 0.0), 2: Vertex(2, 4.0, 0.0)}, (Edge(7, 1, 2),))
+        return RouteGraph({"1": Vertex("1", x, 0.0), "2": Vertex("2", 4.0, 0.0)}, (Edge("7", "1", "2"),))
 
     told_again = events.GraphReceived(R0, F0, routes(2.0))
     state = told(fleet(3), *(events.GraphReceived(f"robot_{n}", F0, routes(float(n // 2))) for n in range(3)))

@@ -15,7 +15,6 @@ from fleet_tui.model.commands import (
     CommandRecord,
     PauseRobot,
     PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
 )
@@ -24,20 +23,23 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
-from fleet_tui.model.order import Order, OrderQueue
+from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
 from tests.fleets import LINK, T0, fleet, told
 
 AT = st.floats(T0, T0 + 1e4)
 NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
-IDS = st.integers(-(2**31), 2**31 - 1) | st.integers(-1, 4)
+NUMBERED = st.integers(-(2**31), 2**31 - 1) | st.integers(-1, 4)
+IDS = st.text(max_size=3) | NUMBERED.map(str)
+PLACES = st.builds(Pose, NUMBERS, NUMBERS)
+STOPS = st.lists(st.builds(Stop, IDS) | st.builds(Stop, pose=PLACES), max_size=4).map(tuple)
 ROBOTS = st.sampled_from(["robot_0", "robot_1", "stranger"])
 FLOORS = st.sampled_from(["floor_0", "floor_1", "attic"])
 FRAME = MapFrame(0.05, 1, 1)
-ORDERS = st.builds(Order, IDS, IDS, IDS, st.text(max_size=3))
-QUEUES = st.builds(OrderQueue, IDS, IDS, st.lists(ORDERS, max_size=4).map(tuple))
+STATES = st.none() | st.sampled_from(OrderState)
+ORDERS = st.builds(Order, IDS, STOPS, STATES, st.text(max_size=3), NUMBERED)
+QUEUES = st.builds(OrderQueue, NUMBERED, IDS, st.lists(ORDERS, max_size=4).map(tuple), NUMBERED)
 COMMANDS = st.one_of(
-    st.builds(PlaceOrder, ROBOTS, IDS, IDS),
-    st.builds(PlaceOrderWithCargo, ROBOTS, IDS),
+    st.builds(PlaceOrder, ROBOTS, STOPS.filter(len)),
     st.builds(CancelOrder, ROBOTS, IDS),
     *(st.builds(kind, ROBOTS) for kind in (ClearOrders, PauseRobot, ResumeRobot)),
 )

@@ -9,17 +9,29 @@ from fleet_tui.model.commands import (
     Command,
     CommandRecord,
     PauseRobot,
-    PlaceOrder,
     ResumeRobot,
     Stage,
 )
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported, QueueReported
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import Order, OrderQueue
-from tests.fleets import R0, T0, commanded, fleet, graph, link_up, pose, queue, tick, told
+from tests.fleets import (
+    R0,
+    T0,
+    commanded,
+    fleet,
+    graph,
+    link_up,
+    order,
+    order_queue,
+    place_order,
+    pose,
+    queue,
+    tick,
+    told,
+)
 
 END = 7  # three metres from where the robot is at first
-ORDER = PlaceOrder(R0, 0, END)
+ORDER = place_order(R0, 0, END)
 SENT, ACCEPTED = Stage.SENT, Stage.ACCEPTED
 QUEUED, DRIVEN = (5, 0, END, "Q"), (5, 0, END, "W")
 PATIENCE = fleet().limits.confirm_after
@@ -27,7 +39,7 @@ PATIENCE = fleet().limits.confirm_after
 
 def gone(at: float, last: int = 5) -> QueueReported:
     """An empty queue that has counted to `last`."""
-    return QueueReported(R0, at, OrderQueue(last, -1, ()))
+    return QueueReported(R0, at, order_queue(last, -1))
 
 
 def driving(at: float) -> QueueReported:
@@ -112,7 +124,7 @@ def test_a_robot_that_waits_at_the_end_for_long_has_driven_there() -> None:
 def test_an_order_that_was_over_when_it_was_first_seen_has_ended(letter: str, stage: Stage) -> None:
     state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
     state = told(state, queue(T0 + 9, (5, 0, END, letter)), tick(T0 + 9), tick(T0 + 9.1))
-    assert (first(state).stage, first(state).order_id) == (stage, 5)
+    assert (first(state).stage, first(state).order_id) == (stage, "5")
 
 
 def test_a_queue_that_came_before_the_tick_that_confirmed_and_was_read_after_it_ends_the_order() -> None:
@@ -128,7 +140,7 @@ def test_orders_of_queues_that_can_never_be_read_whole_are_not_kept_for_ever() -
         orders = [(1000 * n + i, 0, END, "Q") for i in range(500)]
         state = told(state, replace(queue(T0 + n, *orders), fault="bad"))
     kept = state.robots[R0].traces
-    assert 500 <= len(kept) <= 1000 and 8499 in kept
+    assert 500 <= len(kept) <= 1000 and "8499" in kept
     for n in range(9):
         state = told(state, queue(T0 + 10 + n, *((1000 * n + i, 0, END, "Q") for i in range(500))))
     assert len(state.robots[R0].gone) <= 1000
@@ -146,7 +158,7 @@ def test_a_queue_that_was_cut_short_ends_no_order() -> None:
     assert first(given(cut, gone(T0 + 3), tick(T0 + 3))).stage is Stage.LOST
 
 
-@pytest.mark.parametrize("removal", [CancelOrder(R0, 5), ClearOrders(R0)])
+@pytest.mark.parametrize("removal", [CancelOrder(R0, "5"), ClearOrders(R0)])
 @pytest.mark.parametrize("left", [gone(T0 + 3), queue(T0 + 3, (5, 0, END, "C"))])
 def test_what_this_console_took_away_is_cancelled_and_no_alarm(removal: Command, left: QueueReported) -> None:
     state = given(*commanded(2, removal, SENT, ACCEPTED, at=T0 + 2), left, tick(T0 + 3))
@@ -155,12 +167,12 @@ def test_what_this_console_took_away_is_cancelled_and_no_alarm(removal: Command,
 
 
 def test_a_cancel_that_was_refused_took_nothing_away() -> None:
-    refused = commanded(2, CancelOrder(R0, 5), SENT, Stage.REFUSED, at=T0 + 2)
+    refused = commanded(2, CancelOrder(R0, "5"), SENT, Stage.REFUSED, at=T0 + 2)
     assert first(given(*refused, gone(T0 + 3), tick(T0 + 3))).stage is Stage.LOST
 
 
 def test_an_order_that_is_done_while_its_cancel_is_refused_is_done() -> None:
-    arrived = [driving(T0 + 2), pose(T0 + 2, 3.0), *commanded(2, CancelOrder(R0, 5), SENT, at=T0 + 2)]
+    arrived = [driving(T0 + 2), pose(T0 + 2, 3.0), *commanded(2, CancelOrder(R0, "5"), SENT, at=T0 + 2)]
     state = given(*arrived, gone(T0 + 3), tick(T0 + 3))
     assert first(state).stage is Stage.DONE
 
@@ -177,7 +189,7 @@ def not_confirmed(command: Command, *facts: Event) -> FleetState:
 def test_an_order_that_is_taken_late_is_told_and_the_failure_is_cleared(seconds: int) -> None:
     state = told(not_confirmed(ORDER, gone(T0 - 1, 4)), driving(T0 + seconds), tick(T0 + seconds))
     record = first(state)
-    assert (record.stage, record.order_id) == (Stage.LATE, 5)
+    assert (record.stage, record.order_id) == (Stage.LATE, "5")
     (alarm,) = (alarm for alarm in state.alarms if alarm.condition.kind == "command")
     assert alarm.needs_acknowledgement and alarm.text.startswith("carried out late: order 0 -> 7 (order 5, ")
     assert first(told(state, gone(T0 + seconds + 1), tick(T0 + seconds + 1))).stage is Stage.DONE
@@ -188,10 +200,10 @@ def test_an_order_that_is_given_again_and_taken_is_the_second_one() -> None:
     state = told(state, *commanded(2, ORDER, SENT, ACCEPTED, at=T0 + 10), driving(T0 + 11), tick(T0 + 11))
     assert [(one.stage, one.order_id) for one in state.commands] == [
         (Stage.NOT_CONFIRMED, None),
-        (Stage.CONFIRMED, 5),
+        (Stage.CONFIRMED, "5"),
     ]
     both = told(state, queue(T0 + 12, DRIVEN, (6, 0, END, "Q"), current=5), tick(T0 + 12))
-    assert [(one.stage, one.order_id) for one in both.commands] == [(Stage.LATE, 6), (Stage.CONFIRMED, 5)]
+    assert [(one.stage, one.order_id) for one in both.commands] == [(Stage.LATE, "6"), (Stage.CONFIRMED, "5")]
 
 
 def test_an_order_of_the_same_ends_long_after_is_another_one() -> None:
@@ -200,7 +212,7 @@ def test_an_order_of_the_same_ends_long_after_is_another_one() -> None:
 
 
 def test_a_cancel_that_is_obeyed_late_is_told_and_an_order_that_is_driven_is_no_cancel() -> None:
-    waiting = not_confirmed(CancelOrder(R0, 5), graph(0, 1, 2, END), pose(T0), queue(T0 - 1, QUEUED))
+    waiting = not_confirmed(CancelOrder(R0, "5"), graph(0, 1, 2, END), pose(T0), queue(T0 - 1, QUEUED))
     assert first(told(waiting, gone(T0 + 12), tick(T0 + 12))).stage is Stage.LATE
     driven: list[Event] = [driving(T0 + 8), pose(T0 + 9, 3.0), gone(T0 + 12), tick(T0 + 12)]
     assert first(told(waiting, *driven)).stage is Stage.NOT_CONFIRMED
@@ -225,9 +237,9 @@ def test_a_pause_that_was_given_again_and_worked_is_not_carried_out_late() -> No
     assert first(state).stage is Stage.LATE
 
 
-@pytest.mark.parametrize("again", [CancelOrder(R0, 5), ClearOrders(R0)])
+@pytest.mark.parametrize("again", [CancelOrder(R0, "5"), ClearOrders(R0)])
 def test_a_cancel_that_another_one_did_is_not_carried_out_late(again: Command) -> None:
-    waiting = not_confirmed(CancelOrder(R0, 5), graph(0, 1, 2, END), pose(T0), queue(T0 - 1, QUEUED))
+    waiting = not_confirmed(CancelOrder(R0, "5"), graph(0, 1, 2, END), pose(T0), queue(T0 - 1, QUEUED))
     state = told(waiting, queue(T0 + 9, QUEUED), *commanded(2, again, SENT, ACCEPTED, at=T0 + 10))
     state = told(state, gone(T0 + 11), tick(T0 + 11), tick(T0 + 12))
     assert [one.stage for one in state.commands] == [Stage.NOT_CONFIRMED, Stage.CONFIRMED]
@@ -252,8 +264,8 @@ def test_a_pause_that_was_only_seen_to_work_is_ours_too() -> None:
 
 
 def echoed(at: float, request: int, *ids: int) -> QueueReported:
-    orders = tuple(Order(id_, 0, END, "Q") for id_ in ids)
-    return QueueReported(R0, at, OrderQueue(ids[-1], -1, orders, request))
+    orders = (order(id_, 0, END, "Q") for id_ in ids)
+    return QueueReported(R0, at, order_queue(ids[-1], -1, *orders, request_id=request))
 
 
 def test_two_consoles_that_give_the_same_order_in_one_instant_claim_one_each() -> None:
@@ -265,24 +277,24 @@ def test_two_consoles_that_give_the_same_order_in_one_instant_claim_one_each() -
             for report in reports:
                 console = told(console, report, tick(report.at))
             ids[id_] = first(console).order_id
-        assert ids == {111: 5, 222: 6}
+        assert ids == {111: "5", 222: "6"}
 
 
 def test_an_order_of_another_console_is_not_ours_carried_out_late_once_it_is_no_longer_the_newest() -> None:
     state = told(not_confirmed(ORDER, gone(T0 - 1, 4)), echoed(T0 + 100, 777, 5), tick(T0 + 100))
-    further = OrderQueue(6, -1, (Order(5, 0, END, "Q"), Order(6, 1, 2, "Q")), 888)
+    further = order_queue(6, -1, order(5, 0, END, "Q"), order(6, 1, 2, "Q"), request_id=888)
     state = told(state, QueueReported(R0, T0 + 110, further), tick(T0 + 110))
     assert first(state).stage is Stage.NOT_CONFIRMED
-    ours = OrderQueue(7, -1, (*further.orders, Order(7, 0, END, "Q")), 1)
+    ours = order_queue(7, -1, *further.orders, order(7, 0, END, "Q"), request_id=1)
     state = told(state, QueueReported(R0, T0 + 120, ours), tick(T0 + 120))
-    assert (first(state).stage, first(state).order_id) == (Stage.LATE, 7)
+    assert (first(state).stage, first(state).order_id) == (Stage.LATE, "7")
 
 
 def test_a_robot_that_echoes_nothing_of_ours_is_believed_in_the_end() -> None:
     state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(111, ORDER, SENT, ACCEPTED))
     state = told(state, echoed(T0 + 1, 77, 5), tick(T0 + 1))
     assert first(state).stage is ACCEPTED
-    assert first(told(state, tick(T0 + PATIENCE + 0.1))).order_id == 5
+    assert first(told(state, tick(T0 + PATIENCE + 0.1))).order_id == "5"
 
 
 @pytest.mark.parametrize("says", [True, False])
@@ -308,7 +320,7 @@ def test_a_pause_that_was_resumed_before_the_restart_is_not_lost() -> None:
 
 def test_a_robot_that_does_not_count_its_orders_has_not_started_over() -> None:
     uncounted = [
-        replace(one, queue=replace(one.queue, last_order_id=0))
+        replace(one, queue=replace(one.queue, last_serial=0))
         for one in (queue(T0 + 2, QUEUED), driving(T0 + 3))
     ]
     begun = told(fleet(), link_up(T0 - 9), graph(0, 1, 2, END), pose(T0 - 1), gone(T0 - 1, 0), tick(T0))
@@ -320,4 +332,4 @@ def test_a_robot_that_does_not_count_its_orders_has_not_started_over() -> None:
 def test_an_order_that_a_robot_takes_after_it_was_started_anew_is_found() -> None:
     state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
     state = told(state, queue(T0 + 1, (1, 0, END, "W"), current=1), tick(T0 + 1))
-    assert (first(state).stage, first(state).order_id) == (Stage.CONFIRMED, 1)
+    assert (first(state).stage, first(state).order_id) == (Stage.CONFIRMED, "1")

@@ -171,11 +171,11 @@ def test_a_vertex_has_the_name_of_the_floor_the_robot_is_on() -> None:
     """Ids of two floors may be the same."""
     facts = (graph(1), labels({1: "Base"}), graph(1, 2, floor="floor_1"), labels({1: "Attic"}, "floor_1"))
     state = told(fleet(1, 2), *facts)
-    assert robot(state).name_of(1) == "Base"
+    assert robot(state).name_of("1") == "Base"
     upstairs = told(state, pose(T0, frame="floor_1"))
-    assert robot(upstairs).name_of(1) == "Attic"
-    assert robot(upstairs).name_of(2) == "2"
-    assert robot(upstairs).name_of(3) is None
+    assert robot(upstairs).name_of("1") == "Attic"
+    assert robot(upstairs).name_of("2") == "2"
+    assert robot(upstairs).name_of("3") is None
 
 
 def test_a_reading_keeps_the_moment_at_which_it_was_true() -> None:

@@ -14,12 +14,12 @@ def test_labels_are_those_of_the_floor_it_is_on_where_ids_are_the_same() -> None
     """The floor's frame has another name than the floor."""
     floors = {name: Floor(name, frame) for name, frame in (("floor_0", "map_0"), ("floor_1", "map_1"))}
     charts = {
-        name: Chart(labels={1: label}, graph=RouteGraph({1: Vertex(1, 0.0, 0.0)}))
+        name: Chart(labels={"1": label}, graph=RouteGraph({"1": Vertex("1", 0.0, 0.0)}))
         for name, label in (("floor_0", "Base"), ("floor_1", "Attic"))
     }
     state = FleetState(floors, {"r": Robot("r", 1, "l", charts)}, {"l": LinkState("l", "ws://x")})
     state = apply(state, events.PoseReported("r", 1.0, Pose(0.0, 0.0), "map_1", None))
-    assert state.robots["r"].name_of(1) == "Attic"
+    assert state.robots["r"].name_of("1") == "Attic"
     assert [place.name for place in places(state.robots["r"])] == ["Attic", "Base"]
 
 

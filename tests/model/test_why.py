@@ -13,8 +13,6 @@ from fleet_tui.model.commands import (
     ClearOrders,
     Command,
     PauseRobot,
-    PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
 )
@@ -42,6 +40,7 @@ from tests.fleets import (
     labels,
     link_lost,
     link_up,
+    place_order,
     pose,
     queue,
     tick,
@@ -50,9 +49,9 @@ from tests.fleets import (
 from tests.planted import Planted
 
 BASE, CONSUMIDORES, PACKING, CHARGER = 0, 19, 17, 15
-AWAY = PlaceOrder(R0, CONSUMIDORES, BASE)
+AWAY = place_order(R0, CONSUMIDORES, BASE)
 """robot_0 waits at Base: this one it has to drive for."""
-FROM_HERE = PlaceOrder(R0, BASE, CONSUMIDORES)
+FROM_HERE = place_order(R0, BASE, CONSUMIDORES)
 
 
 def driving(faults: str = "", command: Command = AWAY, then: str = "", **more: bool) -> Planted:
@@ -128,7 +127,7 @@ SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     ),
     "loading": (lambda: Planted().run(1).command(FROM_HERE).run(2), "loading at Base"),
     "unloading": (
-        lambda: loaded(Planted().run(1)).command(PlaceOrderWithCargo(R0, BASE)).run(2),
+        lambda: loaded(Planted().run(1)).command(place_order(R0, BASE)).run(2),
         "unloading at Base",
     ),
     "cargo on board": (lambda: loaded(Planted()).run(3), "cargo without destination"),

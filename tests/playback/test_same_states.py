@@ -15,13 +15,14 @@ from fleet_tui.journal.recorder import Recorder
 from fleet_tui.journal.recording import Recording
 from fleet_tui.journal.records import Told
 from fleet_tui.maps.images import load_floor_map
-from fleet_tui.model.commands import PauseRobot, PlaceOrder, ResumeRobot
+from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, Event, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.playback.playhead import Playhead
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
+from tests.fleets import place_order
 from tests.journal.recordings import plain
 from tests.linked import finished, phase, ready
 from tests.playback.taped import ORIGIN, shift
@@ -36,7 +37,7 @@ async def eventful(link: FleetLink, store: WatchedStore, server: RosbridgeServer
     graph = store.state.robots["robot_0"].charts["floor_0"].graph
     assert graph is not None
     start, end, *_ = graph.vertices
-    link.submit(PlaceOrder("robot_0", start, end))
+    link.submit(place_order("robot_0", start, end))
     await finished(link, store, PauseRobot("robot_1"))
     await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
     await server.drop_clients()

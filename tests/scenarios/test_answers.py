@@ -117,6 +117,6 @@ async def test_three_orders_with_an_answer_each_way(server: RosbridgeServer) -> 
             await order(it)
             await ended(it, count)
         records = it.store.state.commands
-        assert [record.order_id for record in records] == [1, 2, 3]
+        assert [record.order_id for record in records] == ["1", "2", "3"]
         assert len(set(requests(server))) == 3
-        await it.shows("Q queued", "queue")
+        await it.shows("queued", "queue")

@@ -97,7 +97,7 @@ async def test_a_robot_that_starts_anew_counts_from_nothing_again(server: Rosbri
             await order(it)
             record = await ended(it, count)
             assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
-            assert record.order_id == 1
+            assert record.order_id == "1"
             await it.until(lambda state: not state.robots[R0].orders.orders)
         await it.shows("no orders", "queue")
         await it.press("w")

@@ -6,10 +6,11 @@ from contextlib import asynccontextmanager
 
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
-from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import console
+from tests.fleets import place_order
 from tests.scenarios.stage import R0, calls, ended, order, patient, requests, stages
 from tests.watched import WatchedStore
 
@@ -43,20 +44,20 @@ async def other_console(url: str) -> AsyncIterator[Other]:
 
 async def test_the_same_order_from_both_is_two_orders(server: RosbridgeServer) -> None:
     async with console(patient(server.url)) as it, other_console(server.url) as other:
-        other.link.submit(PlaceOrder(R0, BASE, CONSUMIDORES))
+        other.link.submit(place_order(R0, BASE, CONSUMIDORES))
         await order(it)
         for record in (await ended(it), await other.ended()):
             assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         assert calls(server) == ["Execute_order", "Execute_order"]
         assert len(set(requests(server))) == 2
         await it.until(lambda state: len(state.robots[R0].orders.orders) == 2)
-        await it.shows("Q queued", "queue")
+        await it.shows("queued", "queue")
         assert it.pane("queue").count("Base -> Consumidores") == 2
 
 
 async def test_an_order_of_the_other_one_is_shown_and_can_be_cancelled(server: RosbridgeServer) -> None:
     async with console(patient(server.url)) as it, other_console(server.url) as other:
-        other.link.submit(PlaceOrder(R0, BASE, CONSUMIDORES))
+        other.link.submit(place_order(R0, BASE, CONSUMIDORES))
         await other.ended()
         await it.shows("Base -> Consumidores", "queue")
         await it.press("x", "y")
@@ -75,7 +76,7 @@ async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:
         await it.shows("Base -> Consumidores", "queue")
         await it.press("x")
         await it.shows("Cancel order 1 of robot_0?")
-        other.link.submit(CancelOrder(R0, 1))
+        other.link.submit(CancelOrder(R0, "1"))
         await it.until(lambda _: len(server.calls) == 2)
         await it.press("y")
         record, first = await ended(it, 2), await other.ended()
@@ -94,7 +95,7 @@ async def test_one_clears_while_the_other_orders(server: RosbridgeServer) -> Non
         assert stages(await other.ended()) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         await it.shows("no orders", "queue")
         await order(it)
-        assert (await ended(it, 3)).order_id == 3
+        assert (await ended(it, 3)).order_id == "3"
         assert len(calls(server)) == 4
 
 

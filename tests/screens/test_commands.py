@@ -24,7 +24,7 @@ def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:
     ]
 
 
-def vertex(it: Console, label: str, robot: str = "robot_0") -> int:
+def vertex(it: Console, label: str, robot: str = "robot_0") -> str:
     charts = it.store.state.robots[robot].charts.values()
     return next(id_ for chart in charts for id_, name in chart.labels.items() if name == label)
 

@@ -2,7 +2,6 @@
 
 from textual.widgets import Input
 
-from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.events import BatteryReported, QueueReported
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.screens.confirm import Confirm
@@ -10,6 +9,7 @@ from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import Console, console
+from tests.fleets import place_order
 from tests.screens.test_commands import one_packet, place, sent, vertex
 from tests.watched import config_of
 
@@ -215,7 +215,7 @@ async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServ
         await it.shows("robot_0 was never seen: send anyway?")
         it.store.tell(BatteryReported("robot_0", it.store.state.now, 50.0))
         await it.shows("the queue of robot_0 has not come")
-        it.store.tell(QueueReported("robot_0", it.store.state.now, OrderQueue(0, -1, ())))
+        it.store.tell(QueueReported("robot_0", it.store.state.now, OrderQueue(0, "", ())))
         await it.shows("Send it?")
         assert it.app.main.query_one(Confirm).is_open
         await it.press("y")
@@ -250,4 +250,4 @@ async def test_with_cargo_a_chain_begins_with_the_cargo(server: RosbridgeServer)
         await it.until(lambda state: len(state.commands) == 2 and state.commands[-1].is_decided)
         assert [name for name, _ in sent(server)] == ["Execute_order_with_cargo", "Execute_order"]
         base, store = vertex(it, "Base"), vertex(it, "Store")
-        assert it.store.state.commands[-1].command == PlaceOrder("robot_0", base, store)
+        assert it.store.state.commands[-1].command == place_order("robot_0", base, store)

@@ -2,11 +2,11 @@
 
 import msgspec
 
-from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, Wish
+from fleet_tui.model.commands import Command, PauseRobot, Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.screens.held import LINK_WITHIN, PAUSE_WITHIN, Held
-from tests.fleets import fleet
+from tests.fleets import fleet, place_order
 
 UP = LinkState("far", "ws://far:9090", Phase.UP, commands_connected=True)
 STARTING = LinkState("far", "ws://far:9090")
@@ -39,7 +39,7 @@ def test_a_pause_of_all_does_not_wait_for_the_slowest_link() -> None:
 
 def test_an_order_that_waited_longer_than_a_second_is_not_sent_after_all() -> None:
     """The console may have been busy itself, while the link came up."""
-    given, order = Given(), PlaceOrder("robot_1", 0, 1)
+    given, order = Given(), place_order("robot_1", 0, 1)
     given.held.hold(starting(), Wish((order,)), 0.0)
     given.held.release(starting(UP), LINK_WITHIN + 1.0)
     assert not given.commands and given.said == ["not sent: it waited 2.0 s for the link: give it again"]

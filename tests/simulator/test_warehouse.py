@@ -6,8 +6,8 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from fleet_tui.model.graph import Edge, Role
 from fleet_tui.simulator.floorplan import FREE, HEIGHT, OCCUPIED, ORIGIN, RESOLUTION, UNKNOWN, WIDTH
+from fleet_tui.simulator.graph import Edge
 from fleet_tui.simulator.warehouse import Floor, build_building, build_floor
 
 CLEARANCE = 0.3  # metres
@@ -60,8 +60,6 @@ def test_a_floor_has_one_elevator_one_docking_station_and_eight_labels(floor: Fl
     assert len(floor.labels) == 8
     types = Counter(floor.types.values())
     assert types == {"way": 12, "label": 6, "elevator": 1, "charger": 1}
-    assert floor.graph.vertices[floor.vertex_of("elevator")].role is Role.ELEVATOR
-    assert floor.graph.vertices[floor.vertex_of("charger")].role is Role.DOCKING
     assert {id_ for id_, type_ in floor.types.items() if type_ != "way"} == set(floor.labels)
 
 

@@ -35,7 +35,11 @@ def a_scene(robots: int = 4) -> Scene:
         "floor_0",
         frame,
         build_grid(frame, classes),
-        (SceneVertex(1, 2, 2, label="Base"), SceneVertex(2, 9, 8, label="倉庫A"), SceneVertex(3, 5, 12)),
+        (
+            SceneVertex("1", 2, 2, label="Base"),
+            SceneVertex("2", 9, 8, label="倉庫A"),
+            SceneVertex("3", 5, 12),
+        ),
         ((2.0, 2.0, 9.0, 8.0), (9.0, 8.0, 5.0, 12.0)),
         tuple(
             SceneRobot(f"robot_{n}", n + 1, Pose(3.0 + n, 3.0 + n), selected=n == 0) for n in range(robots)
@@ -70,7 +74,7 @@ class Pane(LeanApp):
         if rng.random() < 0.1:
             ways = [tuple(_line(rng) for _ in range(rng.randrange(3))) for _ in range(2)]
             mission = rng.choice([None, Mission(ways[0], ways[1], rng.choice([None, _line(rng)]))])
-            targets = tuple(rng.sample((1, 2, 3), rng.randrange(3)))
+            targets = tuple(rng.sample(("1", "2", "3"), rng.randrange(3)))
             scene = replace(scene, mission=mission, target_vertices=targets)
         self.map.show(replace(scene, robots=robots, at=scene.at + rng.uniform(0, 3)))
 

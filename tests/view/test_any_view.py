@@ -47,7 +47,7 @@ robots = st.builds(
 )
 vertices = st.builds(
     SceneVertex,
-    id=st.integers(0, 9),
+    id=st.text(max_size=3),
     x=metres,
     y=metres,
     role=st.sampled_from(Role),
@@ -67,7 +67,7 @@ def scenes(draw: st.DrawFn) -> Scene:
         tuple(draw(st.lists(vertices, max_size=9))),
         edges,
         tuple(draw(st.lists(robots, max_size=9))),
-        (1, 2),
+        ("1", "2"),
         one_way=edges[::2],
         mission=draw(st.one_of(st.none(), st.builds(Mission, some, some, st.one_of(st.none(), lines)))),
         trail=np.array(draw(st.lists(been, max_size=9))).reshape(-1, 3),

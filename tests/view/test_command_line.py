@@ -8,23 +8,21 @@ from fleet_tui.model.commands import (
     ClearOrders,
     Command,
     PauseRobot,
-    PlaceOrder,
-    PlaceOrderWithCargo,
     ResumeRobot,
     Stage,
 )
 from fleet_tui.view.command_line import command_text, message_line
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.text import cell_width
-from tests.fleets import R0, T0, commanded, fleet, graph, labels, text_of, tick, told
+from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, text_of, tick, told
 
 WIDE = 300
 
 COMMANDS: list[tuple[Command, str]] = [
-    (PlaceOrder(R0, 1, 2), "robot_0 order Base -> 2"),
-    (PlaceOrder(R0, 1, 77), "robot_0 order Base -> 77?"),
-    (PlaceOrderWithCargo(R0, 1), "robot_0 bring cargo -> Base"),
-    (CancelOrder(R0, 7), "robot_0 cancel order 7"),
+    (place_order(R0, 1, 2), "robot_0 order Base -> 2"),
+    (place_order(R0, 1, 77), "robot_0 order Base -> 77?"),
+    (place_order(R0, 1), "robot_0 bring cargo -> Base"),
+    (CancelOrder(R0, "7"), "robot_0 cancel order 7"),
     (ClearOrders(R0), "robot_0 clear all orders"),
     (PauseRobot(R0), "robot_0 pause"),
     (ResumeRobot(R0), "robot_0 resume"),
@@ -49,7 +47,7 @@ def test_commands_in_the_operators_words(command: Command, text: str) -> None:
     ],
 )
 def test_where_a_command_stands(stages: list[Stage], words: str, said: str, ink: Ink) -> None:
-    order = PlaceOrder(R0, 1, 2)
+    order = place_order(R0, 1, 2)
     state = told(fleet(), *commanded(1, order, *stages, words=words), tick(T0 + 3))
     runs = message_line(state, "", 0.0, WIDE)
     assert text_of(runs) == f" robot_0 order 1? -> 2?{said}"
@@ -89,8 +87,8 @@ def test_pause_all_of_a_large_fleet_is_one_word() -> None:
 def test_how_each_command_stands_is_never_cut(width: int, said: str) -> None:
     names = {1: "Base of the northern hall", 2: "Consumidores at the far end"}
     facts = [
-        *commanded(1, PlaceOrder(R0, 1, 2), Stage.SENT, Stage.NO_ANSWER, words="from a service " * 9),
-        *commanded(2, PlaceOrder("robot_1", 1, 2), Stage.SENT, Stage.REFUSED, words="no " * 40),
+        *commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.NO_ANSWER, words="from a service " * 9),
+        *commanded(2, place_order("robot_1", 1, 2), Stage.SENT, Stage.REFUSED, words="no " * 40),
     ]
     state = told(fleet(3), graph(1, 2), labels(names), *facts, tick(T0 + 1))
     text = text_of(message_line(state, said, T0 + 1, width))
@@ -101,6 +99,6 @@ def test_how_each_command_stands_is_never_cut(width: int, said: str) -> None:
 def test_what_went_wrong_stays_where_there_is_no_room_for_all() -> None:
     facts = [fact for n in range(6) for fact in pause(n, T0, Stage.SENT, robot=f"robot_{n % 3}")]
     facts += commanded(8, ClearOrders("robot_1"), Stage.SENT, Stage.REFUSED, words="no " * 40)
-    facts += commanded(9, CancelOrder("robot_2", 3), Stage.SENT, Stage.ACCEPTED)
+    facts += commanded(9, CancelOrder("robot_2", "3"), Stage.SENT, Stage.ACCEPTED)
     text = text_of(message_line(told(fleet(3), *facts, tick(T0 + 1)), "", 0.0, 60))
     assert text.startswith(" robot_1 clear all orders: refused") and cell_width(text) <= 60

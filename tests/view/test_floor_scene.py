@@ -83,7 +83,7 @@ def test_without_a_map_there_is_ground_for_every_vertex() -> None:
 @pytest.mark.parametrize("far", [1e300, -1e308, math.inf, math.nan])
 def test_a_vertex_beyond_all_sense_gets_no_room(far: float) -> None:
     sensible = scene(told(fleet(), graph(1, 2, 3))).frame
-    vertices = {**graph(1, 2, 3).graph.vertices, 4: Vertex(4, far, far)}
+    vertices = {**graph(1, 2, 3).graph.vertices, "4": Vertex("4", far, far)}
     wild = events.GraphReceived(R0, F0, RouteGraph(vertices))
     assert scene(told(fleet(), wild, pose(T0, far))).frame == sensible
     assert scene(told(fleet(), pose(T0, far))).frame.width > 0
@@ -96,7 +96,7 @@ def test_without_a_graph_there_is_ground_that_stands_still_under_a_moving_robot(
 
 def test_vertices_with_labels_roles_and_edges_between_them() -> None:
     found = scene(told(fleet(), graph(1, 2, 3), labels({2: "Base", 9: "Ghost"})))
-    assert [(vertex.id, vertex.label) for vertex in found.vertices] == [(1, ""), (2, "Base"), (3, "")]
+    assert [(vertex.id, vertex.label) for vertex in found.vertices] == [("1", ""), ("2", "Base"), ("3", "")]
     assert found.edges == ((0.0, 0.0, 1.0, 0.0), (1.0, 0.0, 2.0, 0.0))
     assert {vertex.role for vertex in found.vertices} == {Role.PLAIN}
 
@@ -166,13 +166,13 @@ def test_a_map_of_another_resolution_or_turn_is_marked_and_still_placed() -> Non
 
 def test_the_picture_is_the_selected_robots_else_of_one_that_knows_the_floor() -> None:
     state = told(fleet(2, 2), graph(1), graph(2, robot="robot_1"))
-    assert [vertex.id for vertex in scene(state, "robot_1").vertices] == [2]
-    assert [vertex.id for vertex in scene(state).vertices] == [1]
+    assert [vertex.id for vertex in scene(state, "robot_1").vertices] == ["2"]
+    assert [vertex.id for vertex in scene(state).vertices] == ["1"]
     owner = chart_robot(state, Selection("robot_1", F0))
     assert owner is not None and owner.name == "robot_1"
 
 
 def test_the_ends_of_the_current_order_are_its_targets() -> None:
     state = told(fleet(), graph(1, 2, 3), queue(T0, (4, 1, 3, "W"), (5, 2, 1, "Q"), current=4))
-    assert scene(state).target_vertices == (1, 3)
+    assert scene(state).target_vertices == ("1", "3")
     assert scene(told(state, queue(T0 + 1, (5, 2, 1, "Q")))).target_vertices == ()

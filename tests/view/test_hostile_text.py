@@ -8,7 +8,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fleet_tui.model import events
-from fleet_tui.model.commands import CancelOrder, PlaceOrder, Stage
+from fleet_tui.model.commands import CancelOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.view.alarm_rows import alarm_table
@@ -31,6 +31,7 @@ from tests.fleets import (
     labels,
     link_lost,
     link_up,
+    place_order,
     pose,
     queue,
     tick,
@@ -65,8 +66,8 @@ def facts(text: str) -> list[events.Event]:
         queue(T0, (4, 1, 2, text), (5, 2, 99, text), current=4),
         events.MessageRejected(R0, text),
         events.FrameRejected(LINK, text),
-        events.CommandIssued(1, PlaceOrder(R0, 1, 2), T0, WALL),
-        events.CommandIssued(2, CancelOrder(R0, 4), T0, WALL),
+        events.CommandIssued(1, place_order(R0, 1, 2), T0, WALL),
+        events.CommandIssued(2, CancelOrder(R0, "4"), T0, WALL),
         events.CommandAdvanced(1, Stage.SENT, T0),
         events.CommandAdvanced(1, Stage.REFUSED, T0, text),
     ]

@@ -124,19 +124,19 @@ near_middle = st.tuples(st.floats(9.7, 10.3), st.floats(4.8, 5.2), ROLES)
 
 def names(scene: Scene, camera: Camera) -> set[int]:
     """The ids of the vertices whose labels stand; a label is its vertex' id."""
-    cells = backdrop(scene, camera, Look(pointed=1))
+    cells = backdrop(scene, camera, Look(pointed="1"))
     texts = np.where(np.isin(cells.inks, (Ink.LABEL, Ink.TARGET)), cells.codes, ord(" "))
     return {int(word) - 10**9 for row in texts for word in "".join(map(chr, row)).split() if word.isdigit()}
 
 
 def crowd(at: list[tuple[float, float, Role]]) -> Scene:
-    vertices = tuple(SceneVertex(n, x, y, role, str(10**9 + n)) for n, (x, y, role) in enumerate(at))
-    return replace(EMPTY, vertices=vertices, target_vertices=(0,))
+    vertices = tuple(SceneVertex(str(n), x, y, role, str(10**9 + n)) for n, (x, y, role) in enumerate(at))
+    return replace(EMPTY, vertices=vertices, target_vertices=("0",))
 
 
 def silent(scene: Scene, which: set[int]) -> Scene:
     """Some vertices without their labels; they stay marks that labels keep clear of."""
-    vertices = (replace(v, label="", role=Role.DOCKING) if v.id in which else v for v in scene.vertices)
+    vertices = (replace(v, label="", role=Role.DOCKING) if int(v.id) in which else v for v in scene.vertices)
     return replace(scene, vertices=tuple(vertices))
 
 
@@ -168,7 +168,7 @@ def test_the_less_important_labels_take_no_place_from_the_others(
 
 
 def test_a_robot_at_a_station_leaves_the_stations_name_readable() -> None:
-    station = SceneVertex(1, 10.0, 5.0, Role.DOCKING, "Dock")
+    station = SceneVertex("1", 10.0, 5.0, Role.DOCKING, "Dock")
     robots = (SceneRobot("r", 1, Pose(10.0, 5.0), selected=True), SceneRobot("s", 2, Pose(10.4, 5.6)))
     scene = replace(EMPTY, vertices=(station,), robots=robots)
     for zoom in (0.5, 1.0, 2.0, 4.0):

@@ -118,7 +118,7 @@ def test_a_way_through_a_wall_goes_on_in_it() -> None:
 
 
 def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
-    vertices = (SceneVertex(1, 2.0, 5.0, label="Base"), SceneVertex(2, 18.0, 5.0, label="Store"))
+    vertices = (SceneVertex("1", 2.0, 5.0, label="Base"), SceneVertex("2", 18.0, 5.0, label="Store"))
     robot = SceneRobot("r", 1, Pose(6.0, 5.0), selected=True)
     scene = replace(
         SCENE, vertices=vertices, robots=(robot,), mission=Mission((), (), ACROSS[0]), edges=ACROSS
@@ -132,7 +132,7 @@ def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
 
 
 def test_a_plain_vertex_on_the_current_way_is_part_of_the_line() -> None:
-    scene = replace(SCENE, vertices=(SceneVertex(1, 6.0, 5.0),))
+    scene = replace(SCENE, vertices=(SceneVertex("1", 6.0, 5.0),))
     x, y = CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))
     for drawing, alone, on_way in ((Drawing.BRAILLE, "·", "•"), (Drawing.ASCII, "'", "*")):
         cells = drawn(scene, Look(drawing))

@@ -95,8 +95,8 @@ def test_the_backdrop_does_not_move_with_the_robot_on_its_edge() -> None:
 def square(directed: bool) -> events.GraphReceived:
     """1 (0,0) -> 2 (9,0) -> 3 (9,9) -> 4 (0,9) -> 1, ten metres of hall between the sides."""
     corners = {1: (0.0, 0.0), 2: (9.0, 0.0), 3: (9.0, 9.0), 4: (0.0, 9.0)}
-    edges = tuple(Edge(n, n, n % 4 + 1) for n in corners)
-    vertices = {n: Vertex(n, *place) for n, place in corners.items()}
+    edges = tuple(Edge(str(n), str(n), str(n % 4 + 1)) for n in corners)
+    vertices = {str(n): Vertex(str(n), *place) for n, place in corners.items()}
     return events.GraphReceived(R0, F0, RouteGraph(vertices, edges, directed))
 
 
@@ -117,7 +117,7 @@ def two_floors(lifts: tuple[int, ...] = (2,)) -> list[events.Event]:
     for floor, ids in ((F0, (1, 2, 3)), (F1, (11, 12, 13))):
         plain = graph(*ids, floor=floor).graph
         vertices = {
-            n: structs.replace(vertex, role=Role.ELEVATOR if n % 10 in lifts else Role.PLAIN)
+            n: structs.replace(vertex, role=Role.ELEVATOR if int(n) % 10 in lifts else Role.PLAIN)
             for n, vertex in plain.vertices.items()
         }
         facts.append(events.GraphReceived(R0, floor, RouteGraph(vertices, plain.edges)))
@@ -129,8 +129,8 @@ def test_a_leg_to_another_floor_ends_at_the_elevator_and_goes_on_there() -> None
     assert places(mission(state).current) == row(0, 1)
     assert places(mission(state, F1).current) == row(1, 2)
     assert mission(state, F1).edge is None
-    assert scene(state).target_vertices == (1,)
-    assert scene(state, F1).target_vertices == (13,)
+    assert scene(state).target_vertices == ("1",)
+    assert scene(state, F1).target_vertices == ("13",)
 
 
 def test_without_an_elevator_the_other_floor_is_out_of_reach() -> None:
@@ -159,13 +159,15 @@ def test_ids_that_repeat_belong_to_the_floor_the_robot_is_on() -> None:
 def test_whatever_comes_makes_a_scene(facts: tuple[events.Event, ...]) -> None:
     assert scene(told(fleet(), ROW, *facts)).mission is not None
     assert scene(told(fleet(), *facts)).mission is None
-    lonely = events.GraphReceived(R0, F0, RouteGraph({1: Vertex(1, 0.0, 0.0), 3: Vertex(3, 1.0, 0.0)}))
+    lonely = events.GraphReceived(
+        R0, F0, RouteGraph({"1": Vertex("1", 0.0, 0.0), "3": Vertex("3", 1.0, 0.0)})
+    )
     assert mission(told(fleet(), lonely, *facts)).current == ()
 
 
 def test_one_way_edges_are_those_without_a_way_back() -> None:
-    vertices = {n: Vertex(n, float(n), 0.0) for n in (1, 2, 3)}
-    edges = (Edge(1, 1, 2), Edge(2, 2, 1), Edge(3, 2, 3))
+    vertices = {str(n): Vertex(str(n), float(n), 0.0) for n in (1, 2, 3)}
+    edges = (Edge("1", "1", "2"), Edge("2", "2", "1"), Edge("3", "2", "3"))
     for directed, found in ((True, ((2.0, 0.0, 3.0, 0.0),)), (False, ())):
         received = events.GraphReceived(R0, F0, RouteGraph(vertices, edges, directed))
         assert scene(told(fleet(), received)).one_way == found

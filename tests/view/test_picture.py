@@ -42,12 +42,12 @@ def hall() -> OccupancyGrid:
 
 
 VERTICES = (
-    SceneVertex(1, 1.5, 6.2, label="Base"),
-    SceneVertex(2, 9.5, 2.2, label="Consumidores"),
-    SceneVertex(3, 1.5, 1.2, Role.DOCKING, "Dock"),
-    SceneVertex(4, 7.2, 4.6, Role.ELEVATOR, "仓库"),
-    SceneVertex(5, 3.0, 2.2),
-    SceneVertex(6, 5.2, 2.2),
+    SceneVertex("1", 1.5, 6.2, label="Base"),
+    SceneVertex("2", 9.5, 2.2, label="Consumidores"),
+    SceneVertex("3", 1.5, 1.2, Role.DOCKING, "Dock"),
+    SceneVertex("4", 7.2, 4.6, Role.ELEVATOR, "仓库"),
+    SceneVertex("5", 3.0, 2.2),
+    SceneVertex("6", 5.2, 2.2),
 )
 EDGES = ((1.5, 6.2, 3.0, 2.2), (1.5, 1.2, 3.0, 2.2), (3.0, 2.2, 5.2, 2.2), (5.2, 2.2, 9.5, 2.2))
 ROBOTS = (
@@ -58,7 +58,7 @@ ROBOTS = (
     SceneRobot("robot_4", 5, Pose(3.53, 5.83, 2.3), other_map=True),
 )
 HALL = hall()
-SCENE = Scene("floor_0", HALL.frame, HALL, VERTICES, EDGES, ROBOTS, (1, 2))
+SCENE = Scene("floor_0", HALL.frame, HALL, VERTICES, EDGES, ROBOTS, ("1", "2"))
 FIT = Camera.fit((240, 152), WIDTH, HEIGHT)
 
 
@@ -141,7 +141,7 @@ def test_robots_that_are_nowhere_are_not_drawn_and_break_nothing() -> None:
     robots = tuple(
         SceneRobot(f"r{n}", n, Pose(x, 0.0)) for n, x in enumerate((math.nan, math.inf, 1e300, -1e300))
     )
-    vertices = (*VERTICES, SceneVertex(9, math.nan, 1.0, label="x"), SceneVertex(10, 1e300, math.inf))
+    vertices = (*VERTICES, SceneVertex("9", math.nan, 1.0, label="x"), SceneVertex("10", 1e300, math.inf))
     edges = (
         *EDGES,
         (math.nan, 0.0, 1.0, 1.0),
@@ -176,8 +176,8 @@ places = st.lists(st.tuples(crowded, crowded, labels), max_size=25)
 def test_labels_are_whole_or_absent_and_never_overlap(
     at: list[tuple[float, float, str]], zoom: float
 ) -> None:
-    vertices = tuple(SceneVertex(n, x, y, label=label) for n, (x, y, label) in enumerate(at))
-    scene = replace(SCENE, vertices=vertices, robots=(), target_vertices=(0,))
+    vertices = tuple(SceneVertex(str(n), x, y, label=label) for n, (x, y, label) in enumerate(at))
+    scene = replace(SCENE, vertices=vertices, robots=(), target_vertices=("0",))
     cells = backdrop(scene, FIT.zoomed(zoom), Look())
     shown = {run for runs in cells.all_runs() for run in runs}
     wanted = [vertex.label for vertex in vertices]
@@ -193,8 +193,8 @@ def _safe(label: str) -> str:
 
 
 def test_the_missions_ends_get_their_labels_first() -> None:
-    crowd = tuple(SceneVertex(n, 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
-    cells = backdrop(replace(SCENE, vertices=crowd, target_vertices=(29,)), FIT, Look())
+    crowd = tuple(SceneVertex(str(n), 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
+    cells = backdrop(replace(SCENE, vertices=crowd, target_vertices=("29",)), FIT, Look())
     assert "place 29" in cells.text()
     assert "place 28" not in cells.text()
 
@@ -206,9 +206,9 @@ def test_the_cursor_marks_its_cell() -> None:
 
 
 def test_the_label_under_the_cursor_goes_before_the_others_but_not_before_the_missions() -> None:
-    crowd = tuple(SceneVertex(n, 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
-    scene = replace(SCENE, vertices=crowd, target_vertices=(29,))
-    text = backdrop(scene, FIT, Look(pointed=17)).text()
+    crowd = tuple(SceneVertex(str(n), 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
+    scene = replace(SCENE, vertices=crowd, target_vertices=("29",))
+    text = backdrop(scene, FIT, Look(pointed="17")).text()
     assert "place 29" in text
     assert "place 17" in text
     assert "place 17" not in backdrop(scene, FIT, Look()).text()

@@ -3,14 +3,14 @@
 import pytest
 
 from fleet_tui.model import events
-from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Stage
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.queue_rows import CANCEL, CLEAR, queue_table
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Button, Run, width_of
 from fleet_tui.view.text import cells_of
-from tests.fleets import R0, T0, commanded, fleet, graph, labels, queue, text_of, tick, told
+from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, queue, text_of, tick, told
 
 WIDTHS = range(20, 121)
 ORDERS = ((11, 1, 2, "Q"), (12, 2, 3, "W"), (15, 3, 99, "X"))
@@ -35,9 +35,9 @@ def test_the_current_order_stands_first_and_positions_count_from_0() -> None:
     words = [line.split() for line in lines(state())]
     assert [(word[0], word[1]) for word in words] == [("0", "12"), ("1", "11"), ("2", "15")]
     assert [row.key for row in queue_table(state(), R0, False, 100).rows] == [
-        (R0, 12, 0),
-        (R0, 11, 1),
-        (R0, 15, 2),
+        (R0, "12", 0),
+        (R0, "11", 1),
+        (R0, "15", 2),
     ]
 
 
@@ -48,13 +48,13 @@ def test_a_current_order_that_is_not_there_means_none(current: int) -> None:
 
 def test_missions_by_label_and_status_in_words() -> None:
     current, waiting, odd = lines(state())
-    assert "Consumidores -> 3" in current and "W in process" in current
-    assert "Base -> Consumidores" in waiting and "Q queued" in waiting
+    assert "Consumidores -> 3" in current and " in process" in current
+    assert "Base -> Consumidores" in waiting and " queued" in waiting
     assert "3 -> 99?" in odd and " X " in odd and "unknown vertex" in odd
     assert "unknown vertex" not in current + waiting
 
 
-@pytest.mark.parametrize(("letter", "word"), [("D", "D done"), ("C", "C cancelled"), ("Z9", "Z9"), ("", "")])
+@pytest.mark.parametrize(("letter", "word"), [("D", "done"), ("C", "cancelled"), ("Z9", "Z9"), ("", "")])
 def test_a_status_is_never_dropped(letter: str, word: str) -> None:
     (line,) = lines(told(fleet(), queue(T0, (1, 1, 2, letter))))
     assert word in line and "1 -> 2" in line.replace("?", "")
@@ -92,7 +92,12 @@ def test_clear_all_lies_where_it_stands_or_is_not_there() -> None:
 def test_the_queue_of_all_robots_names_each() -> None:
     both = told(state(2), queue(T0, (11, 1, 2, "W"), current=11, robot="robot_1"))
     table = queue_table(both, R0, True, 100)
-    assert [row.key for row in table.rows] == [(R0, 12, 0), (R0, 11, 1), (R0, 15, 2), ("robot_1", 11, 0)]
+    assert [row.key for row in table.rows] == [
+        (R0, "12", 0),
+        (R0, "11", 1),
+        (R0, "15", 2),
+        ("robot_1", "11", 0),
+    ]
     assert text_of(table.rows[3].runs).startswith("robot_1")
     assert text_of(table.title) == "Queue all robots 4 orders"
     assert table.title_buttons == ()
@@ -118,13 +123,13 @@ def test_an_order_to_nowhere_is_marked_by_ink_too() -> None:
 
 
 def test_what_is_under_way_stands_at_its_order_or_in_the_title() -> None:
-    cancel = commanded(1, CancelOrder(R0, 11), Stage.SENT)
-    place = commanded(2, PlaceOrder(R0, 1, 2), Stage.SENT, Stage.ACCEPTED)
+    cancel = commanded(1, CancelOrder(R0, "11"), Stage.SENT)
+    place = commanded(2, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED)
     now = told(state(), *cancel, *place, tick(T0 + 1))
     current, waiting, odd = lines(now)
     assert "cancel sent 1 s ago" in waiting and "cancel" not in (current + odd).replace(CANCEL, "")
     assert "+1 not seen here yet" in text_of(queue_table(now, R0, False, 100).title)
-    shown = told(state(), *commanded(2, PlaceOrder(R0, 1, 2), Stage.SENT), queue(T0 + 1, (900, 1, 2, "Q")))
+    shown = told(state(), *commanded(2, place_order(R0, 1, 2), Stage.SENT), queue(T0 + 1, (900, 1, 2, "Q")))
     assert "not seen" not in text_of(queue_table(shown, R0, False, 100).title)  # only its answer lacks
     clear = told(state(), *commanded(3, ClearOrders(R0), Stage.SENT), tick(T0 + 1))
     assert all("cancel sent 1 s ago" in line for line in lines(clear))

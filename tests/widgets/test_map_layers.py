@@ -22,7 +22,7 @@ FRAME = MapFrame(0.05, 400, 200)
 SCENE = Scene(
     "floor_0",
     FRAME,
-    vertices=(SceneVertex(1, 2.0, 2.0, label="Base"), SceneVertex(2, 18.0, 8.0, label="Store")),
+    vertices=(SceneVertex("1", 2.0, 2.0, label="Base"), SceneVertex("2", 18.0, 8.0, label="Store")),
     robots=(SceneRobot("robot_0", 1, Pose(3.0, 5.0), selected=True),),
 )
 

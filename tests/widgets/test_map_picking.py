@@ -16,7 +16,7 @@ from fleet_tui.widgets.messages import RobotPicked, VertexPicked
 SCENE = Scene(
     "floor_0",
     MapFrame(0.05, 400, 200),
-    vertices=(SceneVertex(1, 2.0, 2.0, label="Base"), SceneVertex(2, 18.0, 8.0, label="Store")),
+    vertices=(SceneVertex("1", 2.0, 2.0, label="Base"), SceneVertex("2", 18.0, 8.0, label="Store")),
     robots=(SceneRobot("robot_1", 2, Pose(15.0, 5.0)),),
 )
 
@@ -60,7 +60,7 @@ async def test_clicks_pick_and_drags_pan() -> None:
         assert isinstance(app.picked[0], RobotPicked)
         assert app.picked[0].name == "robot_1"
         assert isinstance(app.picked[1], VertexPicked)
-        assert app.picked[1].id == 1
+        assert app.picked[1].id == "1"
         view.action_zoom_in()
         centre = view.viewport.camera(SCENE).column
         await pilot.mouse_down(MapView, offset=(50, 15))
@@ -73,7 +73,7 @@ async def test_clicks_pick_and_drags_pan() -> None:
 
 async def test_the_cursor_visits_labelled_vertices_and_picks() -> None:
     async with started() as (pilot, app, view):
-        for step, id_ in ((1, 1), (1, 2), (1, 1), (-1, 2)):
+        for step, id_ in ((1, "1"), (1, "2"), (1, "1"), (-1, "2")):
             view.action_next_vertex(step)
             view.action_pick()
             await pilot.pause()

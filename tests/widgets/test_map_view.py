@@ -32,7 +32,11 @@ SCENE = Scene(
     "floor_0",
     FRAME,
     build_grid(FRAME, a_grid()),
-    (SceneVertex(1, 2.0, 2.0, label="Base"), SceneVertex(2, 18.0, 8.0, label="Store"), SceneVertex(3, 10, 5)),
+    (
+        SceneVertex("1", 2.0, 2.0, label="Base"),
+        SceneVertex("2", 18.0, 8.0, label="Store"),
+        SceneVertex("3", 10, 5),
+    ),
     ((2.0, 2.0, 18.0, 8.0),),
     (SceneRobot("robot_0", 1, Pose(5.0, 5.0), selected=True), SceneRobot("robot_1", 2, Pose(15.0, 5.0))),
 )
@@ -105,7 +109,7 @@ async def test_the_backdrop_is_kept_while_only_robots_move() -> None:
         behind = view._behind
         view.show(moved(SCENE, 7.0, 3.0))
         assert view._behind is behind
-        view.show(replace(SCENE, vertices=(*SCENE.vertices, SceneVertex(4, 1, 1))))
+        view.show(replace(SCENE, vertices=(*SCENE.vertices, SceneVertex("4", 1, 1))))
         assert view._behind is not behind
 
 

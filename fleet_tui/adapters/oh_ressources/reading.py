@@ -15,7 +15,21 @@ from fleet_tui.model.bounds import (
     brief,
 )
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.model.order import Order, OrderQueue
+from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
+
+STATES = {
+    "Q": OrderState.QUEUED,
+    "W": OrderState.IN_PROCESS,
+    "D": OrderState.DONE,
+    "C": OrderState.CANCELLED,
+}
+"""The letters that are known. W and Q come from the source; the others occur."""
+
+
+def _order(order: ros.QueuedOrder) -> Order:
+    stops = at_vertices(str(order.start), str(order.end))
+    state, word = STATES.get(order.status), brief(order.status, LONGEST_NAME)
+    return Order(str(order.id), stops, state, word, order.id)
 
 
 def read_queue(names: Names) -> Translate:
@@ -28,10 +42,12 @@ def read_queue(names: Names) -> Translate:
         queue = read(msg)
         current = queue.current_order_id
         parts = map(read_order, first_orders(queue.orders, current, id_name))
-        orders = tuple(Order(one.id, one.start, one.end, brief(one.status, LONGEST_NAME)) for one in parts)
+        orders = tuple(map(_order, parts))
         fault = beyond(len(queue.orders), MOST_ORDERS, "orders")
         echo = queue.request_id if isinstance(queue.request_id, int) else 0
-        reported = OrderQueue(queue.last_order_id, current, orders, echo)
+        # None: no order of the list has that id.
+        is_listed = any(order.serial == current for order in orders)
+        reported = OrderQueue(queue.last_order_id, str(current) if is_listed else "", orders, echo)
         return events.QueueReported(robot, at, reported, fault)
 
     return translate
@@ -52,15 +68,16 @@ def read_graph(names: Names) -> Translate:
             if not is_place(x, y):
                 faults.append(f"vertex {vertex.id} has no finite place")
                 continue
-            role = Role(names.role(vertex.type))
-            vertices[vertex.id] = Vertex(vertex.id, x, y, role)
+            id_, role = str(vertex.id), Role(names.role(vertex.type))
+            vertices[id_] = Vertex(id_, x, y, role, brief(vertex.type, LONGEST_NAME))
         edges = []
         for edge in read_all(read_edge, graph.edges, "edges", MOST_EDGES, faults):
-            lost = [end for end in (edge.start, edge.end) if end not in vertices]
+            start, end = str(edge.start), str(edge.end)
+            lost = [one for one in (start, end) if one not in vertices]
             if lost:
                 faults.append(f"edge {edge.id} names unknown vertex {lost[0]}")
                 continue
-            edges.append(Edge(edge.id, edge.start, edge.end))
+            edges.append(Edge(str(edge.id), start, end))
         routes = RouteGraph(vertices, tuple(edges), names.profile.directed)
         fault = f"graph of {floor}: {faults[0]}" if faults else ""
         return events.GraphReceived(robot, floor, routes, len(faults), fault)
@@ -76,7 +93,7 @@ def read_labels(names: Names) -> Translate:
     def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
         parts = read(msg).vertices
         found = map(read_label, parts[:MOST_LABELS])
-        labels = {one.vertex_id: brief(one.label, LONGEST_NAME) for one in found}
+        labels = {str(one.vertex_id): brief(one.label, LONGEST_NAME) for one in found}
         fault = f"labels of {floor}: {beyond(len(parts), MOST_LABELS, 'labels')}"
         return events.LabelsReceived(robot, floor, labels, *((1, fault) if len(parts) > MOST_LABELS else ()))
 

@@ -191,10 +191,9 @@ def reader(struct: type[S], paths: Paths | None = None) -> Callable[[object], S]
 
     `paths`: by our name of a field its usual path in the message and the one at this site. The function
     raises WireError naming the field."""
-    bounded, moved = not issubclass(struct, OccupancyGridMessage), dict[str, tuple[str, str]]()
-    if paths and any("." in path for pair in paths.values() for path in pair):
-        moved = dict(paths)
-    elif paths:
+    bounded = not issubclass(struct, OccupancyGridMessage)
+    moved = paths if paths and any("." in path for pair in paths.values() for path in pair) else None
+    if paths and not moved:
         struct = _renamed(struct, paths)
     decoder = msgspec.json.Decoder(struct)
 

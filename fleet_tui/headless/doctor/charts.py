@@ -17,10 +17,10 @@ class Chart:
     """What the robots say of a floor; robots that say the same share one."""
 
     graph: RouteGraph | None = None
-    labels: Mapping[int, str] | None = None
+    labels: Mapping[str, str] | None = None
     frame: MapFrame | None = None
 
-    def name_of(self, vertex: int) -> str:
+    def name_of(self, vertex: str) -> str:
         """A vertex as a person knows it."""
         label = (self.labels or {}).get(vertex)
         return f"{vertex} ({label})" if label else str(vertex)

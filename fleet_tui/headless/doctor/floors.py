@@ -98,7 +98,8 @@ def _vertices(
         return Finding(floor.name, "vertices", Verdict.SKIPPED, f"{count}, and no map to look them up on")
     found: dict[int, list[str]] = {FREE: [], OCCUPIED: [], UNKNOWN: [], OFF_MAP: []}
     for vertex in graph.vertices.values():
-        place = f"{chart.name_of(vertex.id)} at ({vertex.x:.2f}, {vertex.y:.2f})"
+        type_ = f", type {vertex.type}," if vertex.type else ""
+        place = f"{chart.name_of(vertex.id)}{type_} at ({vertex.x:.2f}, {vertex.y:.2f})"
         found[class_at(grid, vertex.x, vertex.y)].append(place)
     remedy = 'do map and graph belong together? Is [profile] origin right ("ros" or "added")?'
     if found[OFF_MAP]:

@@ -6,6 +6,7 @@ from fleet_tui.config.schema import FloorEntry
 from fleet_tui.headless.doctor.charts import Chart
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
 from fleet_tui.model.graph import Role, RouteGraph
+from fleet_tui.model.order import natural
 
 
 def connection_finding(
@@ -16,7 +17,7 @@ def connection_finding(
     count = f"{len(graph.edges)} edges{by}"
     if not lost:
         return Finding(floor.name, "graph", Verdict.OK, f"{count}, every vertex can be reached")
-    names = listed([chart.name_of(vertex) for vertex in sorted(lost)])
+    names = listed([chart.name_of(vertex) for vertex in sorted(lost, key=natural)])
     return Finding(
         floor.name,
         "graph",
@@ -26,11 +27,11 @@ def connection_finding(
     )
 
 
-def _cut_off(graph: RouteGraph, has_others: bool) -> set[int]:
+def _cut_off(graph: RouteGraph, has_others: bool) -> set[str]:
     """The vertices to or from which the largest part of the graph has no way. By elevator there is
     a way over the other floors."""
-    onward: dict[int, set[int]] = {id_: set() for id_ in graph.vertices}
-    backward: dict[int, set[int]] = {id_: set() for id_ in graph.vertices}
+    onward: dict[str, set[str]] = {id_: set() for id_ in graph.vertices}
+    backward: dict[str, set[str]] = {id_: set() for id_ in graph.vertices}
     shafts = (
         [id_ for id_, vertex in graph.vertices.items() if vertex.role is Role.ELEVATOR] if has_others else []
     )
@@ -41,7 +42,7 @@ def _cut_off(graph: RouteGraph, has_others: bool) -> set[int]:
     for start, end in pairs:
         onward[start].add(end)
         backward[end].add(start)
-    largest, rest = set[int](), set(graph.vertices)
+    largest, rest = set[str](), set(graph.vertices)
     while len(rest) > len(largest):
         start = min(rest)
         part = _reached(start, onward) & _reached(start, backward)
@@ -50,7 +51,7 @@ def _cut_off(graph: RouteGraph, has_others: bool) -> set[int]:
     return set(graph.vertices) - largest
 
 
-def _reached(start: int, ways: Mapping[int, set[int]]) -> set[int]:
+def _reached(start: str, ways: Mapping[str, set[str]]) -> set[str]:
     seen, todo = {start}, [start]
     while todo:
         new = ways[todo.pop()] - seen
@@ -59,7 +60,7 @@ def _reached(start: int, ways: Mapping[int, set[int]]) -> set[int]:
     return seen
 
 
-def label_finding(floor: FloorEntry, by: str, labels: Mapping[int, str], graph: RouteGraph) -> Finding:
+def label_finding(floor: FloorEntry, by: str, labels: Mapping[str, str], graph: RouteGraph) -> Finding:
     """Whether each label names a vertex, and one only."""
     lost = [f"{label} ({vertex})" for vertex, label in labels.items() if vertex not in graph.vertices]
     if lost:

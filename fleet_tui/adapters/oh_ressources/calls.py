@@ -1,0 +1,75 @@
+"""Commands as the calls of these robots: their ids are 32-bit numbers, and 0 stands for all orders."""
+
+import re
+from collections.abc import Mapping
+from typing import assert_never
+
+from fleet_tui.adapters.adapter import Call
+from fleet_tui.adapters.ros.fields import put
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.errors import CommandError
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+)
+from fleet_tui.model.order import Stop
+
+INT32_MAX = 2**31 - 1
+
+
+def call_of(names: Names, command: Command, request_id: int) -> Call:
+    """The service call of a command. Raises CommandError for one that must not leave."""
+    args: dict[str, object]
+
+    def call(key: str, given: Mapping[str, object]) -> Call:
+        return Call(names.service(key, command.robot), names.service_type(key), given)
+
+    match command:
+        case PlaceOrder(robot, (end,)):
+            args = {"request_id": request_id, "agent": robot, "end_point": _vertex(end)}
+            return call("order_with_cargo", _named(names, "cargo_call", args))
+        case PlaceOrder(_, (start, end)):
+            args = {"request_id": request_id, "initial_point": _vertex(start), "end_point": _vertex(end)}
+            return call("order", _named(names, "order_call", args))
+        case PlaceOrder(_, stops):
+            raise CommandError(f"an order of these robots has one stop or two, not {len(stops)}")
+        case CancelOrder(robot, order_id):
+            number = _int32(order_id, "order id")
+            if number <= 0:
+                raise CommandError(f"order id {number} means all orders to the robot: use clear for that")
+            args = {"robot": robot, "ind": number}
+            return call("cancel", _named(names, "cancel_call", args))
+        case ClearOrders(robot):
+            return call("clear", _named(names, "cancel_call", {"robot": robot, "ind": 0}))
+        case PauseRobot():
+            return call("pause", {})
+        case ResumeRobot():
+            return call("resume", {})
+        case _:
+            assert_never(command)
+
+
+def _vertex(stop: Stop) -> int:
+    if stop.pose is not None:
+        raise CommandError("these robots drive to vertices, not to poses")
+    return _int32(stop.vertex, "vertex")
+
+
+def _int32(id_: str, what: str) -> int:
+    """The number that an id is on the wire. Raises CommandError where it is none."""
+    if not re.fullmatch(r"-?[0-9]{1,10}", id_, re.ASCII):
+        raise CommandError(f"{what} {id_!r} is no number: these robots have no other ids")
+    return int(id_)
+
+
+def _named(names: Names, message: str, args: dict[str, object]) -> dict[str, object]:
+    found = dict[str, object]()
+    for name, value in args.items():
+        if isinstance(value, int) and not -INT32_MAX - 1 <= value <= INT32_MAX:
+            raise CommandError(f"{name} {value} does not fit the robot's 32 bits")
+        put(found, names.path(message, name), value)
+    return found

@@ -1,0 +1,140 @@
+"""Files of format 1, from before ids became text, still mean what they meant.
+
+of_version_1/ was made by the last program that wrote that format: a console on a simulator with two robots
+(25 times as fast, a keyframe every 4 s) that placed orders, one of them from a vertex that does not exist
+and one for cargo on board, cancelled, cleared, paused and resumed. meaning.json.gz is what that program
+itself then read from both files: the queue pane, each command and the alarms at each keyframe and at the end,
+and the lines and the CSV of the audit log.
+"""
+
+import gzip
+import io
+import json
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.headless.audit import write_records
+from fleet_tui.journal import upgrade
+from fleet_tui.journal.audit_file import FILE_NAME
+from fleet_tui.journal.export import write_csv
+from fleet_tui.journal.indexing import open_recording
+from fleet_tui.journal.reader import Reading
+from fleet_tui.journal.records import RecordingError, decode
+from fleet_tui.journal.search import search_of
+from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.grammar import written
+from fleet_tui.playback.playhead import Playhead
+from fleet_tui.view.audit_rows import line_text
+from fleet_tui.view.queue_rows import queue_table
+from tests.fleets import text_of
+
+FILES = Path(__file__).parent / "of_version_1"
+RECORDING = FILES / "recording.jsonl.gz"
+MEANING: dict[str, Any] = json.loads(gzip.decompress((FILES / "meaning.json.gz").read_bytes()))
+NOW = datetime.now().astimezone()
+
+
+def shown(state: FleetState) -> dict[str, Any]:
+    """What an operator is shown of a state; today a state that is known stands without the robot's letter."""
+    rows = [text_of(row.runs).rstrip() for row in queue_table(state, "robot_0", True, 100).rows]
+    commands = [
+        [written(one.command, state), one.stage.value, one.words, one.order_id] for one in state.commands
+    ]
+    return {"queue": rows, "commands": commands, "alarms": [alarm.text for alarm in state.alarms]}
+
+
+def expected(meant: dict[str, Any]) -> dict[str, Any]:
+    return meant | {"queue": [row.replace("W in process", "in process  ") for row in meant["queue"]]}
+
+
+def has(line: str, typed: str) -> bool:
+    return all(word in line.casefold() for word in typed.split())
+
+
+@pytest.fixture
+def audit_log(tmp_path: Path) -> Path:
+    path = tmp_path / FILE_NAME
+    path.write_bytes(gzip.decompress((FILES / "audit.jsonl.gz").read_bytes()))
+    return path
+
+
+def test_a_recording_plays_as_it_did() -> None:
+    recording = open_recording(RECORDING)
+    assert recording.header.version == 1 and not recording.note
+    head = Playhead(recording)
+    while head.take() is not None:
+        pass
+    assert shown(head.state) == expected(MEANING["end"])
+    assert not any(robot.faults for robot in head.state.robots.values())
+    for moment, meant in zip(recording.keyframes, MEANING["keyframes"], strict=True):
+        head.seek(moment.at)
+        assert shown(head.state) == expected(meant)
+
+
+def test_the_marks_of_a_recording_read_as_they_did() -> None:
+    marks = open_recording(RECORDING).marks
+    assert [line_text(mark.record) for mark in marks] == MEANING["marks"]
+
+
+def test_an_audit_log_reads_searches_and_exports_as_it_did(audit_log: Path) -> None:
+    reading = Reading(audit_log)
+    records = list(reading.newest_first())
+    assert not reading.unreadable and {record.version for record in records} == {1}
+    assert [line_text(record) for record in records] == MEANING["audit"]
+    out = io.StringIO(newline="")
+    assert write_csv(out, records) == len(records)
+    assert out.getvalue().splitlines() == MEANING["csv"]
+    for typed in ("dispatch -> receiving", "order 999 refused", "cancel order 2"):
+        found = [line_text(record) for record in records if search_of(typed, NOW).wants(record)]
+        assert found and found == [line for line in MEANING["audit"] if has(line, typed)]
+
+
+def test_the_audit_command_prints_an_old_log(audit_log: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("fleet_tui.headless.audit.state_folder", lambda: audit_log.parent)
+    out = io.StringIO()
+    assert write_records("", False, False, out) == ""
+    assert out.getvalue().splitlines() == MEANING["audit"]
+
+
+def test_old_and_new_lines_stand_in_one_log(audit_log: Path) -> None:
+    old = next(record for record in Reading(audit_log).newest_first() if record.order)
+    new = msgspec.structs.replace(old, version=2, order="a1f3", start="dock", end="(1.2, 3.4)")
+    with audit_log.open("ab") as file:
+        file.write(msgspec.json.encode(new) + b"\n")
+    reading = Reading(audit_log)
+    assert next(record.order for record in reading.newest_first()) == "a1f3" and not reading.unreadable
+
+
+ANYTHING = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),
+    max_leaves=8,
+)
+KINDS = st.sampled_from(["told", "mark", "header", "keyframe", "lost", ""])
+EVENTS = st.sampled_from([*upgrade._EVENTS, "TimePassed"])
+
+
+@given(
+    KINDS,
+    EVENTS,
+    st.dictionaries(st.sampled_from(["command", "queue", "graph", "labels"]), ANYTHING),
+    ANYTHING,
+)
+def test_a_damaged_record_is_refused_with_a_reason(
+    kind: str, event: str, fields: dict[str, Any], record: object
+) -> None:
+    line = {"kind": kind, "at": 1.0, "wall": 1.0, "event": {"type": event, **fields}, "record": record}
+    with pytest.raises(RecordingError, match="a record can't be read"):
+        decode(msgspec.json.encode(line), 1)
+
+
+def test_every_field_of_an_old_log_that_was_a_number_is_text() -> None:
+    types = {field.name: field.type for field in msgspec.structs.fields(AuditRecord)}
+    assert {name for name, type_ in types.items() if type_ == str | None} == {"start", "end", "order"}
