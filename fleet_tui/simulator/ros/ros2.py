@@ -6,7 +6,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from fleet_tui.simulator.ros.definitions import MESSAGES, PACKAGES, SERVICES, Fields, RosField
+from fleet_tui.simulator.ros.definitions import ACTIONS, MESSAGES, PACKAGES, SERVICES, Fields, RosField
 from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.ros1 import COMMON_VERBS
 
@@ -23,19 +23,23 @@ def _named(name: str, kind: str) -> str:
 
 
 def _short(type_: str) -> str:
-    return type_.replace("/msg/", "/").replace("/srv/", "/")
+    return type_.replace("/msg/", "/").replace("/srv/", "/").replace("/action/", "/")
 
 
 def _translated(field: RosField) -> RosField:
     if field.type == "time":
         return _TIME
-    type_ = _short(_named(field.type, "msg")) if "/" in field.type else field.type
+    type_ = _short_name(field.type) if "/" in field.type else field.type
     return RosField(type_, field.length)
+
+
+def _short_name(name: str) -> str:
+    return name if name.partition("_Feedback")[0] in ACTIONS else _short(_named(name, "msg"))
 
 
 def _messages() -> Mapping[str, Fields]:
     found: dict[str, Fields] = {
-        _short(_named(name, "msg")): {key: _translated(field) for key, field in fields.items()}
+        _short_name(name): {key: _translated(field) for key, field in fields.items()}
         for name, fields in MESSAGES.items()
         if not name.startswith("rosgraph_msgs/")
     }
@@ -71,8 +75,15 @@ class Ros2:
     log_levels: Mapping[int, int] = MappingProxyType({1: 10, 2: 20, 4: 30, 8: 40, 16: 50})
 
     def message_type(self, name: str) -> str:
-        """`package/msg/Name`."""
+        """`package/msg/Name`, or `package/action/Name_FeedbackMessage`."""
+        action, _, part = name.partition("_Feedback")
+        if action in ACTIONS:
+            return f"{_named(action, 'action')}_Feedback{part}"
         return _named(name, "msg")
+
+    def action_type(self, name: str) -> str:
+        """`package/action/Name`."""
+        return _named(name, "action")
 
     def service_type(self, name: str) -> str:
         """`package/srv/Name`."""
