@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Any, TypeVar
 
 import click
@@ -66,6 +67,14 @@ def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) ->
     return kind
 
 
+def _write_graphs(kind: str, path: Path, floors: int) -> None:
+    from fleet_tui.simulator.nav2.graph_file import write_graphs
+
+    if not KINDS[kind].graph_files:
+        raise click.UsageError(f"robots of kind {kind} publish their graph: --graph-file is for others")
+    write_graphs(path, floors)
+
+
 @click.group()
 def simulated() -> None:
     """Holds the commands; the command line shows them as its own."""
@@ -124,6 +133,12 @@ def demo(
 @click.option(
     "--first", type=click.IntRange(0, 9999), default=0, show_default=True, help="Number of the first robot."
 )
+@click.option(
+    "--graph-file",
+    metavar="PATH",
+    type=click.Path(path_type=Path),
+    help="Write the route graph for nav2 here: a GeoJSON file, with several floors a folder of them.",
+)
 @_ros("")
 @_simulation
 @common
@@ -139,6 +154,7 @@ def sim(
     seed: int,
     stop_with_stdin: bool,
     first: int,
+    graph_file: Path | None,
     fault: str,
     speed: float,
     ros: str | None,
@@ -148,5 +164,7 @@ def sim(
 
     if ros and ros not in KINDS[kind].ros:
         raise click.UsageError(f"robots of kind {kind} run on ROS {' and '.join(KINDS[kind].ros)} only")
+    if graph_file:
+        _write_graphs(kind, graph_file, floors)
     announce = partial(click.echo, nl=True)
     run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros or "", kind)

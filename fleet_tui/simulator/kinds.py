@@ -26,6 +26,8 @@ class Kind:
     build: Build
     ros: tuple[str, ...]
     faults: Mapping[str, tuple[str, wire.Play]]
+    graph_files: bool = False
+    """Whether their graph is no topic but a file."""
 
 
 def _oh_ressources(robots: int, floors: int, seed: int, first: int) -> "Fleet":
@@ -43,5 +45,5 @@ def _nav2(robots: int, floors: int, seed: int, first: int) -> "Fleet":
 
 KINDS: Mapping[str, Kind] = {
     "oh_ressources": Kind(_oh_ressources, ("1", "2"), FAULTS),
-    "nav2": Kind(_nav2, ("2",), NAV2_FAULTS),
+    "nav2": Kind(_nav2, ("2",), NAV2_FAULTS, graph_files=True),
 }

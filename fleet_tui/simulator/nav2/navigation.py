@@ -55,8 +55,6 @@ class Navigation:
         """False: nothing is said on the way."""
         self.distro = "jazzy"
         """Whose results are told."""
-        self.code_at: dict[str, int] = {}
-        """Error codes with which the goals of an action end, by the action's name."""
         self._current: Goal | None = None
         self._tours: dict[str, _Tour] = {}
 
@@ -116,9 +114,6 @@ class Navigation:
         if goal is None:
             return
         server = self.servers[TO_POSE if "pose" in goal.request else THROUGH]
-        code = self.code_at.get(server.verb, 0)
-        if code and self.robot.moving:
-            self.robot.fail(code, "the simulator was asked to fail")
         if not server.alive:
             self._current = None
             self.robot.halt()

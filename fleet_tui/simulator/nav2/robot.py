@@ -87,6 +87,10 @@ class Nav2Robot:
         self.halt()
         self.failure = code, words
 
+    def lose(self) -> None:
+        """Make its localisation unsure, and wrong by as much."""
+        self.variance = LOST
+
     def block(self) -> None:
         """Put an obstacle before it that stays."""
         self.obstacle, self._obstacle_for = STEP, math.inf
@@ -110,7 +114,7 @@ class Nav2Robot:
     def localise(self) -> bool:
         """Tell whether the localisation has anything new to say: it has once the robot has moved enough."""
         at, last = self.pose, self.estimate
-        off = 0.0 if self.variance < 1.0 else math.sqrt(self.variance)
+        off = math.sqrt(self.variance) if self.variance >= LOST else 0.0
         turned = abs(math.remainder(at.yaw - last.yaw, math.tau))
         if turned < TURNED and math.dist((at.x + off, at.y), (last.x, last.y)) < FAR:
             return False

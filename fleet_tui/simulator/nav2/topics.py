@@ -100,7 +100,7 @@ class News:
             yield self._topic(f"/{name}/amcl_pose", dialect.message_type(AMCL), name)
             yield self._topic(f"/{name}/collision_monitor_state", dialect.message_type(MONITOR), name, False)
             for server in navigation.servers.values():
-                yield self._topic(_status(server), dialect.message_type(STATUS), name)
+                yield self._topic(_status(server), dialect.message_type(STATUS), name, server=server)
 
     def take(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
         """What has changed since the last look at robots that can be heard."""
@@ -129,10 +129,12 @@ class News:
                 value = messages.statuses(server.reports.popleft())
                 yield _status(server), raw_payload(dialect, STATUS, now, value)
 
-    def _topic(self, name: str, type_: str, robot: str, latched: bool = True) -> Topic:
+    def _topic(
+        self, name: str, type_: str, robot: str, latched: bool = True, server: ActionServer | None = None
+    ) -> Topic:
         def newest() -> Iterable[Payload]:
-            payload = self._newest.get(name)
-            return () if payload is None or self._world.robots[robot].silence else (payload,)
+            payload, gone = self._newest.get(name), server is not None and not server.alive
+            return () if payload is None or gone or self._world.robots[robot].silence else (payload,)
 
         return Topic(name, type_, lambda _now: Payload({}), latched=latched, history=newest)
 

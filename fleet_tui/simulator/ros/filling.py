@@ -84,9 +84,12 @@ class _Filling:
         return self._fixed(field, items) if field.length else items
 
     def _fixed(self, field: RosField, items: list[Any]) -> object:
-        if field.type == "uint8":
-            return np.resize(np.array(items, dtype=np.uint8), field.length or 0)
-        return self._dialect.fixed(np.resize(np.array(items, dtype=float), field.length or 0).tolist())
+        array = np.zeros(field.length or 0, dtype=np.uint8 if field.type == "uint8" else float)
+        try:
+            array[:] = items  # one number fills all
+        except ValueError as error:
+            raise ServiceError(str(error)) from None
+        return array if field.type == "uint8" else self._dialect.fixed(array.tolist())
 
     def _primitive(self, at: str, rostype: str, value: object) -> object:
         # Not isinstance: the bridge refuses true and false for a number.
