@@ -17,8 +17,8 @@ from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros.goals import ActionServer, Goal
 
 if TYPE_CHECKING:
-    from fleet_tui.simulator.operations import Operation
-    from fleet_tui.simulator.session import Session
+    from fleet_tui.simulator.sessions.operations import Operation
+    from fleet_tui.simulator.sessions.session import Session
 
 SOUGHT = 1.0  # seconds for which the bridge looks for an action server
 

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 from fleet_tui.simulator.frames import Frame, to_json
 
 if TYPE_CHECKING:
-    from fleet_tui.simulator.operations import Operation
-    from fleet_tui.simulator.session import Session
+    from fleet_tui.simulator.sessions.operations import Operation
+    from fleet_tui.simulator.sessions.session import Session
 
 GIVEN_UP = "Timeout exceeded while waiting for service response"
 

@@ -16,8 +16,8 @@ from fleet_tui.simulator.ros_types import ServiceError, ServiceType
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.calls import Call
-    from fleet_tui.simulator.operations import Operation
-    from fleet_tui.simulator.session import Session
+    from fleet_tui.simulator.sessions.operations import Operation
+    from fleet_tui.simulator.sessions.session import Session
 
 
 @dataclass(eq=False)

@@ -9,7 +9,7 @@ from fleet_tui.simulator.ros.definitions import ACTIONS, MESSAGES
 from fleet_tui.simulator.ros.definitions import SERVICES as DEFINED_SERVICES
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros.typedefs import message_typedefs, service_typedefs
+from fleet_tui.simulator.ros.typedefs import action_typedefs, message_typedefs, service_typedefs
 from fleet_tui.simulator.ros_types import NodeDiedError, ServiceType, service_type
 
 FLEET, BRIDGE, ROSAPI = "/fleet", "/rosbridge_websocket", "/rosapi"
@@ -111,6 +111,8 @@ class Rosapi:
     def _typedefs(self, verb: str, type_: str) -> list[Values]:
         if verb == "message_details":
             return message_typedefs(self._dialect, type_)
+        if verb.startswith("action_"):
+            return action_typedefs(self._dialect, type_, verb.split("_")[1].capitalize())
         return service_typedefs(self._dialect, type_, response="response" in verb)
 
     def _for_type(self, verb: str, type_: str) -> Values:

@@ -17,11 +17,11 @@ from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.operations import Operation
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.services import REMEMBERED
-from fleet_tui.simulator.session import Session
+from fleet_tui.simulator.sessions.operations import Operation
+from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
 from fleet_tui.simulator.words import DIAGNOSTICS, ROSOUT, Talk, word_topics
 from fleet_tui.simulator.world import World

@@ -12,12 +12,12 @@ from fleet_tui.simulator.fleets import Body, Fleet
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.guests import Guests
 from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.operations import Operation
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError
 from fleet_tui.simulator.rosapi import HIDDEN, Graph, Rosapi
-from fleet_tui.simulator.session import Session
+from fleet_tui.simulator.sessions.operations import Operation
+from fleet_tui.simulator.sessions.session import Session
 
 WAITING = 1000  # messages that wait for an overloaded bridge; those after them are lost
 REMEMBERED = 10_000  # calls and operations kept for tests

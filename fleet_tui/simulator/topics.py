@@ -10,10 +10,10 @@ from fleet_tui.simulator.channels import Channels, resolve
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Payload, Publication
 from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.operations import Operation
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.services import ServiceDesk
-from fleet_tui.simulator.session import Session
+from fleet_tui.simulator.sessions.operations import Operation
+from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.words import ERROR, INFO, ROSOUT, Talk
 
 

@@ -92,6 +92,7 @@ class News:
     def __init__(self, world: Nav2World) -> None:
         self._world = world
         self._newest: dict[str, Payload] = {}
+        self._held: dict[str, dict[str, Payload]] = {name: {} for name in world.robots}
         self._blocked = dict.fromkeys(world.robots, False)
 
     def topics(self, dialect: Dialect) -> Iterator[Topic]:
@@ -103,13 +104,17 @@ class News:
                 yield self._topic(_status(server), dialect.message_type(STATUS), name, server=server)
 
     def take(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
-        """What has changed since the last look at robots that can be heard."""
+        """What has changed since the last look; of who can't be heard the newest comes when it can."""
         now = time.time()
         for name, navigation in self._world.navigation.items():
-            for topic, payload in list(self._of(name, navigation, dialect, now)):
-                self._newest[topic] = payload
-                if not navigation.robot.silence:
-                    yield topic, payload
+            news = list(self._of(name, navigation, dialect, now))
+            self._newest.update(news)
+            if navigation.robot.silence:
+                self._held[name].update(news)
+            else:
+                yield from self._held[name].items()
+                self._held[name].clear()
+                yield from news
 
     def _of(
         self, name: str, navigation: Navigation, dialect: Dialect, now: float

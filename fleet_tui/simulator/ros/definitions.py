@@ -87,6 +87,9 @@ rosapi/Nodes: -> string[] nodes
 rosapi/NodeDetails: string node -> string[] subscribing, string[] publishing, string[] services
 rosapi/GetActionServers: -> string[] action_servers
 rosapi/ActionType: string action -> string type
+rosapi/ActionGoalDetails: string type -> rosapi/TypeDef[] typedefs
+rosapi/ActionResultDetails: string type -> rosapi/TypeDef[] typedefs
+rosapi/ActionFeedbackDetails: string type -> rosapi/TypeDef[] typedefs
 rosapi/Publishers: string topic -> string[] publishers
 rosapi/Subscribers: string topic -> string[] subscribers
 rosapi/MessageDetails: string type -> rosapi/TypeDef[] typedefs

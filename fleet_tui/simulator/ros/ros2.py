@@ -10,6 +10,10 @@ from fleet_tui.simulator.ros.definitions import ACTIONS, MESSAGES, PACKAGES, SER
 from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.ros1 import COMMON_VERBS
 
+ACTION_VERBS = (
+    "action_type",
+    *("action_goal_details", "action_result_details", "action_feedback_details"),
+)
 _RENAMED = {"rosgraph_msgs/Log": "rcl_interfaces/Log", "rosapi": "rosapi_msgs"}
 _PRIMITIVES = {"bool": "boolean", "float32": "float", "float64": "double", "byte": "octet"}
 _TIME = RosField("builtin_interfaces/Time")
@@ -55,7 +59,7 @@ class Ros2:
     """What is told as `package/msg/Name`, with sec and nanosec in times and no seq."""
 
     version, distro = 2, "jazzy"
-    rosapi_verbs: Collection[str] = (*COMMON_VERBS, "action_type", "get_ros_version", "interfaces")
+    rosapi_verbs: Collection[str] = (*COMMON_VERBS, *ACTION_VERBS, "get_ros_version", "interfaces")
     call_timeout: float | None = 5.0
     max_message_size: int | None = 10_000_000
     reads_binary = True

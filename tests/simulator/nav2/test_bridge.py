@@ -2,12 +2,15 @@
 
 import asyncio
 import json
+import math
 
 import pytest
 from websockets.asyncio.client import ClientConnection, connect
 
+from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
+from fleet_tui.simulator.nav2.poses import flat
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
 from fleet_tui.simulator.ros.ros2 import ROS2
@@ -135,16 +138,42 @@ async def test_waypoints_end_with_what_was_missed(client: ClientConnection, flee
     assert list(missed["goal"]) == ["header", "pose"]
 
 
-async def test_odometry_carries_on_where_the_localisation_is_silent(
+async def test_odometry_starts_at_nothing_and_leaves_unmeasured_what_it_cannot_measure(
+    client: ClientConnection,
+) -> None:
+    await listen(client, "/robot_0/odom")
+    text = str(await client.recv())
+    message = json.loads(text)["msg"]
+    assert message["header"]["frame_id"] == "robot_0/odom"
+    assert message["pose"]["pose"]["position"] == {"x": 0.0, "y": 0.0, "z": 0.0}
+    assert ",NaN," in text and math.isnan(message["pose"]["covariance"][21])
+
+
+async def test_a_place_is_the_last_localisation_and_what_the_wheels_counted_since(
     client: ClientConnection, fleet: Nav2Fleet
 ) -> None:
-    """The place on the map is the last localisation, and what the wheels have counted since."""
-    await listen(client, "/robot_0/odom")
-    frame = await until(client, lambda frame: "msg" in frame)
-    assert frame["msg"]["header"]["frame_id"] == "robot_0/odom"
-    position = frame["msg"]["pose"]["pose"]["position"]
-    assert (position["x"], position["y"]) == (0.0, 0.0)
-    assert "NaN" in json.dumps(frame["msg"]["pose"]["covariance"])
+    for topic in ("amcl_pose", "odom"):
+        await listen(client, f"/robot_0/{topic}")
+    robot = fleet.robots["robot_0"]
+    fleet.navigation["robot_0"].give(35.0, 20.0)
+    newest: dict[str, Pose] = {}
+    then = anchor = Pose(0.0, 0.0)
+    worst = 0.0
+    while robot.driving:
+        frame = json.loads(await client.recv())
+        topic = frame["topic"].rpartition("/")[2]
+        newest[topic] = flat(frame["msg"]["pose"]["pose"])
+        if topic == "amcl_pose":
+            then, anchor = newest.get("odom", Pose(0.0, 0.0)), newest[topic]
+        elif topic in newest:
+            now = newest["odom"]
+            turn = anchor.yaw - then.yaw
+            dx, dy = now.x - then.x, now.y - then.y
+            x = anchor.x + dx * math.cos(turn) - dy * math.sin(turn)
+            y = anchor.y + dx * math.sin(turn) + dy * math.cos(turn)
+            worst = max(worst, math.dist((x, y), (robot.pose.x, robot.pose.y)))
+    # A tick of 0.02 s at twenty times the speed is 0.44 m, and the two are a tick apart.
+    assert 0.0 < worst < 1.5
 
 
 async def test_the_last_robot_does_not_measure_its_battery(client: ClientConnection) -> None:

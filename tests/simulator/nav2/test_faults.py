@@ -13,7 +13,7 @@ from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.nav2.faults import EVERY, FAULTS
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.simulator.nav2.wire import TO_POSE, call, give, listen, pose, result, settle, until
+from tests.simulator.nav2.wire import TO_POSE, call, give, listen, pose, result, settle, statuses, until
 
 FAR, NEAR = pose(35.0, 20.0), pose(8.0, 0.0)
 STATUS, FEEDBACK = f"{TO_POSE}/_action/status", f"{TO_POSE}/_action/feedback"
@@ -136,6 +136,17 @@ async def test_who_is_silent_has_no_latched_values(server: RosbridgeServer, clie
         await listen(client, topic)
     await client.send('{"op":"call_service","id":"x","service":"/no/such"}')
     assert json.loads(await client.recv())["id"] == "x"
+
+
+async def test_who_is_heard_again_tells_how_its_goals_stand(
+    client: ClientConnection, fleet: Nav2Fleet
+) -> None:
+    await listen(client, STATUS)
+    await settle(client)
+    fleet.robots["robot_0"].silence = 30.0
+    fleet.navigation["robot_0"].give(-99.0, 0.0)
+    assert statuses(json.loads(await client.recv())) == [6]
+    assert not fleet.robots["robot_0"].silence
 
 
 async def test_who_is_lost_says_how_unsure_it_is(server: RosbridgeServer, client: ClientConnection) -> None:

@@ -20,6 +20,13 @@ def ours(text: str) -> str:
     return text.replace("/tb2/", "/robot_0/").replace("/tb3/", "/robot_1/").replace("/tb1/", "/robot_0/")
 
 
+def far(text: str) -> str:
+    """A goal with a target that takes a while to reach on our map."""
+    operation = parsed(text)
+    operation["args"]["pose"]["pose"]["position"] |= {"x": 17.0, "y": 20.0}
+    return json.dumps(operation)
+
+
 def recorded(name: str, op: str, id_: str) -> Json:
     lines = map(parsed, map(ours, (text.replace("\\/", "/") for text in frames(recording(name), "in"))))
     return next(frame for frame in lines if frame["op"] == op and frame.get("id", frame.get("topic")) == id_)
@@ -71,7 +78,7 @@ async def test_a_goal_is_driven_and_told_as_recorded(
 async def test_a_goal_is_cancelled_as_recorded(client: ClientConnection, other: ClientConnection) -> None:
     await listen(other, STATUS)
     await settle(other)
-    await client.send(sent("g10").replace("8.0", "30.0"))
+    await client.send(far(sent("g10")))
     await until(other, lambda frame: statuses(frame) == [2])
     await client.send('{"op":"cancel_action_goal","id":"g10","action":"/robot_0/navigate_to_pose"}')
     assert await result(client, "g10") == {
@@ -115,3 +122,31 @@ async def test_rosapi_hides_what_actions_consist_of(client: ClientConnection) ->
         assert types[f"/robot_0/{part}"] == told[f"/robot_0/{part}"]
     assert not any("_action" in name for name in (*types, *wanted["services"]["services"]))
     assert types["/map"] == told["/map"]
+
+
+async def test_of_two_goals_with_one_id_the_later_is_cancelled_whatever_the_action(
+    client: ClientConnection,
+) -> None:
+    both = [ours(text) for text in frames(recording(ACTIONS), "out") if parsed(text).get("id") == "same"]
+    *goals, cancel = both
+    assert [parsed(text)["action"] for text in both] == [
+        "/robot_0/navigate_to_pose",
+        "/robot_1/navigate_to_pose",
+        "/robot_0/navigate_to_pose",
+    ]
+    for text in (*map(far, goals), cancel):
+        await client.send(text)
+    wanted = recorded(ACTIONS, "action_result", "same")
+    assert await result(client, "same") == wanted
+    assert (wanted["action"], wanted["status"]) == ("/robot_1/navigate_to_pose", 5)
+
+
+async def test_an_action_type_is_described_as_recorded(client: ClientConnection) -> None:
+    lines = recording("ros2-rosapi-types.jsonl.gz")
+    (text,) = [one for one in frames(lines, "out") if "action_goal_details" in one]
+    (theirs,) = [one for one in map(parsed, frames(lines, "in")) if one.get("id") == parsed(text)["id"]]
+    await client.send(text)
+    answer = await until_answer(client, parsed(text)["id"])
+    for typedef in (*answer["values"]["typedefs"], *theirs["values"]["typedefs"]):
+        del typedef["constnames"], typedef["constvalues"]  # python's own attributes, with addresses
+    assert answer == theirs

@@ -5,6 +5,8 @@ from typing import Any
 
 Operation = dict[str, Any]
 
+OF_ROS_2 = ("send_action_goal", "cancel_action_goal")
+
 # Field -> type and whether it must be there; what is said with another type is not listened to.
 _FIELDS: Mapping[str, Mapping[str, tuple[type, bool]]] = {
     "subscribe": {
@@ -30,13 +32,13 @@ _FIELDS: Mapping[str, Mapping[str, tuple[type, bool]]] = {
 }
 
 
-def problem_of(operation: Operation) -> str:
-    """The reason why an operation can't be meant, empty where it can."""
+def problem_of(operation: Operation, ros: int) -> str:
+    """The reason why an operation can't be meant on this generation of ROS, empty where it can."""
     op = operation.get("op")
     fields = _FIELDS.get(str(op))
     if op is None:
         return "Received a message without an op"
-    if fields is None:
+    if fields is None or (ros == 1 and op in OF_ROS_2):
         return f"Unknown operation: {op}"
     for name, (type_, needed) in fields.items():
         if operation.get(name) is None:

@@ -15,12 +15,12 @@ import msgspec
 from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.simulator.fragments import Assembler, split
 from fleet_tui.simulator.frames import Frame, Publication
-from fleet_tui.simulator.operations import Operation, problem_of
-from fleet_tui.simulator.outbox import COMPRESSIONS, Outbox, Subscription, Wish
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.errors import BridgeError
+from fleet_tui.simulator.sessions.fragments import Assembler, split
+from fleet_tui.simulator.sessions.operations import Operation, problem_of
+from fleet_tui.simulator.sessions.outbox import COMPRESSIONS, Outbox, Subscription, Wish
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.actions import ActionDesk
@@ -122,7 +122,7 @@ class Session:
         if not isinstance(operation, dict):
             return
         self.bridge.note(operation)
-        if problem := problem_of(operation):
+        if problem := problem_of(operation, self.bridge.dialect.version):
             self.bridge.complain(self, operation, problem)
             return
         try:
