@@ -29,9 +29,9 @@ class Fleet(Protocol):
     """Robots of one kind, and what they say and understand."""
 
     faults: "Mapping[str, tuple[str, Play]]"
-    """What can go wrong with such robots, by name: the text of the help, and how it is played on one."""
+    """The faults of such robots, by name: the text of the help, and how it is played on one."""
     troubles: list[Callable[[float], None]]
-    """What else happens at every step, told the seconds that pass."""
+    """Called at every step with the seconds that pass."""
 
     @property
     def robots(self) -> Mapping[str, Body]:
@@ -45,16 +45,16 @@ class Fleet(Protocol):
         """Let dt seconds pass."""
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterable[Topic]:
-        """What is published; the maps were loaded at this wall time."""
+        """Every topic; the maps were loaded at this wall time."""
 
     def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The topics that are listened to: name -> type, and what takes a message."""
 
     def feedback(self, server: ActionServer, goal: Goal, dialect: Dialect) -> Message | None:
-        """What an action says of a goal on the way, None where it says nothing."""
+        """The feedback of an action on a goal, None where it says nothing."""
 
     def result(self, server: ActionServer, goal: Goal) -> Message | None:
-        """What an action says of a goal that is over, None while it can't be heard."""
+        """The result of a goal that is over, None while it can't be heard."""
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
         """The services by name."""
@@ -66,7 +66,7 @@ class Fleet(Protocol):
         """Topics and messages of what has changed since the last look."""
 
     def lines(self) -> Iterable[Line]:
-        """What there is to say of what happened since the last look."""
+        """The lines about everything that happened since the last look."""
 
     def health(self) -> Iterable[Message]:
         """Entries of /diagnostics about every robot that can be heard."""

@@ -27,7 +27,7 @@ class Kind:
     ros: tuple[str, ...]
     faults: Mapping[str, tuple[str, wire.Play]]
     graph_files: bool = False
-    """Whether their graph is no topic but a file."""
+    """Their graph is no topic but a file."""
 
 
 def _oh_ressources(robots: int, floors: int, seed: int, first: int) -> "Fleet":

@@ -31,8 +31,11 @@ def _type(dialect: Dialect, verb: str) -> str:
 
 @dataclass(frozen=True)
 class Graph:
-    """What there is: name -> type, all of which may change later. `listened`: topics to which robots listen;
-    `subscribed`: those to which the bridge is subscribed, with the types it asked for."""
+    """All there is, each name with its type; it may change later.
+
+    `listened`: topics to which robots listen; `subscribed`: those to which the bridge is subscribed, with the
+    types it asked for.
+    """
 
     topics: Mapping[str, str]
     listened: Mapping[str, str]

@@ -70,7 +70,7 @@ class ServiceDesk:
         dialect = self.dialect
         heard = {name: what for fleet in self.fleets for name, what in fleet.heard().items()}
         self.heard = {name: take for name, (_, take) in heard.items()}
-        """What takes the messages that clients publish to robots."""
+        """The listeners to messages that clients publish to robots, by topic."""
         listened = {name: dialect.message_type(type_) for name, (type_, _) in heard.items()}
         self.guests = Guests(dialect, self.topics, self.types, self.services, listened)
         graph = Graph(self.types, listened, self.services, subscribed, lambda: self.actions.names)

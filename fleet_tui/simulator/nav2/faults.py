@@ -1,4 +1,4 @@
-"""What can go wrong with robots with Nav2."""
+"""Faults of robots with Nav2."""
 
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING

@@ -53,7 +53,7 @@ class Nav2Fleet(Nav2World):
         yield from self._news.topics(dialect)
 
     def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
-        """What is published to goal_pose becomes a goal."""
+        """The goal_pose of each robot: a pose there becomes a goal."""
         return {
             f"/{name}/goal_pose": ("geometry_msgs/PoseStamped", partial(_take_pose, navigation))
             for name, navigation in self.navigation.items()
@@ -80,23 +80,23 @@ class Nav2Fleet(Nav2World):
         return answer | {"goals_canceling": goals}
 
     def news(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
-        """What has changed since the last look: where robots are, what stops them, how goals stand."""
+        """Everything that changed since the last look: where robots are, what stops them, how goals stand."""
         return self._news.take(dialect)
 
     def feedback(self, server: ActionServer, goal: Goal, dialect: Dialect) -> Message | None:
-        """What an action says of a goal on the way, None where it says nothing."""
+        """The feedback of an action on a goal, None where it says nothing."""
         navigation = self._navigation_of(server)
         if navigation.robot.silence or not navigation.tells:
             return None
         return messages.feedback(navigation, server.verb, goal, messages.header(dialect, time.time()))
 
     def result(self, server: ActionServer, goal: Goal) -> Message | None:
-        """What an action says of a goal that is over, None while it can't be heard."""
+        """The result of a goal that is over, None while it can't be heard."""
         navigation = self._navigation_of(server)
         return None if navigation.robot.silence else messages.result(goal, navigation.distro)
 
     def lines(self) -> Iterable[Line]:
-        """What Nav2's nodes have to say of what happened since the last look."""
+        """The lines of Nav2's nodes about everything that happened since the last look."""
         return self._changes.lines()
 
     def health(self) -> Iterable[Message]:

@@ -1,4 +1,4 @@
-"""What robots with Nav2 say, as ROS messages."""
+"""The messages of robots with Nav2, as ROS has them."""
 
 import math
 from typing import Any
@@ -103,7 +103,7 @@ def goal_info(id_: Id, stamp: int) -> Message:
 
 
 def feedback(navigation: Navigation, verb: str, goal: Goal, header: Message) -> Message:
-    """What an action says on the way."""
+    """The feedback of an action."""
     robot = navigation.robot
     if verb == WAYPOINTS:
         return {"current_waypoint": navigation.waypoint()}
@@ -120,7 +120,7 @@ def feedback(navigation: Navigation, verb: str, goal: Goal, header: Message) -> 
 
 
 def result(goal: Goal, distro: str) -> Message:
-    """What an action says at its end; Humble says less."""
+    """The result of an action; Humble's says less."""
     if distro != "humble":
         return goal.result
     if "missed_waypoints" in goal.result:

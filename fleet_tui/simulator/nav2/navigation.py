@@ -48,7 +48,7 @@ class Navigation:
         self.active = True
         """False: the lifecycle manager has let the servers down, goals are rejected."""
         self.reject = 0
-        """So many goals are rejected from now on."""
+        """The number of goals that are rejected from now on."""
         self.received: list[Message] = []
         """Every goal that reached a server, legs of tours too; the newest last."""
         self.tells = True

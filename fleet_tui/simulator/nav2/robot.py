@@ -24,9 +24,9 @@ class Nav2Robot:
     """A robot without a queue. `quiet` turns off obstacles of its own. Its attributes may be changed."""
 
     percent = 0.01
-    """What the percentage is counted in: 0.01 = it is 0 to 1, 1 = 0 to 100, NaN = it is not measured."""
+    """The factor of the percentage: 0.01 = it is 0 to 1, 1 = 0 to 100, NaN = it is not measured."""
     odometry = True
-    """Whether its wheels are counted."""
+    """False: its wheels are not counted."""
     variance = SURE
     """How far its localisation trusts itself."""
     docked = False
@@ -35,20 +35,20 @@ class Nav2Robot:
     silence = 0.0
     """Seconds for which nothing of it is published."""
     stuck = False
-    """Whether its wheels stand still whatever it is told."""
+    """True: its wheels stand still whatever it is told."""
 
     def __init__(self, index: int, floor: Floor, pose: Pose, rng: random.Random, quiet: bool) -> None:
         self.name, self.index, self.floor = f"robot_{index}", index, floor
         self._rng, self._quiet = rng, quiet
         self.pose = pose
         self.odom = Pose(0.0, 0.0)
-        """Where its wheels say it is, seen from its start."""
+        """The pose that its wheels tell, seen from its start."""
         self.estimate = pose
-        """Where its localisation last said it is on the map."""
+        """The pose on the map that its localisation last told."""
         self.battery = rng.uniform(45.0, 95.0)
         """Per cent."""
         self.driving = self.moving = False
-        """Whether it is on the way, and whether it got on in the last step."""
+        """It is on the way; it got on in the last step."""
         self.way: list[Spot] = []
         """The corners still before it."""
         self.stops = 0
@@ -172,7 +172,7 @@ class Nav2Robot:
         self.odom = Pose(x, y, math.remainder(self.odom.yaw + turned, math.tau))
 
     def _blocked(self) -> bool:
-        """Whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
+        """Tell whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
         if self.obstacle == 0.0:
             if self._quiet or not self.moving:
                 return False

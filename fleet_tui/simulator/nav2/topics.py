@@ -38,7 +38,7 @@ def map_topics(world: Nav2World, loaded_at: float, dialect: Dialect) -> Iterator
 
 
 def steady_topics(navigation: Navigation, dialect: Dialect) -> Iterator[Topic]:
-    """What one robot says all the time, and on the way."""
+    """The topics on which one robot speaks all the time, or all the way."""
     robot = navigation.robot
     made = partial(_made, robot, dialect)
 
@@ -87,7 +87,7 @@ def _feedback(navigation: Navigation, server: ActionServer, dialect: Dialect, no
 
 
 class News:
-    """What is only said on change, and the newest of it for late subscribers."""
+    """The topics on which robots speak only on change, and their newest messages for late subscribers."""
 
     def __init__(self, world: Nav2World) -> None:
         self._world = world
@@ -104,7 +104,7 @@ class News:
                 yield self._topic(_status(server), dialect.message_type(STATUS), name, server=server)
 
     def take(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
-        """What has changed since the last look; of who can't be heard the newest comes when it can."""
+        """Everything that changed since the last look; of a robot that can't be heard the newest waits."""
         now = time.time()
         for name, navigation in self._world.navigation.items():
             news = list(self._of(name, navigation, dialect, now))

@@ -1,4 +1,4 @@
-"""What robots with Nav2 say in words: lines of /rosout, entries of /diagnostics."""
+"""Robots with Nav2 in words: lines of /rosout, entries of /diagnostics."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -29,7 +29,7 @@ class Changes:
         self._blocked: set[str] = set()
 
     def lines(self) -> Iterator[Line]:
-        """What they have to say."""
+        """The lines about all of it."""
         statuses: dict[bytes, int] = {}
         for name, navigation in self._world.navigation.items():
             said = [*self._goals(name, navigation, statuses), *self._obstacle(navigation.robot)]

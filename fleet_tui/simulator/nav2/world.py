@@ -38,9 +38,9 @@ class Nav2World:
             name: Navigation(robot, ids, clock or (lambda: round(self.time * 1e9)))
             for name, robot in self.robots.items()
         }
-        """What takes the goals of each robot."""
+        """The action servers of each robot."""
         self.troubles: list[Callable[[float], None]] = []
-        """What else happens at every step, told the seconds that pass."""
+        """Called at every step with the seconds that pass."""
         self._owed = 0.0
         self._silence_in = self._rng.uniform(180.0, 240.0)
         self._rest = {name: self._rng.uniform(6.0, 15.0) for name in self.robots}

@@ -64,7 +64,7 @@ class OhFleet:
         return ()
 
     def lines(self) -> Iterable[Line]:
-        """What happened to robots since the last look."""
+        """The lines about everything that happened since the last look."""
         return self._changes.lines()
 
     def health(self) -> Iterable[Message]:

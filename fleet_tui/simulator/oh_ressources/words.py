@@ -1,4 +1,4 @@
-"""What the robots say in words: lines of /rosout, entries of /diagnostics."""
+"""The robots in words: lines of /rosout, entries of /diagnostics."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -48,7 +48,7 @@ class Changes:
         self._seen: dict[str, _Seen] = {}
 
     def lines(self) -> Iterator[Line]:
-        """What they have to say of what happened since the last look."""
+        """The lines about everything that happened since the last look."""
         for name, robot in self._robots.items():
             seen, before = _seen(robot), self._seen.get(name)
             self._seen[name] = seen

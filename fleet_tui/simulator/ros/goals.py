@@ -60,7 +60,7 @@ class ActionServer:
         self._decide, self._begin = decide, begin
         self.goals: dict[Id, Goal] = {}
         self.reports: deque[list[tuple[Id, int, int]]] = deque(maxlen=LISTED)
-        """What the status topic has to say and has not said yet: id, stamp and status of each goal."""
+        """The statuses that are still to be published: id, stamp and status of each goal."""
         self.alive = True
         """False: its node is gone, nobody answers or says anything."""
         self.refuses_cancel = False

@@ -1,4 +1,4 @@
-"""What clients ask of the bridge, and what such an operation must have to be listened to."""
+"""Operations of clients, and the fields that each must have to be listened to."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -37,7 +37,7 @@ class Bridge(Protocol):
     actions: "ActionDesk"
     max_message_size: int | None
     one_by_one: bool
-    """Whether a client's call or goal must be over before its next operation is looked at."""
+    """True: a client's call or goal must be over before its next operation is looked at."""
 
     def note(self, operation: Operation) -> None:
         """Take note of an operation that arrived."""

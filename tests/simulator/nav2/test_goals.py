@@ -1,4 +1,4 @@
-"""What becomes of goals: replaced, cancelled, missed, aborted. No wire, no clock."""
+"""Goals replaced, cancelled, missed, aborted. No wire, no clock."""
 
 import math
 from itertools import pairwise
@@ -155,6 +155,18 @@ def test_who_gets_nowhere_tries_and_gives_up() -> None:
     assert navigation.robot.distance_remaining > 1.0
     finish(it, goal, 40.0)
     assert (goal.status, goal.result["error_code"]) == (ABORTED, 105)
+
+
+def test_the_next_goal_is_rejected_and_a_drive_aborted_on_request() -> None:
+    it, navigation = world()
+    navigation.reject = 1
+    assert navigation.give(*FAR) is None
+    goal = driven(navigation, *FAR)
+    it.step(1.0)
+    navigation.abort(106, "no valid control")
+    finish(it, goal, 1.0)
+    assert goal.result == {"error_code": 106, "error_msg": "no valid control"}
+    assert len(navigation.received) == 2
 
 
 def test_it_docks_and_charges() -> None:

@@ -16,7 +16,7 @@ ACTIONS = "ros2-actions.jsonl.gz"
 
 
 def ours(text: str) -> str:
-    """What the recording's client sent, in our names and on our map."""
+    """The recording with our names for the robots."""
     return text.replace("/tb2/", "/robot_0/").replace("/tb3/", "/robot_1/").replace("/tb1/", "/robot_0/")
 
 
@@ -102,6 +102,7 @@ async def test_telemetry_has_the_recorded_shape(client: ClientConnection, topic:
 
 
 async def test_rosapi_hides_what_actions_consist_of(client: ClientConnection) -> None:
+    await listen(client, STATUS)
     wanted = {}
     for text in map(ours, frames(recording("ros2-rosapi.jsonl.gz"), "out")):
         operation = parsed(text)

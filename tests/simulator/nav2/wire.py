@@ -1,4 +1,4 @@
-"""What a client sends to robots with Nav2, and what it waits for."""
+"""A client of robots with Nav2: how it asks, and how it waits."""
 
 import json
 from collections.abc import Callable
