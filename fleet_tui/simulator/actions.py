@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from fleet_tui.simulator.sessions.operations import Operation
     from fleet_tui.simulator.sessions.session import Session
 
+REMEMBERED = 1000  # goals of clients who wait for their end
 SOUGHT = 1.0  # seconds for which the bridge looks for an action server
 
 Ended = asyncio.Future[None]
@@ -71,6 +72,7 @@ class ActionDesk:
             return self._fail(session, operation, "Action goal was rejected")
         given = _Given(session, operation, fleet, server, goal)
         self._given.append(given)
+        del self._given[:-REMEMBERED]
         return given.ended
 
     def cancel(self, session: "Session", operation: "Operation") -> None:

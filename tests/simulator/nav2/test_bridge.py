@@ -229,3 +229,13 @@ async def test_fleets_of_several_kinds_share_a_bridge() -> None:
         assert (await result(client, "a"))["status"] == 4
     await server.stop()
     assert server.world.robots["robot_0"].paused
+
+
+async def test_a_bridge_of_ros_1_knows_no_goals() -> None:
+    server = RosbridgeServer(World(1, 1, seed=1, quiet=True))
+    await server.start()
+    async with connect(server.url, close_timeout=0.1) as client:
+        await give(client, "a", TO_POSE, pose=pose(8.0, 0.0))
+        await client.send('{"op":"call_service","id":"x","service":"/no/such"}')
+        assert json.loads(await client.recv())["id"] == "x"
+    await server.stop()
