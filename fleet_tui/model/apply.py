@@ -83,8 +83,7 @@ def _apply_to_robot(
             state = _forget_grids(state, event)
             return with_robot(state, apply_chart(state.robots[event.robot], event))
         case events.PoseReported():
-            robot = apply_report(robot, event)
-            return with_robot(state, replace(robot, floor=_floor_of(state, robot)))
+            return _moved(state, apply_report(robot, event))
         case (
             events.BatteryReported()
             | events.CargoReported()
@@ -95,6 +94,10 @@ def _apply_to_robot(
             return with_robot(state, apply_report(robot, event))
         case _:
             assert_never(event)
+
+
+def _moved(state: FleetState, robot: Robot) -> FleetState:
+    return with_robot(state, replace(robot, floor=_floor_of(state, robot)))
 
 
 def _floor_of(state: FleetState, robot: Robot) -> str | None:
