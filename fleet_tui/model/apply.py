@@ -67,18 +67,17 @@ def _apply_to_robot(
     state: FleetState,
     event: events.Telemetry | navigation_events.Navigation | events.ChartReceived | events.MessageRejected,
 ) -> FleetState:
-    robot = state.robots.get(event.robot)
-    if robot is None:
+    if (robot := state.robots.get(event.robot)) is None:
         return state
     if isinstance(event, navigation_events.Navigation):
-        robot = apply_navigation(robot, event)
-        return with_robot(state, replace(robot, floor=_floor_of(state, robot)))
+        return _moved(state, apply_navigation(robot, event))
     match event:
         case events.MessageRejected():
             return with_robot(state, with_fault(robot, event.text))
-        case events.FrameReceived() | events.LabelsReceived() | events.GraphReceived():
-            shared = _shared(state, event) if isinstance(event, events.GraphReceived) else event
-            return with_robot(state, apply_chart(robot, shared))
+        case events.GraphReceived():
+            return with_robot(state, apply_chart(robot, _shared(state, event)))
+        case events.FrameReceived() | events.LabelsReceived():
+            return with_robot(state, apply_chart(robot, event))
         case events.GridReceived():
             state = _forget_grids(state, event)
             return with_robot(state, apply_chart(state.robots[event.robot], event))
