@@ -207,6 +207,8 @@ def _load_floor_map(state: FleetState, event: events.FloorMapLoaded) -> FleetSta
 
 def apply(state: FleetState, event: events.Event) -> FleetState:
     """The state after one fact."""
+    if isinstance(event, events.Telemetry | events.ChartReceived | events.MessageRejected):
+        return _apply_to_robot(state, event)
     match event:
         case events.TimePassed():
             return _pass_time(state, event)
@@ -227,5 +229,4 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
         case events.FloorMapLoaded():
             return _load_floor_map(state, event)
         case _:
-            # Does not type-check with a new kind of fact that is about no robot.
-            return _apply_to_robot(state, event)
+            assert_never(event)
