@@ -115,9 +115,11 @@ class OrderQueue(Struct, frozen=True):
     @property
     def current(self) -> Order | None:
         """The order being driven."""
-        if not self.current_id:
-            return None
-        return next((order for order in self.orders if order.id == self.current_id), None)
+        return next((order for order in self.orders if self.is_current(order)), None)
+
+    def is_current(self, order: Order) -> bool:
+        """Tell whether this order is the one being driven."""
+        return order.id == self.current_id != ""
 
     @property
     def open(self) -> tuple[Order, ...]:
