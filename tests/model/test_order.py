@@ -7,7 +7,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import FAILURES, NEXT, OPEN, ORDER_ENDS, CommandRecord, PlaceOrder, Stage
+from fleet_tui.model.commands import (
+    FAILURES,
+    NEXT,
+    OPEN,
+    ORDER_ENDS,
+    CancelOrder,
+    CommandRecord,
+    PlaceOrder,
+    Stage,
+)
 from fleet_tui.model.confirmation import WAITS
 from fleet_tui.model.events import CommandAdvanced, Event, QueueReported
 from fleet_tui.model.fleet import FleetState
@@ -135,9 +144,28 @@ def test_an_order_that_is_listed_as_over_ended_so(state: OrderState, stage: Stag
 
 
 def test_what_the_robot_says_of_its_end_counts_more_than_our_cancel() -> None:
-    cancel = commanded(2, place_order(R0, "x"), Stage.NOT_SENT)
-    ended = confirmed(*cancel, reported(T0 + 2, goal(OrderState.FAILED)), tick(T0 + 2))
-    assert ended.commands[0].stage is Stage.FAILED
+    for state, stage in ((OrderState.FAILED, Stage.FAILED), (OrderState.REPLACED, Stage.REPLACED)):
+        cancel = commanded(2, CancelOrder(R0, GOAL), Stage.SENT, Stage.ACCEPTED, at=T0 + 1.5)
+        ended = confirmed(*cancel, reported(T0 + 2, goal(state)), tick(T0 + 2))
+        assert ended.commands[0].stage is stage
+
+
+def test_an_order_that_waits_here_is_not_the_one_that_the_robot_took() -> None:
+    begun = told(fleet(), link_up(T0 - 9), reported(T0 - 1), tick(T0))
+    unseen = told(begun, *commanded(1, ORDER, Stage.SENT, Stage.NO_ANSWER))
+    late = told(unseen, reported(T0 + 1), tick(T0 + 90))
+    assert only(late).stage is Stage.NOT_CONFIRMED
+    state = told(late, *commanded(2, ORDER, Stage.WAITING, at=T0 + 91))
+    state = told(state, reported(T0 + 92, goal(OrderState.QUEUED)), tick(T0 + 92))
+    assert [record.stage for record in state.commands] == [Stage.LATE, Stage.WAITING]
+
+
+def test_an_id_that_a_robot_gives_again_after_it_was_started_anew_is_another_order() -> None:
+    restarted = confirmed(reported(T0 + 2), tick(T0 + 2))
+    assert only(restarted).stage is Stage.LOST
+    again = commanded(2, ORDER, Stage.SENT, Stage.ACCEPTED, at=T0 + 3)
+    state = told(restarted, *again, reported(T0 + 4, goal(OrderState.QUEUED)), tick(T0 + 4))
+    assert (state.commands[1].stage, state.commands[1].order_id) == (Stage.CONFIRMED, GOAL)
 
 
 def test_a_word_that_says_nothing_to_us_is_an_order_that_goes_on() -> None:
