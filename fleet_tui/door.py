@@ -43,15 +43,13 @@ Opening = Callable[[Config, Store, Callable[[Door], None]], None]
 def to_the_fleet(
     config: Config, store: Store, stands: Callable[[Door], None], tap: "Tap | None" = None
 ) -> None:
-    """Connect to every bridge, then load the maps. Importing the link takes longer than painting."""
+    """Connect to every bridge, then load the floors' files. Importing the link takes longer than painting."""
     from fleet_tui.client.fleet_link import FleetLink
 
     link = FleetLink(config, store, tap)
     link.open()
     stands(link)
-    from fleet_tui.maps.images import load_floor_map
+    from fleet_tui.maps.floor_files import load_floors
 
-    for floor in config.floors:
-        if floor.map:
-            path = config.beside(floor.map)
-            link.tell(load_floor_map(floor.name, path, config.profile.origin == "added"))
+    for loaded in load_floors(config):
+        link.tell(loaded)

@@ -155,7 +155,7 @@ class _Names(NamedTuple):
         match record:
             case Heard(link=link) | Sent(link=link):
                 known = link in self.links
-            case Told(event=events.FloorMapLoaded(floor=floor)):
+            case Told(event=events.FloorMapLoaded(floor=floor) | events.FloorGraphLoaded(floor=floor)):
                 known = floor in self.floors
             case Told(event=events.CommandIssued(command=command)):
                 known = command.robot in self.robots

@@ -22,6 +22,7 @@ from fleet_tui.model.conditions import conditions
 from fleet_tui.model.confirmation import before, confirm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.floods import without_floods
+from fleet_tui.model.floor_events import apply_to_floor
 from fleet_tui.model.follow_up import follow_up
 from fleet_tui.model.lag import with_lags
 from fleet_tui.model.link_events import apply_to_link
@@ -199,12 +200,6 @@ def _after_operator(
             assert_never(event)
 
 
-def _load_floor_map(state: FleetState, event: events.FloorMapLoaded) -> FleetState:
-    floor = state.floors[event.floor]
-    floor = replace(floor, grid=event.grid, problem=brief(event.problem), tied=event.tied)
-    return replace(state, floors={**state.floors, floor.name: floor})
-
-
 def apply(state: FleetState, event: events.Event) -> FleetState:
     """The state after one fact."""
     match event:
@@ -224,8 +219,8 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             return _advance_command(state, event)
         case events.AlarmAcknowledged() | events.AlarmShelved() | events.AlarmUnshelved():
             return replace(state, alarms=_after_operator(state.alarms, event))
-        case events.FloorMapLoaded():
-            return _load_floor_map(state, event)
+        case events.FloorMapLoaded() | events.FloorGraphLoaded():
+            return apply_to_floor(state, event)
         case _:
             # Does not type-check with a new kind of fact that is about no robot.
             return _apply_to_robot(state, event)
