@@ -24,9 +24,9 @@ def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:
     ]
 
 
-def vertex(it: Console, label: str, robot: str = "robot_0") -> str:
+def vertex(it: Console, label: str, robot: str = "robot_0") -> int:
     charts = it.store.state.robots[robot].charts.values()
-    return next(id_ for chart in charts for id_, name in chart.labels.items() if name == label)
+    return next(int(id_) for chart in charts for id_, name in chart.labels.items() if name == label)
 
 
 async def place(it: Console) -> None:
