@@ -69,7 +69,7 @@ def _orders(robot: Robot) -> list[Values]:
             **_stop(robot, "end", order.end),
             "status": order.word,
             "status_text": order.state.value if order.state else None,
-            "current": order is robot.orders.current,
+            "current": robot.orders.is_current(order),
         }
         for position, order in enumerate(robot.orders.in_sequence())
     ]

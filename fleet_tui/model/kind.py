@@ -15,12 +15,18 @@ class Kind(Struct, frozen=True):
     """Capabilities of a robot by its kind and profile. `reports` are the values that ever come of it, by the
     names of Robot's fields; `accepts` what can be asked of it. `silence`: seconds after which a value that
     stays away is old, infinite where it comes only when it changes; for others `FleetState.patience`
-    counts."""
+    counts. `frames_are_floors`: the frame of its poses names the floor. `tells_ends`: it lists how an order
+    ended. `keeps_goals`: it drives one goal at a time and keeps no queue: this console does.
+    `holds`: to pause it is to cancel its goal, which this console keeps and gives again."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
     accepts: tuple[str, ...] = ()
     silence: Mapping[str, float] = field(default_factory=dict)
+    frames_are_floors: bool = True
+    tells_ends: bool = False
+    keeps_goals: bool = False
+    holds: bool = False
 
     def can(self, verb: str) -> bool:
         """Tell whether it accepts what a verb asks; an order with or without a start."""
@@ -36,12 +42,11 @@ class Kind(Struct, frozen=True):
     @property
     def lists_orders(self) -> bool:
         """Tell whether such a robot ever says what it is to do."""
-        return "queue" in self.reports or "goals" in self.reports
+        return "queue" in self.reports
 
     def silence_of(self, value: str, usual: float) -> float:
-        """Return after how many seconds a value is old. A queue may be made of goals."""
-        told = "goals" if value == "queue" and "queue" not in self.reports else value
-        return self.silence.get(told, usual)
+        """Return after how many seconds a value is old."""
+        return self.silence.get(value, usual)
 
     def expects(self, value: str) -> bool:
         """Tell whether a value must come: it is reported, and not only when it changes."""

@@ -40,10 +40,11 @@ class Stop(Struct, frozen=True):
     pose: Pose | None = None
 
 
-def natural(id_: str) -> list[tuple[bool, int, str]]:
+def natural(id_: str) -> list[tuple[int, str]]:
     """A key that sorts ids as a person does: 2 before 10."""
-    parts = (part.lstrip("0") if part.isdigit() else part for part in _DIGITS.split(id_))
-    return [(not part.isdigit(), len(part) if part.isdigit() else 0, part) for part in parts]
+    # Text and numbers take turns; of two numbers the longer one is the larger.
+    parts = enumerate(_DIGITS.split(id_))
+    return [(len(part.lstrip("0")), part.lstrip("0")) if n % 2 else (0, part) for n, part in parts]
 
 
 def at_vertices(*vertices: str) -> tuple[Stop, ...]:
@@ -71,7 +72,8 @@ class Order(Struct, frozen=True):
     """Go to the `stops` one after the other; none: they are not known.
 
     `state` is None where the robot's own `word` for it says nothing to us. `serial` grows with each order
-    that the robot takes: a new order has a higher one than all before it.
+    that the robot takes: a new order has a higher one than all before it. `taken_at`: the monotonic second at
+    which it took it, None where it does not tell.
     """
 
     id: str
@@ -79,6 +81,7 @@ class Order(Struct, frozen=True):
     state: OrderState | None
     word: str
     serial: int
+    taken_at: float | None = None
 
     @property
     def is_over(self) -> bool:
@@ -114,9 +117,11 @@ class OrderQueue(Struct, frozen=True):
     @property
     def current(self) -> Order | None:
         """The order being driven."""
-        if not self.current_id:
-            return None
-        return next((order for order in self.orders if order.id == self.current_id), None)
+        return next((order for order in self.orders if self.is_current(order)), None)
+
+    def is_current(self, order: Order) -> bool:
+        """Tell whether this order is the one being driven."""
+        return order.id == self.current_id != ""
 
     @property
     def open(self) -> tuple[Order, ...]:

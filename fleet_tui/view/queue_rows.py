@@ -67,7 +67,7 @@ def _status(order: Order, room: int) -> str:
 def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving: str) -> Row:
     names, places, ids, missions = columns
     robot, position, order = entry
-    current = order is robot.orders.current
+    current = robot.orders.is_current(order)
     ink = Ink.TEXT if current else Ink.DIM
     unknown = robot.knows_all_graphs() and None in map(robot.name_of, vertices_of(order.stops))
     runs: list[Run] = [
