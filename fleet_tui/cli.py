@@ -66,7 +66,8 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     """Validate a configuration: every problem at once."""
     path = find(file or config_file)
     config, problems = read(path)
-    problems += [*missing_files(config), *access_problems(config), *_theme_problems(config)]
+    problems += [*missing_files(config), *_graph_problems(config)]
+    problems += [*access_problems(config), *_theme_problems(config)]
     for line in unsafe_places(config):
         click.echo(visible(f"{path}: warning: {line}"), err=True)
     if problems:
@@ -74,6 +75,15 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     robots, floors = len(config.robots), len(config.floors)
     counts = f"{robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}"
     click.echo(f"{visible(str(path))}: fine: {counts}")
+
+
+def _graph_problems(config: Config) -> list[str]:
+    """Name what is wrong with the graph files that are there."""
+    from fleet_tui.maps.route_graphs import load_floor_graph
+
+    files = [(n, config.beside(floor.graph)) for n, floor in enumerate(config.floors) if floor.graph]
+    loaded = [(n, load_floor_graph("", path)) for n, path in files if path.is_file()]
+    return [f"floors[{n}].graph: {graph.problem}" for n, graph in loaded if graph.problem]
 
 
 def _theme_problems(config: Config) -> list[str]:

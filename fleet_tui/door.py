@@ -48,18 +48,16 @@ def to_the_fleet(
     tap: "Tap | None" = None,
     folder: Path | None = None,
 ) -> None:
-    """Connect to every bridge, then load the maps. `folder` is where orders are kept for robots that have no
-    queue; without one they are for as long as this process lives. Importing the link takes longer than
-    painting."""
+    """Connect to every bridge, then load the floors' files. `folder` is where orders are kept for robots that
+    have no queue; without one they are for as long as this process lives. Importing the link takes longer
+    than painting."""
     from fleet_tui.client.fleet_link import FleetLink
     from fleet_tui.client.queue_file import QueueFile
 
     link = FleetLink(config, store, tap, QueueFile(folder, config.operator.name or "operator"))
     link.open()
     stands(link)
-    from fleet_tui.maps.images import load_floor_map
+    from fleet_tui.maps.floor_files import load_floors
 
-    for floor in config.floors:
-        if floor.map:
-            path = config.beside(floor.map)
-            link.tell(load_floor_map(floor.name, path, config.profile.origin == "added"))
+    for loaded in load_floors(config):
+        link.tell(loaded)

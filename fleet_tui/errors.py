@@ -32,6 +32,10 @@ class MapError(FleetError):
     """A map that can't be drawn, and why."""
 
 
+class GraphError(FleetError):
+    """A graph file that can't be read, and why."""
+
+
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """`, did you mean NAME?` where a known name is near, whatever the case."""
     names = {name.casefold(): name for name in sorted(known)}

@@ -60,6 +60,15 @@ def test_every_problem_at_once_with_the_nearest_name(tmp_path: Path) -> None:
     assert "Traceback" not in done.stderr
 
 
+def test_a_graph_file_that_is_none(tmp_path: Path) -> None:
+    (tmp_path / "g.json").write_text('{"layouts": []}')
+    text = GOOD.replace('"floor_0"\n[[', '"floor_0"\ngraph = "g.json"\n[[')
+    (tmp_path / "config.toml").write_text(text)
+    done = run("check", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "config.toml: floors[0].graph: graph g.json: is no FeatureCollection of GeoJSON" in done.stderr
+
+
 def test_a_theme_and_a_map_that_are_not_there(tmp_path: Path) -> None:
     text = GOOD.replace('"floor_0"\n[[', '"floor_0"\nmap = "no.yaml"\n[[') + '[ui]\ntheme = "drak"\n'
     (tmp_path / "config.toml").write_text(text)

@@ -8,7 +8,7 @@ from fleet_tui.model.bounds import MOST_ORDERS, beyond
 
 
 def read_all(
-    read: Callable[[object], Any], parts: list[Any], what: str, most: int, faults: list[str]
+    read: Callable[[Any], Any], parts: list[Any], what: str, most: int, faults: list[str]
 ) -> list[Any]:
     """The good ones of the first `most` parts; what is wrong with the others goes to `faults`."""
     if len(parts) > most:

@@ -20,7 +20,7 @@ from fleet_tui.journal.entries import Origin
 from fleet_tui.journal.part_file import PartFile
 from fleet_tui.journal.recording import LAST_SECOND
 from fleet_tui.journal.records import VERSION, Header, Packer, encode, public
-from fleet_tui.maps.images import load_floor_map
+from fleet_tui.maps.floor_files import load_floors
 from fleet_tui.model.bounds import brief
 from fleet_tui.model.events import MessageRejected
 from fleet_tui.model.fleet import FleetState
@@ -173,10 +173,8 @@ class _Conversion:
         self._file.write(encode(header, Packer()))
         origin = Origin("", OF_BAG + name, "")
         track = Track(self._file, self._config, self._first_state(wall), origin, wall)
-        for floor in self._config.floors:
-            if floor.map:
-                path = self._config.beside(floor.map)
-                track.told(load_floor_map(floor.name, path, self._config.profile.origin == "added"))
+        for loaded in load_floors(self._config):
+            track.told(loaded)
         for robot, problem in self._chosen.refused:
             track.told(MessageRejected(robot, problem))
         return track

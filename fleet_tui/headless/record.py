@@ -21,7 +21,7 @@ from fleet_tui.journal.audit import new_origin
 from fleet_tui.journal.part_files import Limits
 from fleet_tui.journal.recorder import Recorder
 from fleet_tui.journal.taps import Taps
-from fleet_tui.maps.images import load_floor_map
+from fleet_tui.maps.floor_files import load_maps
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.view.text import visible
@@ -113,10 +113,8 @@ class _Watch:
 
 
 def _load_maps(config: Config, link: FleetLink) -> None:
-    for floor in config.floors:
-        if floor.map:
-            path = config.beside(floor.map)
-            link.tell(load_floor_map(floor.name, path, config.profile.origin == "added"))
+    for loaded in load_maps(config):
+        link.tell(loaded)
 
 
 def _live_maps(config: Config, store: WaitingStore, link: FleetLink) -> Iterator[None]:

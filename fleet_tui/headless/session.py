@@ -9,6 +9,7 @@ from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.client.tap import Tap
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
+from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
@@ -39,11 +40,13 @@ class WaitingStore(Store):
 def session(
     config: Config, tap: Tap | None = None, store: WaitingStore | None = None
 ) -> Iterator[tuple[FleetLink, WaitingStore]]:
-    """Connect to every bridge of a config, and close again."""
+    """Connect to every bridge of a config, load the floors' graphs, and close again."""
     store = store or WaitingStore(initial_state(config, time.monotonic()))
     link = FleetLink(config, store, tap)
     link.open()
     try:
+        for loaded in load_graphs(config):
+            link.tell(loaded)
         yield link, store
     finally:
         link.close()

@@ -168,7 +168,7 @@ class _Names(NamedTuple):
                 | events.FrameRejected(link=link)
             ):
                 return link in self.links
-            case events.FloorMapLoaded(floor=floor):
+            case events.FloorMapLoaded(floor=floor) | events.FloorGraphLoaded(floor=floor):
                 return floor in self.floors
             case events.CommandIssued(command=command):
                 return command.robot in self.robots

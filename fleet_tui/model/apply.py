@@ -6,7 +6,6 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.alarm import Alarm, acknowledge, ripen, shelve, unshelve
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.command_events import (
     advance_command,
     confirm_commands,
@@ -17,6 +16,7 @@ from fleet_tui.model.command_events import (
 from fleet_tui.model.conditions import conditions
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.floods import without_floods
+from fleet_tui.model.floor_events import apply_to_floor
 from fleet_tui.model.keeping import with_held_queues
 from fleet_tui.model.lag import with_lags
 from fleet_tui.model.link_events import apply_to_link
@@ -125,12 +125,6 @@ def _after_operator(
             assert_never(event)
 
 
-def _load_floor_map(state: FleetState, event: events.FloorMapLoaded) -> FleetState:
-    floor = state.floors[event.floor]
-    floor = replace(floor, grid=event.grid, problem=brief(event.problem), tied=event.tied)
-    return replace(state, floors={**state.floors, floor.name: floor})
-
-
 def apply(state: FleetState, event: events.Event) -> FleetState:
     """The state after one fact."""
     if isinstance(event, events.Telemetry | Navigation | events.ChartReceived | events.MessageRejected):
@@ -156,7 +150,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             return hold_queue(state, event)
         case events.AlarmAcknowledged() | events.AlarmShelved() | events.AlarmUnshelved():
             return replace(state, alarms=_after_operator(state.alarms, event))
-        case events.FloorMapLoaded():
-            return _load_floor_map(state, event)
+        case events.FloorMapLoaded() | events.FloorGraphLoaded():
+            return apply_to_floor(state, event)
         case _:
             assert_never(event)

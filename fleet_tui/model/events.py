@@ -134,6 +134,16 @@ class FloorMapLoaded(Struct, frozen=True, eq=False, tag=True):
     tied: bool = True
 
 
+class FloorGraphLoaded(Struct, frozen=True, tag=True):
+    """A floor's configured graph file: the graph and its labels by vertex id. `problem`: why there is none,
+    or what of it was left out."""
+
+    floor: str
+    graph: RouteGraph | None
+    labels: Mapping[str, str] = {}
+    problem: str = ""
+
+
 class LinkChanged(Struct, frozen=True, tag=True):
     """The telemetry connection of a bridge entered a phase."""
 
@@ -223,6 +233,7 @@ Event = (
     | MessageRejected
     | FrameRejected
     | FloorMapLoaded
+    | FloorGraphLoaded
     | LinkChanged
     | LinkHeard
     | CommandPathChanged

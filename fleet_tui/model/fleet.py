@@ -34,13 +34,15 @@ class Limits(Struct, frozen=True):
 
 class Floor(Struct, frozen=True, eq=False):
     """A floor of the config. `grid` is its configured map file; `tied` is False where that is a
-    plain image which lies as map_metadata says; `problem` is why it can't be shown."""
+    plain image which lies as map_metadata says; `problem` is why it can't be shown, `graph_problem` the same
+    of its graph file."""
 
     name: str
     frame_id: str
     grid: OccupancyGrid | None = None
     tied: bool = True
     problem: str = ""
+    graph_problem: str = ""
 
 
 class FleetState(Struct, frozen=True, eq=False):

@@ -153,7 +153,7 @@ def floor_scene(state: FleetState, selection: Selection) -> Scene:
     tied = floor.grid is not None and floor.tied
     robots = (_robot(state, robot, selection, scene.frame, tied) for robot in state.robots.values())
     selected = state.robots[selection.robot]
-    notes = [note for note in (_elsewhere(state, selection), scene.note) if note]
+    notes = [note for note in (_elsewhere(state, selection), scene.note, floor.graph_problem) if note]
     return replace(
         scene,
         robots=tuple(robot for robot in robots if robot is not None),

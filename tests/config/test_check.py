@@ -134,16 +134,17 @@ def test_every_priority_can_ring() -> None:
     assert checked(replace(GOOD, alarms=Alarms(bell=["high", "medium", "low"], notify=["high"]))) == []
 
 
-def test_a_map_file_that_is_not_there_is_named(tmp_path: Path) -> None:
+def test_a_file_of_a_floor_that_is_not_there_is_named(tmp_path: Path) -> None:
     (tmp_path / "there.yaml").touch()
     floors = [
         FloorEntry("a", "there.yaml"),
-        FloorEntry("b", "gone.yaml"),
+        FloorEntry("b", "gone.yaml", "gone.json"),
         FloorEntry("c", "~no-such-user-x/y"),
     ]
     config = replace(GOOD, floors=floors, path=tmp_path / "config.toml")
     assert missing_files(config) == [
         "floors[1].map: no such file gone.yaml",
+        "floors[1].graph: no such file gone.json",
         "floors[2].map: no such file ~no-such-user-x/y",
     ]
     assert config.beside("there.yaml") == tmp_path / "there.yaml"

@@ -21,6 +21,7 @@ with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"])
     from fleet_tui.journal.indexing import open_recording
     from fleet_tui.journal.records import Keyframe, RecordingError
     from fleet_tui.maps.images import load_floor_map
+    from fleet_tui.maps.route_graphs import load_floor_graph
     from fleet_tui.model.commands import PauseRobot
     from fleet_tui.themes import load_themes, read_theme
     from fleet_tui.view.text import cell_width, fit, visible
@@ -76,6 +77,11 @@ def _map(name: str, payload: bytes) -> None:
     assert (loaded.grid is None) is bool(loaded.problem)
 
 
+def _graph(payload: bytes) -> None:
+    loaded = load_floor_graph("floor_0", _file("graph.geojson", payload))
+    assert loaded.graph is not None or loaded.problem
+
+
 def _recording(payload: bytes) -> None:
     try:
         recording = open_recording(_file("recording", payload))
@@ -104,6 +110,7 @@ TARGETS: list[Callable[[bytes], None]] = [
     _text,
     _recording,
     lambda payload: _recording(gzip.compress(HEAD + payload, 1)),
+    _graph,
 ]
 SEEDS = [
     b'\0{"op":"publish","topic":"/a","msg":{"data":[0],"vertices":[{"id":1,"x":1,"y":1}],"edges":[]}}',
@@ -116,6 +123,8 @@ SEEDS = [
     "\x07a\u0301仓\u202e".encode(),
     b"\x08" + packed(header(), keyframe()),
     b'\x09{"kind":"told","at":1000,"wall":1700000000,"event":{"type":"LinkHeard","link":"rosbridge","at":1}}\n',
+    b'\x0a{"type":"FeatureCollection","features":[{"properties":{"id":0},"geometry":'
+    b'{"type":"Point","coordinates":[1.0,2.0]}}]}',
 ]
 
 

@@ -194,6 +194,7 @@ def spelled_as_ros_2(server: RosbridgeServer) -> None:
 AT = "/robot_0/floor_0/"
 ONE_ROBOT = [RobotEntry("robot_00"), RobotEntry("robot_1")]
 NO_FILE = [FloorEntry("floor_0", map="maps/ground.yaml"), FloorEntry("floor_1")]
+NO_GRAPH = [FloorEntry("floor_0", graph="routes.geojson"), FloorEntry("floor_1")]
 
 PLANTS: dict[str, Plant] = {
     "a host that is not there": in_the_config(rosbridge=Link("ws://robot-server.invalid:9090")),
@@ -226,6 +227,7 @@ PLANTS: dict[str, Plant] = {
         partial(_both, "map_metadata", lambda metadata: {**metadata, "width": 640})
     ),
     "a map file that is not there": in_the_config(floors=NO_FILE),
+    "a graph file that is not there": in_the_config(floors=NO_GRAPH),
     "an unreachable vertex": on_the_server(partial(_both, "graph", partial(_without_edges, 19))),
     "a vertex off the map": on_the_server(partial(_both, "graph", partial(_moved, 0, 400.0))),
     "a vertex in a wall": on_the_server(partial(_both, "graph", partial(_moved, 0, -1.45))),

@@ -80,7 +80,9 @@ def test_maps_are_read_with_their_pyramid() -> None:
         events.GridReceived("robot_0", "floor_0", GRID),
     ):
         assert plain(again(Told(1.0, 2.0, event))) == plain(Told(1.0, 2.0, event))
-    state = told(fleet(), events.FloorMapLoaded("floor_0", GRID))
+    routes = events.FloorGraphLoaded("floor_0", graph(1, 2).graph, {"1": "Base"}, "one fault")
+    assert again(Told(1.0, 2.0, routes)) == Told(1.0, 2.0, routes)
+    state = told(fleet(), events.FloorMapLoaded("floor_0", GRID), routes)
     assert plain(keyframe(1.0, state).fleet_state()) == plain(state)
 
 

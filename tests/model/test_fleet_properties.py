@@ -114,6 +114,13 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     events.FloorMapLoaded: st.builds(
         events.FloorMapLoaded, st.just("floor_0"), st.none(), st.text(max_size=9), st.booleans()
     ),
+    events.FloorGraphLoaded: st.builds(
+        events.FloorGraphLoaded,
+        st.sampled_from(["floor_0", "floor_1"]),
+        st.none() | st.just(RouteGraph()),
+        st.dictionaries(IDS, st.text(max_size=9), max_size=3),
+        st.text(max_size=9),
+    ),
     events.LinkChanged: st.builds(
         events.LinkChanged, st.just(LINK), AT, st.sampled_from(Phase), st.text(max_size=9), st.none() | AT
     ),

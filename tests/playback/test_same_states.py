@@ -16,8 +16,9 @@ from fleet_tui.journal.recording import Recording
 from fleet_tui.journal.records import Told
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
-from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, Event, TimePassed
+from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, Event, FloorGraphLoaded, TimePassed
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import Phase
 from fleet_tui.playback.playhead import Playhead
 from fleet_tui.simulator.server import RosbridgeServer
@@ -34,6 +35,7 @@ async def eventful(link: FleetLink, store: WatchedStore, server: RosbridgeServer
     await store.until(ready)
     link.show_map("robot_0", "floor_0")
     link.tell(load_floor_map("floor_1", image, added=False))
+    link.tell(FloorGraphLoaded("floor_1", RouteGraph(), {"1": "Base"}, "a fault"))
     graph = store.state.robots["robot_0"].charts["floor_0"].graph
     assert graph is not None
     start, end, *_ = graph.vertices

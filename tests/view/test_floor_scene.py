@@ -56,6 +56,12 @@ def test_a_configured_map_wins_whole_and_a_difference_is_one_note() -> None:
     assert scene(same).note == ""
 
 
+def test_a_graph_file_that_cannot_be_read_is_said() -> None:
+    problem = "graph a.json: is no FeatureCollection"
+    state = told(fleet(), *LIVE, pose(T0), events.FloorGraphLoaded(F0, None, {}, problem))
+    assert scene(state).note == problem
+
+
 def test_a_plain_image_is_tied_by_map_metadata() -> None:
     file = image(4, 2)
     loaded = events.FloorMapLoaded(F0, file, tied=False)

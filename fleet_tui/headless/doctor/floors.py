@@ -1,26 +1,39 @@
 """What is said of floors: the map, the graph on it, the labels, and where the robots stand. Pure."""
 
 from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 from fleet_tui.config.schema import Config, FloorEntry
 from fleet_tui.headless.doctor.charts import OFF_MAP, Chart, charts_of, class_at, live_grid
 from fleet_tui.headless.doctor.facts import TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
-from fleet_tui.headless.doctor.graphs import connection_finding, label_finding
-from fleet_tui.model.events import FloorMapLoaded, PoseReported
+from fleet_tui.headless.doctor.graphs import connection_finding, graph_file_finding, label_finding
+from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN
 
 
+class FloorFiles(NamedTuple):
+    """What a floor's files held, None where the config names none."""
+
+    map: FloorMapLoaded | None = None
+    graph: FloorGraphLoaded | None = None
+
+
 def floor_findings(
-    config: Config, floor: FloorEntry, loaded: FloorMapLoaded | None, topics: list[TopicFacts]
+    config: Config, floor: FloorEntry, files: FloorFiles, topics: list[TopicFacts]
 ) -> Iterator[Finding]:
     """The floor's map, then what each different chart says of it."""
+    loaded, file = files
     grid = loaded.grid if loaded else live_grid(floor.name, topics)
     yield _map(floor, loaded, grid)
     charts = charts_of(floor.name, topics)
+    if file is not None:
+        yield graph_file_finding(floor, file)
+        if file.graph is not None:
+            charts.append((Chart(file.graph, file.labels), [floor.graph]))
     for chart, robots in charts:
         by = f" by {listed(robots)}" if len(charts) > 1 else ""
         if grid is not None and chart.frame is not None:

@@ -1,12 +1,24 @@
-"""Whether a floor's graph hangs together, and its labels with it. Pure."""
+"""Whether a floor's graph hangs together, its labels with it, and whether its file can be read. Pure."""
 
 from collections.abc import Mapping
 
 from fleet_tui.config.schema import FloorEntry
 from fleet_tui.headless.doctor.charts import Chart
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
+from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import natural
+
+
+def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded) -> Finding:
+    """Whether all of the graph's file could be read."""
+    if file.graph is None:
+        remedy = "correct floors.graph of this floor"
+        return Finding(floor.name, "graph file", Verdict.FAIL, file.problem, remedy)
+    if file.problem:
+        return Finding(floor.name, "graph file", Verdict.WARN, file.problem, "correct the file")
+    counts = f"{len(file.graph.vertices)} vertices, {len(file.labels)} labels"
+    return Finding(floor.name, "graph file", Verdict.OK, f"{floor.graph}: {counts}")
 
 
 def connection_finding(

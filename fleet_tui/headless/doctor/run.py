@@ -7,7 +7,8 @@ import shutil
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
+from typing import assert_never
 
 from msgspec import structs
 
@@ -20,7 +21,7 @@ from fleet_tui.headless.doctor.charts import Chart, charts_of
 from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict
-from fleet_tui.headless.doctor.floors import floor_findings, place_finding, placed_grid
+from fleet_tui.headless.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
 from fleet_tui.headless.doctor.gather import gather
 from fleet_tui.headless.doctor.names import spelling_finding
 from fleet_tui.headless.doctor.render import as_values, line, summary
@@ -28,15 +29,14 @@ from fleet_tui.headless.doctor.services import service_findings
 from fleet_tui.headless.doctor.terminal import terminal_findings
 from fleet_tui.headless.doctor.topics import robot_findings
 from fleet_tui.headless.doctor.wire import Wire
-from fleet_tui.maps.images import load_floor_map
-from fleet_tui.model.events import FloorMapLoaded, PoseReported
+from fleet_tui.maps.floor_files import load_floors
+from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
 from fleet_tui.transports.loop import network_loop
 
 FINE, BROKEN, NO_LINK = 0, 1, 3
 SPARE = 1.5  # seconds kept for what comes after the bridges, at most a quarter of all
 
 Take = Callable[[Finding], None]
-Loaded = dict[str, "Future[FloorMapLoaded]"]
 
 
 async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFacts | None:
@@ -90,15 +90,15 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
 
 
 def building_findings(
-    config: Config, part: Config, loaded: dict[str, FloorMapLoaded], topics: list[TopicFacts]
+    config: Config, part: Config, loaded: dict[str, FloorFiles], topics: list[TopicFacts]
 ) -> Iterator[Finding]:
     """What floors, maps and places are judged by, over all bridges."""
     grids = {}
     for floor in part.floors:
-        file = loaded.get(floor.name)
-        yield from floor_findings(config, floor, file, topics)
+        files = loaded.get(floor.name, FloorFiles())
+        yield from floor_findings(config, floor, files, topics)
         charts = [chart for chart, _ in charts_of(floor.name, topics) if chart.frame] or [Chart()]
-        grids[floor.name] = placed_grid(file, topics, floor.name, charts[0])
+        grids[floor.name] = placed_grid(files.map, topics, floor.name, charts[0])
     floors_of = {robot.name: config.floors_of(robot) for robot in config.robots}
     for facts in topics:
         if isinstance(facts.event, PoseReported):
@@ -124,15 +124,10 @@ def _all(whole: Config, config: Config, timeout: float, take: Take) -> int:
     until = time.monotonic() + timeout - min(SPARE, timeout / 4)
     for line_ in unsafe_places(config):
         take(Finding("config", "safety", Verdict.WARN, line_))
-    added = config.profile.origin == "added"
     with ThreadPoolExecutor(1) as pool:
-        loading: Loaded = {
-            floor.name: pool.submit(load_floor_map, floor.name, config.beside(floor.map), added)
-            for floor in config.floors
-            if floor.map
-        }
+        loading = pool.submit(_files, config)
         reached = list(_bridges(whole, config, until, take))
-        loaded = {floor: future.result() for floor, future in loading.items()}
+        loaded = loading.result()
     topics = [facts for bridge in reached for facts in bridge.topics]
     if reached or loaded:
         _hand_over(building_findings(whole, config, loaded, topics), take)
@@ -140,6 +135,20 @@ def _all(whole: Config, config: Config, timeout: float, take: Take) -> int:
         _hand_over(clock_findings(bridge), take)
     _hand_over(terminal_findings(), take)
     return len(reached)
+
+
+def _files(config: Config) -> dict[str, FloorFiles]:
+    files = dict[str, FloorFiles]()
+    for loaded in load_floors(config):
+        found = files.get(loaded.floor, FloorFiles())
+        match loaded:
+            case FloorMapLoaded():
+                files[loaded.floor] = found._replace(map=loaded)
+            case FloorGraphLoaded():
+                files[loaded.floor] = found._replace(graph=loaded)
+            case _:
+                assert_never(loaded)
+    return files
 
 
 def _hand_over(findings: Iterable[Finding], take: Take) -> None:

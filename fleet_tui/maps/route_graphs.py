@@ -1,0 +1,196 @@
+"""Route graphs from files: GeoJSON as Nav2's route server reads it."""
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Annotated, Any
+
+import msgspec
+
+from fleet_tui.adapters.parts import read_all
+from fleet_tui.adapters.ros.facts import is_place
+from fleet_tui.config.small_file import read_text
+from fleet_tui.errors import GraphError, WireError
+from fleet_tui.model.bounds import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, beyond, brief
+from fleet_tui.model.events import FloorGraphLoaded
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+
+MAX_FILE = 40_000_000
+"""Bytes: some 500 for each of the most vertices and edges that are taken."""
+LINES = ("LineString", "MultiLineString")
+ROLES: Mapping[str, Role] = {
+    "elevator": Role.ELEVATOR,
+    "lift": Role.ELEVATOR,
+    "charger": Role.DOCKING,
+    "charging_station": Role.DOCKING,
+    "dock": Role.DOCKING,
+    "docking": Role.DOCKING,
+    "docking_station": Role.DOCKING,
+}
+"""What vertices of a class are for; those of any other are plain."""
+
+_Id = Annotated[int, msgspec.Meta(ge=0, lt=2**32)]
+
+
+class _Metadata(msgspec.Struct):
+    """Free as far as Nav2 goes: what is no text here is no label and no class."""
+
+    name: Any = None
+    class_: Any = msgspec.field(default=None, name="class")
+
+
+class _Properties(msgspec.Struct):
+    id: _Id
+    startid: _Id | None = None
+    endid: _Id | None = None
+    metadata: _Metadata | None = None
+
+
+class _Geometry(msgspec.Struct):
+    type: str
+    coordinates: msgspec.Raw = msgspec.Raw(b"null")
+
+
+class _Feature(msgspec.Struct):
+    properties: _Properties
+    geometry: _Geometry
+
+
+class _Collection(msgspec.Struct):
+    type: str = ""
+    features: list[msgspec.Raw] | None = None
+
+
+def load_floor_graph(floor: str, path: Path) -> FloorGraphLoaded:
+    """Load a floor's graph file; the event says what is wrong with it."""
+    try:
+        return _read(floor, path)
+    except GraphError as problem:
+        return FloorGraphLoaded(floor, None, {}, f"graph {path.name}: {problem}")
+
+
+def _read(floor: str, path: Path) -> FloorGraphLoaded:
+    faults = list[str]()
+    raw = _features(path)
+    features = read_all(_feature, raw, "features", MOST_VERTICES + MOST_EDGES, faults)
+    vertices, labels = _vertices((one for one in features if one.geometry.type == "Point"), faults)
+    if not vertices:
+        reason = f": {faults[0]}" if faults else ""
+        raise GraphError(f"has no vertex{reason}: each is a feature with an id and a Point")
+    graph = _graph(vertices, (one for one in features if one.geometry.type in LINES), faults)
+    problem = f"graph {path.name}: {_summary(faults)}" if faults else ""
+    return FloorGraphLoaded(floor, graph, labels, problem)
+
+
+def _summary(faults: list[str]) -> str:
+    more = f", and {len(faults) - 1} more faults" if len(faults) > 1 else ""
+    return f"{brief(faults[0])}{more}"
+
+
+def _features(path: Path) -> list[msgspec.Raw]:
+    """Return the features of a file, still encoded. Raises GraphError."""
+    try:
+        text = read_text(path, MAX_FILE)
+    except FileNotFoundError:
+        raise GraphError("no such file") from None
+    except (OSError, ValueError) as problem:
+        raise GraphError(f"can't be read: {problem}") from None
+    try:
+        found = msgspec.json.decode(text, type=_Collection)
+    except msgspec.ValidationError:
+        found = _Collection()
+    except (msgspec.DecodeError, ValueError) as problem:
+        raise GraphError(f"is not JSON: {_in_line(str(problem), text)}; {_FORMATS}") from None
+    except RecursionError:
+        raise GraphError("is nested too deep") from None
+    if found.type != "FeatureCollection" or found.features is None:
+        raise GraphError(f"is no FeatureCollection of GeoJSON; {_FORMATS}")
+    return found.features
+
+
+_FORMATS = "only route graphs of Nav2 (GeoJSON) can be read for now"
+
+
+def _in_line(problem: str, text: str) -> str:
+    """Name the line instead of the byte."""
+    found = re.search(r"\(byte (\d+)\)", problem)
+    if found is None:
+        return problem
+    line = text.encode()[: int(found.group(1))].count(b"\n") + 1
+    return f"{problem[: found.start()]}in line {line}".removeprefix("JSON is malformed: ")
+
+
+def _feature(raw: msgspec.Raw) -> _Feature:
+    """Return a feature of a graph. Raises WireError."""
+    try:
+        feature = msgspec.json.decode(raw, type=_Feature)
+    except (msgspec.MsgspecError, ValueError) as problem:
+        raise WireError(str(problem)) from None
+    type_ = feature.geometry.type
+    if type_ != "Point" and type_ not in LINES:
+        raise WireError(f"geometry {brief(type_, 20)!r} is neither a Point nor a line: left out")
+    return feature
+
+
+def _vertices(points: Iterable[_Feature], faults: list[str]) -> tuple[dict[str, Vertex], dict[str, str]]:
+    """Return vertices by id, and the labels of those that have one. Of two with one id the later counts."""
+    vertices, labels, read = dict[str, Vertex](), dict[str, str](), list(points)
+    if len(read) > MOST_VERTICES:
+        faults.append(beyond(len(read), MOST_VERTICES, "vertices"))
+    for point in read[:MOST_VERTICES]:
+        id_, metadata = str(point.properties.id), point.properties.metadata or _Metadata()
+        try:
+            x, y = _place(point.geometry.coordinates)
+        except WireError as problem:
+            faults.append(f"vertex {id_}: {problem}: left out")
+            continue
+        if id_ in vertices:
+            faults.append(f"vertex {id_} is there twice: the later one counts")
+            labels.pop(id_, None)
+        type_ = _text(metadata.class_)
+        vertices[id_] = Vertex(id_, x, y, ROLES.get(type_, Role.PLAIN), type_)
+        if label := _text(metadata.name):
+            labels[id_] = label
+    return vertices, labels
+
+
+def _place(coordinates: msgspec.Raw) -> tuple[float, float]:
+    """Return x and y in metres; a height after them is not looked at. Raises WireError."""
+    try:
+        x, y, *_ = msgspec.json.decode(coordinates, type=list[float])
+    except (msgspec.MsgspecError, ValueError) as problem:
+        raise WireError(f"coordinates must be [x, y]: {problem}") from None
+    if not is_place(x, y):
+        raise WireError(f"no floor reaches to ({x:g}, {y:g}) m")
+    return x, y
+
+
+def _text(value: object) -> str:
+    """Return a label or class; a whole number is one, too."""
+    if isinstance(value, int) and not isinstance(value, bool):
+        value = str(value)
+    return brief(value.strip(), LONGEST_NAME) if isinstance(value, str) else ""
+
+
+def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: list[str]) -> RouteGraph:
+    """Join vertices. Edges go one way in such a file: only if each has its opposite they become one each.
+
+    Ids of edges may repeat, as they do in files that come with Nav2: nothing here goes by them."""
+    ways, read = dict[tuple[str, str], Edge](), list(lines)
+    if len(read) > MOST_EDGES:
+        faults.append(beyond(len(read), MOST_EDGES, "edges"))
+    for line in read[:MOST_EDGES]:
+        ends, id_ = (line.properties.startid, line.properties.endid), str(line.properties.id)
+        way = str(ends[0]), str(ends[1])
+        if None in ends:
+            faults.append(f"edge {id_} has no startid or no endid: left out")
+        elif unknown := [end for end in way if end not in vertices]:
+            faults.append(f"edge {id_} names unknown vertex {unknown[0]}: left out")
+        else:
+            if way in ways:
+                faults.append(f"two edges lead from {way[0]} to {way[1]}: the later one counts")
+            ways[way] = Edge(id_, *way)
+    if any((end, start) not in ways for start, end in ways):
+        return RouteGraph(vertices, tuple(ways.values()), directed=True)
+    pairs = {frozenset(way): edge for way, edge in reversed(ways.items())}
+    return RouteGraph(vertices, tuple(reversed(pairs.values())))

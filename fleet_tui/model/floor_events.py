@@ -1,0 +1,33 @@
+"""What becomes of a floor when its files have been read."""
+
+from typing import assert_never
+
+from msgspec.structs import replace
+
+from fleet_tui.model import events
+from fleet_tui.model.bounds import brief
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+
+
+def apply_to_floor(state: FleetState, event: events.FloorMapLoaded | events.FloorGraphLoaded) -> FleetState:
+    """Return the state after a fact about a floor."""
+    floor = state.floors[event.floor]
+    match event:
+        case events.FloorMapLoaded():
+            floor = replace(floor, grid=event.grid, problem=brief(event.problem), tied=event.tied)
+        case events.FloorGraphLoaded():
+            floor = replace(floor, graph_problem=brief(event.problem))
+            state = replace(state, robots={name: _given(one, event) for name, one in state.robots.items()})
+        case _:
+            assert_never(event)
+    return replace(state, floors={**state.floors, floor.name: floor})
+
+
+def _given(robot: Robot, event: events.FloorGraphLoaded) -> Robot:
+    """Give the graph to a robot of the floor that publishes none itself. All of them share one object."""
+    chart = robot.charts.get(event.floor)
+    if chart is None or event.graph is None or "graph" in robot.kind.reports:
+        return robot
+    chart = replace(chart, graph=event.graph, labels=event.labels)
+    return replace(robot, charts={**robot.charts, event.floor: chart})
