@@ -28,7 +28,7 @@ def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
     """In contact for longer than the limit, by its last word."""
     if robot.obstacle is None or not state.was_obstructed(robot):
         return None
-    text = obstacle_text(state, robot.obstacle)
+    text = obstacle_text(state, robot, robot.obstacle)
     return Condition(robot.name, "obstacle", Priority.HIGH, text, "way is free again")
 
 
@@ -44,7 +44,7 @@ def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     critical = limits.battery_critical + (limits.battery_band if was_critical else 0.0)
     # Rounded down: 19.6 is below 20, and must not read 20.
     text = f"battery {int(reading.value)} %"
-    if state.is_old(reading):
+    if state.is_old(robot, "battery"):
         text += f", {age(state.now - reading.at)} ago"
     priority = Priority.MEDIUM if reading.value < critical else Priority.LOW
     return Condition(robot.name, "battery", priority, text, "battery is charged again")
@@ -71,7 +71,7 @@ def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     order, place = robot.orders.current, robot.place
     if order is None or place is None or state.is_paused(robot) or state.now - place.at < STILL:
         return None
-    known = robot.pose is not None and not state.is_old(robot.pose)
+    known = state.is_fresh(robot, "pose")
     explained = not known or state.was_obstructed(robot)
     if explained and not is_held(held, robot.name, robot.link, "stuck"):
         return None

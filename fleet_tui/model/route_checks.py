@@ -49,7 +49,10 @@ def unknown_vertex(state: FleetState, robot: Robot, command: Command) -> Iterato
     for vertex in ends_of(command):
         if robot.name_of(vertex) is not None:
             continue
-        if missing:
+        if missing and "graph" not in robot.kind.reports:
+            text = f"{robot.name} knows no vertex {vertex}: there is no graph of {', '.join(missing)}"
+            yield Problem("unknown vertex", text)
+        elif missing:
             waits = f"vertex {vertex} is unknown as long as the graph of {', '.join(missing)} has not come"
             yield Problem("unknown vertex", f"{robot.name}: {waits}", blocks=False)
         else:

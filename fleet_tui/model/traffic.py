@@ -35,9 +35,10 @@ class InTheWay(Struct, frozen=True, eq=False):
 
 def next_stop(robot: Robot) -> str | None:
     """The vertex that its current order leads to now: the end with the cargo on board or where there is no
-    other stop, else the start. None also where it leads to a pose."""
+    other stop, else the start. None also where it leads to a pose, and where no cargo tells which of
+    several it is."""
     order = robot.orders.current
-    if order is None:
+    if order is None or (len(order.stops) > 1 and "cargo" not in robot.kind.reports):
         return None
     stop = order.end if robot.has_cargo else order.start or order.end
     return stop.vertex if stop is not None and stop.pose is None else None
@@ -91,7 +92,7 @@ def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
 
 def _same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
     """Positions are compared only where both are on one floor and their maps lie alike in the world."""
-    if other.floor is None or other.floor != one.floor or other.pose is None or state.is_old(other.pose):
+    if other.floor is None or other.floor != one.floor or not state.is_fresh(other, "pose"):
         return False
     frames = [robot.charts.get(one.floor, Chart()).frame for robot in (one, other)]
     return None in frames or frames[0] == frames[1]

@@ -37,7 +37,7 @@ def command_text(state: FleetState, command: Command) -> str:
     robot = state.robots[command.robot]
     match command:
         case PlaceOrder(name, stops):
-            return f"{name} {command.what} {way(robot, stops)}"
+            return f"{name} {command.text(robot.kind, way(robot, stops))}"
         case CancelOrder(name, order_id):
             return f"{name} cancel order {visible(order_id)}"
         case ClearOrders(name):

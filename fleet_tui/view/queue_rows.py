@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 
+from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.confirmation import find_order
 from fleet_tui.model.fleet import FleetState, age
@@ -74,12 +75,13 @@ def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving:
         (f"{position:{places}d} {fit(order.id, ids, right=True)} ", Ink.DIM),
         (fit(mission(robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
     ]
-    room = width - 1 - (0 if order.is_over else len(CANCEL))
+    has_button = robot.kind.can(kind.CANCEL) and not order.is_over
+    room = width - 1 - (len(CANCEL) if has_button else 0)
     runs.append((_status(order, room - width_of(runs)), ink))
     runs.append((f"  cancel {leaving}" if leaving else "", Ink.WARN))
     runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
     key = (robot.name, order.id, position)
-    if order.is_over:
+    if not has_button:
         return Row(key, tuple(cut(runs, room)))
     button = Button(room, room + len(CANCEL), "cancel")
     return Row(key, (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
@@ -87,12 +89,13 @@ def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving:
 
 def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:
     runs: list[Run] = [("Queue ", Ink.TITLE), ("all robots" if all_robots else robot.name, Ink.TITLE)]
-    runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
+    if all_robots or robot.kind.lists_orders:
+        runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
     if placed:
         runs.append((f" +{placed} not seen here yet", Ink.WARN))
     if not all_robots and robot.has_cargo:
         runs.append((" cargo on board", Ink.CARGO))
-    if not all_robots and robot.queue is not None and state.is_old(robot.queue):
+    if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
         runs.append((f" {age(state.now - robot.queue.at)} old", Ink.WARN))
     return runs
 
@@ -127,10 +130,19 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
     robot = state.robots[selected]
     rows = _rows(state, entries, under_way, width, all_robots)
     title = _title(robot, state, len(entries), _awaited(state, under_way), all_robots)
+    listing = any(one.kind.lists_orders for one in state.robots.values())
     buttons: tuple[Button, ...] = ()
-    if not all_robots and rows:
+    if not all_robots and rows and robot.kind.can(kind.CLEAR):
         start = width - len(CLEAR) - 1
         title = [*cut(title, max(0, start - 1)), (" " + CLEAR, Ink.KEY)] if start > width_of(title) else title
         buttons = (Button(start, start + len(CLEAR), "clear"),) if title[-1][0].endswith(CLEAR) else ()
-    empty = "no orders: o places one" if robot.queue is not None else "the queue has not been heard yet"
-    return Table(tuple(title), rows, "no orders" if all_robots else empty, buttons)
+    return Table(tuple(title), rows, "no orders" if all_robots and listing else _empty(robot), buttons)
+
+
+def _empty(robot: Robot) -> str:
+    """What stands where no order does."""
+    if not robot.kind.lists_orders:
+        return "this kind has no queue"
+    if robot.queue is not None:
+        return "no orders" + ": o places one" * robot.kind.can(kind.ORDER)
+    return "the queue has not been heard yet" if robot.kind.expects("queue") else "none has been heard of yet"
