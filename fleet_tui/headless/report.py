@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from fleet_tui.headless.navigation_report import navigation
 from fleet_tui.headless.session import missing
 from fleet_tui.model.conditions import behind, late
 from fleet_tui.model.fleet import FleetState
@@ -89,6 +90,7 @@ def _robot(state: FleetState, robot: Robot) -> Values:
         "obstacle_s": _value(robot.obstacle),
         "paused": state.pause(robot),
         "orders": _orders(robot) if robot.queue else None,
+        **navigation(state, robot),
         "bad_messages": robot.faults,
         "never_came": missing(robot),
     }
