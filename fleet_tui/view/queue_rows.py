@@ -94,12 +94,13 @@ def _row(
 
 
 def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:
-    runs: list[Run] = [("Queue ", Ink.TITLE), ("all robots" if all_robots else robot.name, Ink.TITLE)]
+    ours = not all_robots and robot.kind.keeps_goals
+    runs: list[Run] = [("Queue of this console " if ours else "Queue ", Ink.TITLE)]
+    runs.append(("all robots" if all_robots else robot.name, Ink.TITLE))
     if all_robots or robot.kind.lists_orders:
         runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
-    if not all_robots and robot.kind.keeps_goals and (kept := kept_orders(state, robot)):
-        held = f", held: {robot.held}" if robot.held else ""
-        runs.append((f" {len(kept)} in the queue of this console{held}", Ink.WARN if held else Ink.DIM))
+    if ours and robot.held and kept_orders(state, robot):
+        runs.append((f" held: {robot.held}", Ink.WARN))
     if placed:
         runs.append((f" +{placed} not seen here yet", Ink.WARN))
     if not all_robots and robot.has_cargo:
