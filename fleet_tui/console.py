@@ -119,7 +119,9 @@ def recorded(
         stands(door)
         recordings.keep_recent()
 
-    to_the_fleet(config, store, keep, recordings.taps, folder)
+    from fleet_tui.journal.audit import operator_name
+
+    to_the_fleet(config, store, keep, recordings.taps, folder, operator_name(config))
 
 
 def open_replay(config: Config, player: "Player", drawing: str | None, debug: bool) -> None:

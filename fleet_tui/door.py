@@ -47,6 +47,7 @@ def to_the_fleet(
     stands: Callable[[Door], None],
     tap: "Tap | None" = None,
     folder: Path | None = None,
+    owner: str = "",
 ) -> None:
     """Connect to every bridge, then load the floors' files. `folder` is where orders are kept for robots that
     have no queue; without one they are for as long as this process lives. Importing the link takes longer
@@ -54,7 +55,7 @@ def to_the_fleet(
     from fleet_tui.client.fleet_link import FleetLink
     from fleet_tui.client.queue_file import QueueFile
 
-    link = FleetLink(config, store, tap, QueueFile(folder, config.operator.name or "operator"))
+    link = FleetLink(config, store, tap, QueueFile(folder, owner))
     link.open()
     stands(link)
     from fleet_tui.maps.floor_files import load_floors

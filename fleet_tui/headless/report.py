@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from fleet_tui.headless.navigation_report import navigation
 from fleet_tui.headless.session import missing
 from fleet_tui.model.conditions import behind, late
 from fleet_tui.model.fleet import FleetState
@@ -76,27 +77,6 @@ def _orders(robot: Robot) -> list[Values]:
     ]
 
 
-def _blocked(state: FleetState, robot: Robot) -> Values | None:
-    if robot.blocked is None:
-        return None
-    blocked = robot.blocked.value
-    since = _age(state, blocked.since) if blocked.action else None
-    return {"action": blocked.action or None, "zone": blocked.polygon or None, "for_s": since}
-
-
-def _progress(robot: Robot) -> Values | None:
-    if robot.progress is None:
-        return None
-    told = robot.progress.value
-    return {
-        "order": told.goal,
-        "left_m": None if told.metres is None else round(told.metres, 1),
-        "left_s": None if told.seconds is None else round(told.seconds),
-        "recoveries": told.recoveries,
-        "stop": told.stop,
-    }
-
-
 def _robot(state: FleetState, robot: Robot) -> Values:
     kind = robot.kind
     values: Values = {
@@ -116,14 +96,13 @@ def _robot(state: FleetState, robot: Robot) -> Values:
         "battery": ("battery_percent", _value(robot.battery)),
         "cargo": ("cargo", _value(robot.cargo)),
         "obstacle": ("obstacle_s", _value(robot.obstacle)),
-        "blocked": ("blocked", _blocked(state, robot)),
-        "progress": ("progress", _progress(robot)),
     }
     values |= {name: value for reported, (name, value) in told.items() if reported in kind.reports}
     if "paused" in kind.reports or kind.can(PAUSE):
         values["paused"] = state.pause(robot)
     if kind.lists_orders:
         values["orders"] = _orders(robot) if robot.queue else None
+    values |= navigation(state, robot)
     return values | {"bad_messages": robot.faults, "never_came": missing(robot)}
 
 
@@ -190,9 +169,9 @@ def changes(before: Values, after: Values) -> Values:
 
 
 def _ageless(entry: Values) -> Values:
-    ages = ("since_s", "last_message_s", "heard_s", "late_s")
+    ages = ("since_s", "last_message_s", "heard_s", "late_s", "blocked_s")
     kept = {name: value for name, value in entry.items() if name not in ages}
-    for part, age in (("pose", "age_s"), ("blocked", "for_s")):
+    for part, age in (("pose", "age_s"), ("progress", "elapsed_s")):
         if kept.get(part):
             kept[part] = {name: value for name, value in kept[part].items() if name != age}
     return kept

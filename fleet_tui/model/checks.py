@@ -21,7 +21,7 @@ from fleet_tui.model.commands import (
     Wish,
 )
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.keeping import waiting
+from fleet_tui.model.keeping import all_orders
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
@@ -128,10 +128,8 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
         text = f"order id {command.order_id} would mean all orders to the robot: use clear for that"
         yield Problem("id means all", text)
         return
-    if any(record.order_id == command.order_id for record in waiting(state, robot)):
-        return
     old = not state.is_fresh(robot, "queue")
-    order = next((order for order in robot.orders.orders if order.id == command.order_id), None)
+    order = next((one for one in all_orders(state, robot) if one.id == command.order_id), None)
     if order is None and robot.kind.lists_orders:
         text = f"order {command.order_id} is not in the queue of {robot.name}"
         yield Problem("not in the queue", text + (" as last heard" if old else ""), blocks=not old)
@@ -142,9 +140,9 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
 
 def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """There is an order to lose."""
-    if not isinstance(command, ClearOrders) or waiting(state, robot):
-        return
-    if robot.kind.lists_orders and not robot.orders.open:
+    if isinstance(command, ClearOrders) and robot.kind.lists_orders:
+        if any(not order.is_over for order in all_orders(state, robot)):
+            return
         old = not state.is_fresh(robot, "queue")
         text = f"{robot.name} had no orders when last heard" if old else f"{robot.name} has no orders"
         yield Problem("nothing to clear", text, blocks=not old)

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Sequence
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import ALL, USAGE, Token, find_robot, tokens
+from fleet_tui.model.keeping import all_orders
 from fleet_tui.model.lookup import places, recent_ends
 from fleet_tui.model.robot import Robot
 
@@ -64,7 +65,7 @@ def _cancel(line: str, named: Sequence[Token], start: int, state: FleetState, se
     robot = _robot(named[0], state) if named else state.robots.get(selected)
     if len(named) > 1:
         return []
-    ids = [order.id for order in robot.orders.in_sequence()] if robot and robot.kind.can("cancel") else []
+    ids = [order.id for order in all_orders(state, robot)] if robot and robot.kind.can("cancel") else []
     found = _lines(line, start, ids, last=True)
     return found if named else [*found, *_lines(line, start, _able(state, "cancel"))]
 

@@ -7,6 +7,7 @@ its dead band, and what was known before the link went goes on.
 from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.model.conditions_of_navigation import NAVIGATION_RULES
 from fleet_tui.model.failures import failed_commands
 from fleet_tui.model.fleet import FleetState, age, behind_text, obstacle_text
 from fleet_tui.model.floods import Held, is_held
@@ -158,7 +159,7 @@ def unsourced(state: FleetState, link: LinkState, _held: Held) -> Condition | No
     return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "the messages are there")
 
 
-ROBOT_RULES = (offline, obstacle, battery, pause, stuck, bad_data)
+ROBOT_RULES = (offline, obstacle, *NAVIGATION_RULES, battery, pause, stuck, bad_data)
 LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)
 
 

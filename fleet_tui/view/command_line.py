@@ -78,7 +78,8 @@ def _worth_saying(state: FleetState) -> list[CommandRecord]:
         record
         for record in state.commands
         if last.issued_at - record.issued_at < TOGETHER
-        or not record.is_decided
+        # What waits here stands in the queue.
+        or not (record.is_decided or record.stage is Stage.WAITING)
         or (record.stage in TROUBLE and state.now - record.at < REMEMBERED)
         or (record.stage in (Stage.DONE, Stage.CANCELLED) and state.now - record.at < ENDED_WELL)
     ]

@@ -5,10 +5,14 @@ from functools import partial
 from typing import NamedTuple
 
 from fleet_tui.model.conditions import is_news
+from fleet_tui.model.conditions_of_navigation import LOST_ABOVE
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
+from fleet_tui.model.keeping import foreign
+from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, route_text
 from fleet_tui.model.reason import own_pause
 from fleet_tui.model.robot import Robot
+from fleet_tui.view.progress import progress_text
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Run, Table, column, width_of
 from fleet_tui.view.text import fit, visible
@@ -25,6 +29,12 @@ def place(robot: Robot, vertex: str) -> str:
 def mission(robot: Robot, order: Order) -> str:
     """`A -> B` by labels."""
     return way(robot, order.stops)
+
+
+def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
+    """The same, and whether another client gave it, where robots keep no orders of their own."""
+    ours = not robot.kind.keeps_goals or order.is_over or order not in foreign(state, robot)
+    return mission(robot, order) + ("" if ours else " (not ours)")
 
 
 def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
@@ -72,6 +82,10 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     is_old = state.is_old(robot, "obstacle")
     if contact is not None and not is_old:
         yield obstacle_text(state, robot, contact), Ink.ALARM
+    if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
+        yield blocked_text(robot.blocked.value, state.now), Ink.ALARM
+    if robot.variance is not None and robot.variance.value > LOST_ABOVE:
+        yield "not sure where", Ink.WARN
     if state.is_paused(robot):
         yield _paused(state, robot), Ink.WARN
     if contact is not None and is_old:
@@ -133,7 +147,8 @@ def _head(state: FleetState, robot: Robot, selected: bool, columns: _Columns) ->
 def _doing(state: FleetState, robot: Robot, ink: Ink) -> Run:
     current = robot.orders.current
     if current is not None:
-        return mission(robot, current), ink
+        progress = progress_text(state, robot, current)
+        return whose_mission(state, robot, current) + (f"  {progress}" if progress else ""), ink
     if not state.is_online(robot) or not robot.kind.lists_orders:
         return "", Ink.DIM
     if robot.queue is None:

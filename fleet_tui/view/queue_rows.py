@@ -6,10 +6,12 @@ from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.confirmation import find_order
 from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.keeping import all_orders, kept_orders
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.command_line import stage_text
-from fleet_tui.view.fleet_rows import mission
+from fleet_tui.view.fleet_rows import whose_mission
+from fleet_tui.view.progress import progress_text
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 from fleet_tui.view.text import cell_width, fit, visible
@@ -25,7 +27,7 @@ def listed(state: FleetState, selected: str, all_robots: bool) -> list[Listed]:
     return [
         (robot, position, order)
         for robot in robots
-        for position, order in enumerate(robot.orders.in_sequence())
+        for position, order in enumerate(all_orders(state, robot))
     ]
 
 
@@ -64,7 +66,9 @@ def _status(order: Order, room: int) -> str:
     return word if cell_width(text) > room >= cell_width(word) > 0 else text
 
 
-def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving: str) -> Row:
+def _row(
+    state: FleetState, entry: Listed, columns: tuple[int, int, int, int], width: int, leaving: str
+) -> Row:
     names, places, ids, missions = columns
     robot, position, order = entry
     current = robot.orders.is_current(order)
@@ -73,11 +77,13 @@ def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving:
     runs: list[Run] = [
         (fit(robot.name, names) + " " if names else "", Ink.TEXT),
         (f"{position:{places}d} {fit(order.id, ids, right=True)} ", Ink.DIM),
-        (fit(mission(robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
+        (fit(whose_mission(state, robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
     ]
     has_button = robot.kind.can(kind.CANCEL) and not order.is_over
     room = width - 1 - (len(CANCEL) if has_button else 0)
     runs.append((_status(order, room - width_of(runs)), ink))
+    if progress := progress_text(state, robot, order):
+        runs.append((f"  {progress}", Ink.DIM))
     runs.append((f"  cancel {leaving}" if leaving else "", Ink.WARN))
     runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
     key = (robot.name, order.id, position)
@@ -88,9 +94,13 @@ def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving:
 
 
 def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:
-    runs: list[Run] = [("Queue ", Ink.TITLE), ("all robots" if all_robots else robot.name, Ink.TITLE)]
+    ours = not all_robots and robot.kind.keeps_goals
+    runs: list[Run] = [("Queue of this console " if ours else "Queue ", Ink.TITLE)]
+    runs.append(("all robots" if all_robots else robot.name, Ink.TITLE))
     if all_robots or robot.kind.lists_orders:
         runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
+    if ours and robot.held and kept_orders(state, robot):
+        runs.append((f" held: {robot.held}", Ink.WARN))
     if placed:
         runs.append((f" +{placed} not seen here yet", Ink.WARN))
     if not all_robots and robot.has_cargo:
@@ -112,13 +122,13 @@ def _rows(
         column((entry[0].name for entry in entries), 6, 12) if all_robots else 0,
         column((str(entry[1]) for entry in entries), 1, 4),
         column((entry[2].id for entry in entries), 1, 11),
-        column((mission(entry[0], entry[2]) for entry in entries), 10, 40),
+        column((whose_mission(state, entry[0], entry[2]) for entry in entries), 10, 40),
     )
 
     def row(place: int) -> Row:
         robot, _, order = entries[place]
         stage = leaving.get((robot.name, order.id)) or leaving.get((robot.name, ""), "")
-        return _row(entries[place], columns, width, stage)
+        return _row(state, entries[place], columns, width, stage)
 
     return LateRows([(robot.name, order.id, position) for robot, position, order in entries], row)
 
