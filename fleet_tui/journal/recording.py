@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import NamedTuple, assert_never
 
 from msgspec import Struct
+from msgspec.structs import replace
 
+from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.journal.members import Lines, open_plain
 from fleet_tui.journal.records import (
@@ -125,7 +127,10 @@ class Recording:
         )
         if not fits:
             raise RecordingError(f"{self.path}: a keyframe does not fit its configuration: record anew")
-        return state
+        # By today's adapters, which also read the frames: older recordings know no kinds.
+        adapters = adapters_of(config)
+        robots = {name: replace(one, kind=adapters[name].kind) for name, one in state.robots.items()}
+        return replace(state, robots=robots)
 
 
 class _Names(NamedTuple):

@@ -80,7 +80,7 @@ class TopicFacts:
     @property
     def is_silent(self) -> bool:
         """Tell whether nothing came in a time that means anything."""
-        return not self.count and self.waited >= LONG_ENOUGH
+        return not self.count and self.waited >= LONG_ENOUGH and not self.wanted.silent
 
 
 @dataclass(frozen=True, slots=True)
