@@ -106,14 +106,20 @@ def open_console(
     _run(_ready(config, drawing, debug, partial(FleetApp, config, store)), config, demo)
 
 
-def recorded(recordings: "Recordings", config: Config, store: Store, stands: Callable[[Door], None]) -> None:
-    """Open the door to the fleet; what goes through it is recorded."""
+def recorded(
+    recordings: "Recordings",
+    folder: Path | None,
+    config: Config,
+    store: Store,
+    stands: Callable[[Door], None],
+) -> None:
+    """Open the door to the fleet; what goes through it is recorded. `folder` is where orders are kept."""
 
     def keep(door: Door) -> None:
         stands(door)
         recordings.keep_recent()
 
-    to_the_fleet(config, store, keep, recordings.taps)
+    to_the_fleet(config, store, keep, recordings.taps, folder)
 
 
 def open_replay(config: Config, player: "Player", drawing: str | None, debug: bool) -> None:
@@ -180,7 +186,7 @@ def _run(app: FleetApp, config: Config, demo: bool) -> None:
             app.main.audit = until_the_end.enter_context(keeping)
             app.main.recordings = Recordings(config, app.store, state_folder(), demo)
             until_the_end.callback(app.main.recordings.close)
-            app.opening = partial(recorded, app.main.recordings)
+            app.opening = partial(recorded, app.main.recordings, None if demo else state_folder())
 
         def pack(shot: str, is_over: Callable[[], bool]) -> Path:
             from fleet_tui.journal.incident import pack

@@ -1,6 +1,7 @@
 """The door: what the console talks to, the fleet or a recording of one. Typing it costs no import."""
 
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from fleet_tui.config.schema import Config
@@ -41,12 +42,19 @@ Opening = Callable[[Config, Store, Callable[[Door], None]], None]
 
 
 def to_the_fleet(
-    config: Config, store: Store, stands: Callable[[Door], None], tap: "Tap | None" = None
+    config: Config,
+    store: Store,
+    stands: Callable[[Door], None],
+    tap: "Tap | None" = None,
+    folder: Path | None = None,
 ) -> None:
-    """Connect to every bridge, then load the floors' files. Importing the link takes longer than painting."""
+    """Connect to every bridge, then load the floors' files. `folder` is where orders are kept for robots that
+    have no queue; without one they are for as long as this process lives. Importing the link takes longer
+    than painting."""
     from fleet_tui.client.fleet_link import FleetLink
+    from fleet_tui.client.queue_file import QueueFile
 
-    link = FleetLink(config, store, tap)
+    link = FleetLink(config, store, tap, QueueFile(folder, config.operator.name or "operator"))
     link.open()
     stands(link)
     from fleet_tui.maps.floor_files import load_floors

@@ -2,17 +2,29 @@
 
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Any, TypeVar
 
 import click
 
 from fleet_tui.config.load import find, load
+from fleet_tui.errors import did_you_mean
 from fleet_tui.options import common, merged, screen
-from fleet_tui.simulator.faults import FAULTS, parse_faults
+from fleet_tui.simulator.faults import parse_faults
+from fleet_tui.simulator.kinds import KINDS
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-FAULT_LIST = "\b\nFaults:\n" + "\n".join(f"  {name:<15}{text}" for name, (text, _) in FAULTS.items())
+
+def _fault_list(kind: str) -> str:
+    return "\n".join(f"  {name:<15}{text}" for name, (text, _) in KINDS[kind].faults.items())
+
+
+USUAL = "oh_ressources"
+FAULT_LIST = "\b\nFaults:\n" + _fault_list(USUAL)
+ALL_FAULTS = FAULT_LIST + "".join(
+    f"\n\n\b\nFaults of --kind {kind}:\n{_fault_list(kind)}" for kind in KINDS if kind != USUAL
+)
 
 
 def _faults(command: F) -> F:
@@ -34,10 +46,33 @@ def _simulation(command: F) -> F:
         show_default=True,
         help="Seconds of the robots' time in a second; the rates on the wire stay.",
     )
-    ros = click.option(
-        "--ros", type=click.Choice(["1", "2"]), default="1", show_default=True, help="Generation of ROS."
+    return speed(_faults(command))
+
+
+def _ros(default: str) -> Callable[[F], F]:
+    """The generation of ROS; empty: the one that is usual for the robots."""
+    return click.option(
+        *("--ros", "ros"),
+        type=click.Choice(["1", "2"]),
+        default=default or None,
+        show_default=default or "1; 2 for nav2",
+        help="Generation of ROS.",
     )
-    return speed(ros(_faults(command)))
+
+
+def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) -> str:
+    if kind not in KINDS:
+        near = did_you_mean(kind, KINDS) or f": {', '.join(KINDS)}"
+        raise click.BadParameter(f"no such kind of robots: {kind}{near}")
+    return kind
+
+
+def _write_graphs(kind: str, path: Path, floors: int) -> None:
+    from fleet_tui.simulator.nav2.graph_file import write_graphs
+
+    if not KINDS[kind].graph_files:
+        raise click.UsageError(f"robots of kind {kind} publish their graph: --graph-file is for others")
+    write_graphs(path, floors)
 
 
 @click.group()
@@ -48,6 +83,7 @@ def simulated() -> None:
 @simulated.command(epilog=FAULT_LIST)
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@_ros("1")
 @_simulation
 @screen
 @common
@@ -75,7 +111,15 @@ def demo(
         open_console(config, read_only, drawing, debug, demo=True)
 
 
-@simulated.command(epilog=FAULT_LIST)
+@simulated.command(epilog=ALL_FAULTS)
+@click.option(
+    *("--kind", "kind"),
+    default=USUAL,
+    callback=_known_kind,
+    metavar="|".join(KINDS),
+    show_default=True,
+    help="What the robots are.",
+)
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
 @click.option(
@@ -89,12 +133,20 @@ def demo(
 @click.option(
     "--first", type=click.IntRange(0, 9999), default=0, show_default=True, help="Number of the first robot."
 )
+@click.option(
+    "--graph-file",
+    metavar="PATH",
+    type=click.Path(path_type=Path),
+    help="Write the route graph for nav2 here: a GeoJSON file, with several floors a folder of them.",
+)
+@_ros("")
 @_simulation
 @common
 @merged
 def sim(
     config_file: str | None,
     debug: bool,
+    kind: str,
     robots: int,
     floors: int,
     port: int,
@@ -102,12 +154,17 @@ def sim(
     seed: int,
     stop_with_stdin: bool,
     first: int,
+    graph_file: Path | None,
     fault: str,
     speed: float,
-    ros: str,
+    ros: str | None,
 ) -> None:
     """Serve a simulated fleet to several consoles, until Ctrl-C."""
     from fleet_tui.simulator.run import run
 
+    if ros and ros not in KINDS[kind].ros:
+        raise click.UsageError(f"robots of kind {kind} run on ROS {' and '.join(KINDS[kind].ros)} only")
+    if graph_file:
+        _write_graphs(kind, graph_file, floors)
     announce = partial(click.echo, nl=True)
-    run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros)
+    run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros or "", kind)

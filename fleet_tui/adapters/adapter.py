@@ -54,7 +54,15 @@ class Goal(NamedTuple):
     args: Mapping[str, object]
 
 
-Outgoing = Call | Goal
+class Publication(NamedTuple):
+    """A message on a topic. Nothing answers to it."""
+
+    address: str
+    type: str
+    message: Mapping[str, object]
+
+
+Outgoing = Call | Goal | Publication
 
 
 class Site(NamedTuple):
@@ -92,5 +100,9 @@ class Adapter(Protocol):
         """Return what carries a command, in the order in which it must leave. Raises CommandError for one
         that must not."""
 
-    def outcome(self, command: Command, values: object, result: bool) -> tuple[Stage, str]:
-        """Return what an answer means for a command, with the robot's own words."""
+    def outcome(
+        self, command: Command, values: object, result: bool, status: int | None = None
+    ) -> tuple[Stage, str]:
+        """Return what an answer means for a command, with the robot's own words. `result` is False where the
+        bridge did not pass it on; `status` is that of a goal (action_msgs/GoalStatus), None for a call: of an
+        order that has ended it is DONE or FAILED, of one that was not taken REFUSED."""

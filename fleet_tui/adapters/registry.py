@@ -6,6 +6,9 @@ from dataclasses import dataclass
 from msgspec import Struct
 
 from fleet_tui.adapters.adapter import Adapter, Site
+from fleet_tui.adapters.nav2.adapter import Nav2
+from fleet_tui.adapters.nav2.settings import Settings as Nav2Settings
+from fleet_tui.adapters.nav2.vocabulary import VOCABULARY as NAV2
 from fleet_tui.adapters.oh_ressources.adapter import OhRessources
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY as OH_RESSOURCES
 from fleet_tui.adapters.profile import Profile
@@ -26,6 +29,7 @@ class Registered:
 
 KINDS: Mapping[str, Registered] = {
     "oh_ressources": Registered(OH_RESSOURCES, OhRessources),
+    "nav2": Registered(NAV2, Nav2, Nav2Settings),
 }
 
 

@@ -5,10 +5,12 @@ import logging
 import time
 from collections.abc import Mapping, Sequence
 
-from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.adapters import adapter as outgoings
+from fleet_tui.adapters.adapter import Adapter, Goal, Outgoing
 from fleet_tui.adapters.answers import said
 from fleet_tui.adapters.ros import operations
 from fleet_tui.client.calls import Call, Calls, LinkLostError, NoAnswerError
+from fleet_tui.client.goal_channel import Goals
 from fleet_tui.client.heartbeat import Heartbeat
 from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
@@ -46,6 +48,7 @@ class CommandChannel:
     ) -> None:
         """`timeout` of an answer in seconds; `telemetry` of the same bridge, whose silence counts here."""
         self._link = link
+        self._goals = Goals(link, bridge, adapters, writer, self._advance)
         self._adapters = adapters
         self._writer = writer
         self._timeout = timeout
@@ -116,19 +119,28 @@ class CommandChannel:
     def _submit(self, command_id: int, command: Command, given_at: float) -> None:
         at = time.monotonic()
         try:
-            calls = self._send(command, command_id, at - given_at)
+            outgoing = self._outgoing(command, command_id, at - given_at)
+            first = outgoing[0] if outgoing else None
+            if isinstance(first, Goal):
+                self._keep(asyncio.ensure_future(self._goals.give(command_id, command, first)))
+                return
+            calls = self._send(outgoing)
         except (LinkError, CommandError) as problem:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
             return
         self._advance(command_id, Stage.SENT, at=at)
-        self._keep(asyncio.ensure_future(self._wait(command_id, command, calls)))
+        if calls:
+            self._keep(asyncio.ensure_future(self._wait(command_id, command, calls)))
+        else:
+            self._advance(command_id, Stage.ACCEPTED, "nothing answers to it" if outgoing else "")
 
     def _keep(self, task: "asyncio.Task[None]") -> None:
         """A task that nobody holds may be collected in the middle."""
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
 
-    def _send(self, command: Command, command_id: int, late: float) -> list[Call]:
+    def _outgoing(self, command: Command, command_id: int, late: float) -> Sequence[Outgoing]:
+        """What carries a command. Raises CommandError or LinkError where it must not leave."""
         if late > LATEST:
             raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
         # A pause is tried even where others are held back: it can only make things safer.
@@ -140,13 +152,25 @@ class CommandChannel:
                 # What goes into a frozen connection may come out, and be obeyed, much later.
                 raise LinkError(f"nothing has come from the bridge for {silent:.1f} s")
         adapter = self._adapters[command.robot]
-        robot = self._writer.store.state.robots[command.robot]
-        outgoing = adapter.outgoing(command, command_id, robot)
+        outgoing = adapter.outgoing(command, command_id, self._writer.store.state.robots[command.robot])
         for one in outgoing:
             if mismatch := self._services.mismatch(one.address):
                 table = adapter.names.table
                 raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
-        return [self._calls.start(one.address, one.args, self._timeout) for one in outgoing]
+        return outgoing
+
+    def _send(self, outgoing: Sequence[Outgoing]) -> list[Call]:
+        """Send calls and publications; the calls wait for answers. Raises LinkError."""
+        calls = list[Call]()
+        for one in outgoing:
+            match one:
+                case outgoings.Call(address, _, args):
+                    calls.append(self._calls.start(address, args, self._timeout))
+                case outgoings.Publication(address, type_, message):
+                    self.connection.send(operations.publish(address, type_, message))
+                case Goal():
+                    raise CommandError("a goal goes alone")
+        return calls
 
     async def _wait(self, command_id: int, command: Command, calls: Sequence[Call]) -> None:
         """Wait for all answers of a command: it went as well as the worst of them."""
@@ -189,3 +213,4 @@ class CommandChannel:
         self._heartbeat.close()
         self._calls.on_lost()
         self.connection.shut()
+        self._goals.close()

@@ -4,8 +4,11 @@ import itertools
 import secrets
 import time
 from collections.abc import Mapping
+from functools import partial
 
+from fleet_tui.client.keeper import Keeper
 from fleet_tui.client.link import Link
+from fleet_tui.client.queue_file import QueueFile
 from fleet_tui.client.tap import Tap
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.access import access_problems
@@ -24,8 +27,11 @@ ID_SPAN = 2**30
 class FleetLink:
     """Feeds the store and takes the commands. Any thread may call."""
 
-    def __init__(self, config: Config, store: Store, tap: Tap | None = None) -> None:
-        """Raises ConfigError for a secret or a certificate that can't be used."""
+    def __init__(
+        self, config: Config, store: Store, tap: Tap | None = None, queue: QueueFile | None = None
+    ) -> None:
+        """`queue` is where orders are kept for robots that have no queue; without it none are. Raises
+        ConfigError for a secret or a certificate that can't be used."""
         problems = access_problems(config)
         if problems:
             raise ConfigError([f"{config.path}: {line}" for line in problems])
@@ -35,12 +41,16 @@ class FleetLink:
         self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
         adapters = adapters_of(config)
         self._links = {name: Link(name, config, adapters, self._writer) for name in config.bridges}
+        new_id = partial(next, self._ids)
+        self._keeper = Keeper(queue, store, self._writer.take, self._send, new_id)
+        self._writer.before_tick.append(self._keeper.look)
         self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
         """What came over each link, for whoever looks; it changes all the time."""
 
     def open(self) -> None:
         """Connect, and tell the time."""
         self._writer.start()
+        self._writer.loop.call_soon_threadsafe(self._keeper.load)
         for link in self._links.values():
             link.open()
 
@@ -56,9 +66,20 @@ class FleetLink:
         if self._read_only:
             reason = "this console is read-only"
             self.tell(CommandAdvanced(command_id, Stage.NOT_SENT, given_at, reason))
+        elif self._store.state.robots[command.robot].kind.keeps_goals:
+            self._writer.loop.call_soon_threadsafe(self._keep_or_send, command_id, command, given_at)
         else:
             self._links[self._store.state.robots[command.robot].link].submit(command_id, command, given_at)
         return command_id
+
+    def _keep_or_send(self, command_id: int, command: Command, given_at: float) -> None:
+        if not self._keeper.takes(command_id, command, given_at):
+            self._send(command_id, command, given_at)
+
+    def _send(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command. On the loop."""
+        link = self._links[self._store.state.robots[command.robot].link]
+        link.submit_now(command_id, command, given_at)
 
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for the live map of one robot's floor, and of no other; an empty floor for none."""
@@ -75,4 +96,5 @@ class FleetLink:
         """Close every connection."""
         for link in self._links.values():
             link.close()
+        self._writer.loop.call_soon_threadsafe(self._keeper.close)
         self._writer.stop()

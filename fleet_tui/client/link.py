@@ -46,6 +46,10 @@ class Link:
         self._writer.loop.call_soon_threadsafe(send)
         sent.wait(HANDOVER)
 
+    def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
+        """The same, on the loop."""
+        self._commands.submit(command_id, command, given_at)
+
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for the live map of one robot's floor, no other one; an empty name for none."""
         self._writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)

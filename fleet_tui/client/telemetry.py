@@ -26,6 +26,7 @@ from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
 from fleet_tui.model.bounds import brief
 from fleet_tui.model.link import Phase
+from fleet_tui.model.navigation_events import Live
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
@@ -170,7 +171,7 @@ class Telemetry:
     def _tell(self, event: events.Event) -> None:
         if isinstance(event, events.MessageRejected | events.FrameRejected):
             self._log_once(event.text)
-        elif isinstance(event, events.Telemetry):
+        elif isinstance(event, events.Telemetry | Live):
             self._robots_spoke[event.robot] = event.at
         self._writer.store.tell(event)
 

@@ -172,7 +172,8 @@ class Before(Struct, frozen=True):
 
 class CommandRecord(Struct, frozen=True):
     """One command from the key to its end. `issued_at` is monotonic, `wall` Unix seconds; `order_id` and
-    `order_serial` are those of the order in the robot's queue that a placed one was recognised as."""
+    `order_serial` are those of the order in the robot's queue that a placed one was recognised as. `answer`:
+    what the robot told this console of the end of a goal."""
 
     id: int
     command: Command
@@ -182,6 +183,7 @@ class CommandRecord(Struct, frozen=True):
     before: Before
     order_id: str | None = None
     order_serial: int | None = None
+    answer: Step | None = None
 
     @property
     def stage(self) -> Stage:

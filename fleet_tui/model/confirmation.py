@@ -19,19 +19,18 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import PENDING, Order, OrderQueue, OrderState
+from fleet_tui.model.pauses import STANDS_AFTER, WAITS, instead_of_pause, pause_seen
 from fleet_tui.model.robot import Robot
 
-STANDS_AFTER = 1.0
-"""Seconds without movement after which a robot stands, and with which it counted as moving."""
-
-WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
-"""Where telemetry decides."""
+CLOCKS_AGREE = 1.0
+"""Seconds by which a robot's clock, as its messages arrive, may differ from ours."""
 
 
 def before(robot: Robot, now: float) -> Before:
     """What the robot has reported up to `now`, when a command is given."""
     queue = robot.orders
-    last = max([queue.last_serial, *(order.serial for order in queue.orders)]) if robot.queue else None
+    known = robot.queue is not None or robot.kind.tells_ends
+    last = max([queue.last_serial, *(order.serial for order in queue.orders)]) if known else None
     standing = robot.standing
     moving = standing is not None and now - standing.at < STANDS_AFTER
     return Before(last, moving, queue.request_id, queue.last_serial)
@@ -39,6 +38,9 @@ def before(robot: Robot, now: float) -> Before:
 
 def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
     """The queue, if it was reported after the command had been sent."""
+    if robot.kind.tells_ends:
+        # It comes when it changes: what came last is true, however old, and nothing ever is an empty one.
+        return robot.orders
     sent = record.time_of(Stage.SENT)
     if robot.queue is None or sent is None or robot.queue.at <= sent:
         return None
@@ -69,8 +71,13 @@ def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: 
     found = [
         order
         for order in queue.orders
-        if order.serial > last and order.id not in taken and could_be(command, order)
+        if order.serial > last
+        and order.id not in taken
+        and could_be(command, order)
+        and _is_since(record, order)
     ]
+    if len(found) > 1 and not any(order.stops for order in found):
+        return None  # whose each of them is nobody can tell
     if not by_echo:
         return _oldest(found)
     own = (0, record.id, record.before.request_id)
@@ -80,7 +87,15 @@ def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: 
 
 def could_be(command: PlaceOrder, order: Order) -> bool:
     """Tell whether an order is as this command asks. One for the cargo on board begins wherever it was."""
+    if not order.stops:
+        return True  # a goal: its robot does not tell where it leads to
     return order.stops[-1:] == command.stops if command.with_cargo else order.stops == command.stops
+
+
+def _is_since(record: CommandRecord, order: Order) -> bool:
+    """Tell whether a robot took an order after a command had left, by clocks that are compared roughly."""
+    sent = record.time_of(Stage.SENT)
+    return order.taken_at is None or sent is None or order.taken_at > sent - CLOCKS_AGREE
 
 
 def _oldest(orders: list[Order]) -> Order | None:
@@ -127,43 +142,6 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
     return [f"order {order.id} is {order.state_text}" for order in left]
 
 
-def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
-    """Tell whether a pause's or resume's opposite was given since and took effect, as far as is known:
-    what is seen from then on is the doing of that one."""
-    opposite = ResumeRobot if isinstance(record.command, PauseRobot) else PauseRobot
-    return any(
-        isinstance(other.command, opposite)
-        and other.command.robot == record.command.robot
-        and other.issued_at > record.issued_at
-        and other.stage in WAITS | {Stage.CONFIRMED, Stage.TAKEN, Stage.LATE}
-        for other in state.commands
-    )
-
-
-def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
-    """Whether it has reported one place since the command. A robot may stop so soon that it reports no
-    further one."""
-    if robot.pose is None or robot.standing is None or state.is_old(robot.pose):
-        return False
-    return robot.pose.at - max(robot.standing.at, record.issued_at) >= STANDS_AFTER
-
-
-def _paused(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
-    """The words stay on the screen, and must not read as what the robot is later."""
-    taken = Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
-    if is_overtaken(state, record):
-        return taken
-    sent = record.time_of(Stage.SENT) or record.issued_at
-    if robot.paused is not None:
-        if robot.paused.at > sent and robot.paused.value is wanted:
-            return Step(Stage.CONFIRMED, state.now, "reported by the robot")
-        return None
-    if wanted and record.before.moving:
-        stopped = _stopped(state, robot, record)
-        return Step(Stage.CONFIRMED, state.now, "it was seen to stop") if stopped else None
-    return None if robot.says_paused else taken
-
-
 def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool) -> CommandRecord:
     """The record, confirmed if telemetry shows that the command was carried out."""
     match record.command:
@@ -171,6 +149,8 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
             order = find_order(state, robot, record, by_echo)
             if order is None:
                 return record
+            if record.stage is Stage.SENT:  # a goal, whose acceptance has no other answer
+                record = record.advanced(Step(Stage.ACCEPTED, state.now))
             step = Step(Stage.CONFIRMED, state.now, f"seen in the queue as order {order.id}")
             return record.recognised(order, step)
         case CancelOrder() | ClearOrders():
@@ -178,25 +158,12 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
                 return record
             return record.advanced(Step(Stage.CONFIRMED, state.now, "gone from the queue"))
         case PauseRobot():
-            found = _paused(state, robot, record, wanted=True)
+            found = pause_seen(state, robot, record, wanted=True)
         case ResumeRobot():
-            found = _paused(state, robot, record, wanted=False)
+            found = pause_seen(state, robot, record, wanted=False)
         case _:
             assert_never(record.command)
     return record if found is None else record.advanced(found)
-
-
-def _instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
-    wanted = isinstance(record.command, PauseRobot)
-    if robot.paused is not None:
-        return "it reported no pause" if wanted else "it reported a pause"
-    if robot.says_paused:
-        return "the topic that tells its pauses has not been heard"
-    if not wanted or not record.before.moving or is_overtaken(state, record):
-        return "nothing shows it"
-    if robot.pose is None or robot.pose.at - record.issued_at < STANDS_AFTER:
-        return "its pose has not been heard since"
-    return "it went on moving"
 
 
 def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
@@ -204,9 +171,12 @@ def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
     unheard = _queue_since(robot, record) is None
     match record.command:
         case PauseRobot() | ResumeRobot():
-            return _instead_of_pause(state, robot, record)
+            return instead_of_pause(state, robot, record)
         case PlaceOrder() | CancelOrder() | ClearOrders() if unheard:
             return "its queue has not been heard since"
+        case PlaceOrder() if robot.kind.tells_ends:
+            new = [one for one in robot.orders.orders if one.serial > (record.before.last_serial or 0)]
+            return "not confirmed whose: several new goals" if len(new) > 1 else "no new goal was seen"
         case PlaceOrder():
             unknown = record.before.last_serial is None
             return "its queue was not known before" if unknown else "no such order in its queue"
@@ -224,10 +194,15 @@ def _deadline(state: FleetState, robot: Robot, record: CommandRecord) -> float |
     return max(record.at, link.since) + state.limits.confirm_after + state.behind
 
 
+def _is_goal_under_way(robot: Robot, record: CommandRecord) -> bool:
+    is_goal = robot.kind.keeps_goals and isinstance(record.command, PlaceOrder)
+    return is_goal and record.stage is Stage.SENT
+
+
 def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
     """The record after a look at what its robot reports."""
     robot = state.robots.get(record.command.robot)
-    if robot is None or record.stage not in WAITS:
+    if robot is None or not (record.stage in WAITS or _is_goal_under_way(robot, record)):
         return record
     deadline = _deadline(state, robot, record)
     is_last_look = deadline is not None and state.now >= deadline
@@ -235,6 +210,8 @@ def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
     looked = _seen(state, robot, record, by_echo=not is_last_look)
     if looked.is_decided or not is_last_look:
         return looked
+    if record.stage is Stage.SENT:
+        record = record.advanced(Step(Stage.NO_ANSWER, state.now))
     said = f"{record.stage.value}: {record.words}" if record.stage is not Stage.ACCEPTED else "accepted"
     words = f"{said}; {_instead(state, robot, record)}"
     return record.advanced(Step(Stage.NOT_CONFIRMED, state.now, words))

@@ -12,6 +12,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueHeld
 from fleet_tui.model.order import OrderQueue
 
 
@@ -26,11 +27,12 @@ class PoseReported(Struct, frozen=True, tag=True):
 
 
 class BatteryReported(Struct, frozen=True, tag=True):
-    """Charge in per cent."""
+    """Charge in per cent; `is_raw`: of a robot whose scale is not known, 0 to 1 or 0 to 100."""
 
     robot: str
     at: float
     percent: float
+    is_raw: bool = False
 
 
 class CargoReported(Struct, frozen=True, tag=True):
@@ -169,7 +171,7 @@ class CommandPathChanged(Struct, frozen=True, tag=True):
 
 
 class MessagesUnsourced(Struct, frozen=True, tag=True):
-    """The bridge was started without the messages of a ROS package; empty where it has what is asked for."""
+    """The bridge lacks the messages of a ROS package; empty where it has what is asked for."""
 
     link: str
     package: str
@@ -226,6 +228,7 @@ class TimePassed(Struct, frozen=True, tag=True):
 
 Event = (
     Telemetry
+    | Navigation
     | ChartReceived
     | MessageRejected
     | FrameRejected
@@ -237,6 +240,8 @@ Event = (
     | MessagesUnsourced
     | CommandIssued
     | CommandAdvanced
+    | GoalAnswered
+    | QueueHeld
     | AlarmAcknowledged
     | AlarmShelved
     | AlarmUnshelved

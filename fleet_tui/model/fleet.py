@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from msgspec import Struct, field
+from msgspec.structs import replace
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.commands import CommandRecord
@@ -103,6 +104,13 @@ class FleetState(Struct, frozen=True, eq=False):
     def shelved(self) -> int:
         """How many alarms somebody put on the shelf."""
         return sum(alarm.stage is AlarmStage.SHELVED for alarm in self.alarms)
+
+
+def with_robot(state: FleetState, robot: Robot) -> FleetState:
+    """Return the state with a robot as it is now, and when bad data came of it last."""
+    if robot.faults > state.robots[robot.name].faults:
+        robot = replace(robot, fault_at=state.now)
+    return replace(state, robots={**state.robots, robot.name: robot})
 
 
 def obstacle_text(state: FleetState, contact: Reading[float]) -> str:

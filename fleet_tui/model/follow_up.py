@@ -2,6 +2,8 @@
 
 from typing import assert_never
 
+from msgspec.structs import replace
+
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -12,13 +14,17 @@ from fleet_tui.model.commands import (
     Stage,
     Step,
 )
-from fleet_tui.model.confirmation import find_order, is_given_again, is_overtaken
+from fleet_tui.model.confirmation import find_order, is_given_again
 from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.keeping import next_id
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest, listed_end
+from fleet_tui.model.pauses import is_overtaken
 from fleet_tui.model.reason import last_command
 from fleet_tui.model.robot import Robot
 
+ANSWER_WITHIN = 1.0
+"""Seconds for the robot's own word on the end of a goal, which comes beside its status."""
 LATE_ORDER, LATE_OTHER = 600.0, 60.0
 """Seconds after `not confirmed` in which what a robot does still counts as the command carried out late."""
 
@@ -60,8 +66,16 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     gone = latest(robot.gone, record.order_id, record.issued_at) or _listed(robot, record.order_id)
     if gone is None:
         return record
+    if robot.kind.keeps_goals and record.answer is None and state.now - gone.at < ANSWER_WITHIN:
+        return record  # its own answer tells why
     stage = _end_stage(state, record, gone)
+    if stage is Stage.WAITING:
+        kept = record.advanced(Step(stage, state.now, f"order {record.order_id}: stopped, goal kept here"))
+        return replace(kept, order_id=next_id(state, robot), order_serial=None)
     reason = "by this console" if stage is Stage.CANCELLED else gone.reason
+    if record.answer is not None and stage in (Stage.DONE, Stage.FAILED):
+        # What the robot missed on the way only its answer tells.
+        stage, reason = record.answer.stage, record.answer.words or reason
     return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
 
 
@@ -79,9 +93,27 @@ def _end_stage(state: FleetState, record: CommandRecord, gone: GoneOrder) -> Sta
     ours = _removals(state, record, gone)
     if gone.stage is Stage.DONE:
         return Stage.CANCELLED if ours & _REMOVED else Stage.DONE
+    if _is_held(state, record, gone):
+        return Stage.WAITING
     if ours & _MAY_HAVE_REMOVED:
         return Stage.CANCELLED
     return Stage.CANCELLED_ELSEWHERE if gone.stage is Stage.CANCELLED else gone.stage
+
+
+def _is_held(state: FleetState, record: CommandRecord, gone: GoneOrder) -> bool:
+    """Tell whether a goal was cancelled to pause its robot."""
+    robot, sent = state.robots[record.command.robot], record.time_of(Stage.SENT) or record.issued_at
+    return (
+        robot.kind.holds
+        and gone.stage is Stage.CANCELLED
+        and any(
+            isinstance(other.command, PauseRobot)
+            and other.command.robot == robot.name
+            and sent <= other.issued_at <= gone.at
+            and other.stage in _MAY_HAVE_REMOVED
+            for other in state.commands
+        )
+    )
 
 
 def _removals(state: FleetState, record: CommandRecord, gone: GoneOrder) -> set[Stage]:

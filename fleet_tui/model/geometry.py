@@ -12,6 +12,18 @@ class Pose(Struct, frozen=True):
     y: float
     yaw: float = 0.0
 
+    def after(self, step: "Pose") -> "Pose":
+        """Return the pose that is `step` away from this one, `step` being in this one's frame."""
+        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
+        x, y = self.x + cos * step.x - sin * step.y, self.y + sin * step.x + cos * step.y
+        return Pose(x, y, math.remainder(self.yaw + step.yaw, math.tau))
+
+    @property
+    def inverse(self) -> "Pose":
+        """Return the pose that leads back: `pose.after(pose.inverse)` is the origin."""
+        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
+        return Pose(-cos * self.x - sin * self.y, sin * self.x - cos * self.y, -self.yaw)
+
 
 def yaw_of_quaternion(x: float, y: float, z: float, w: float) -> float:
     """The yaw in radians of a quaternion, which need not be a unit one.

@@ -71,7 +71,8 @@ class Order(Struct, frozen=True):
     """Go to the `stops` one after the other; none: they are not known.
 
     `state` is None where the robot's own `word` for it says nothing to us. `serial` grows with each order
-    that the robot takes: a new order has a higher one than all before it.
+    that the robot takes: a new order has a higher one than all before it. `taken_at`: the monotonic second at
+    which it took it, None where it does not tell.
     """
 
     id: str
@@ -79,6 +80,7 @@ class Order(Struct, frozen=True):
     state: OrderState | None
     word: str
     serial: int
+    taken_at: float | None = None
 
     @property
     def is_over(self) -> bool:

@@ -23,6 +23,7 @@ it was there for something else: many orders begin where they end, and fetch fro
 BLIND_AFTER = 5.0
 """Seconds without a queue after which an order may have been driven unseen."""
 
+NOT_LISTED = "its robot no longer lists it, and did not tell how it ended: it may have been driven"
 STARTED_OVER = "the robot's order ids started over"
 
 Away = Callable[[Order], tuple[float, float] | None]
@@ -75,9 +76,10 @@ def trace_queue(
     at: float,
     before: tuple[float, int] | None,
     away: Away,
+    tells_ends: bool = False,
 ) -> tuple[Mapping[str, OrderTrace], list[GoneOrder]]:
     """Compare a queue with the orders that were open before it; `before`: when the queue came last, and its
-    last serial then.
+    last serial then; `tells_ends`: such a robot lists how an order ended.
 
     Returns the orders that are open now, and those that have ended.
     """
@@ -85,7 +87,9 @@ def trace_queue(
     heard = before[0] if before else None
     starts_over = before is not None and queue.last_serial < before[1]
     gone = [
-        _end_of(trace, listed.get(id_), heard, at, starts_over, away)
+        GoneOrder(trace.order, at, Stage.LOST, NOT_LISTED)
+        if tells_ends and id_ not in listed
+        else _end_of(trace, listed.get(id_), heard, at, starts_over, away)
         for id_, trace in traces.items()
         if _is_over(trace, listed.get(id_))
     ]

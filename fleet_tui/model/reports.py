@@ -26,7 +26,8 @@ GONE_FOR, GONE_KEPT = 60.0, 2 * MOST_ORDERS
 TRACES_KEPT = 2 * MOST_ORDERS
 
 
-def _set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
+def set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
+    """Compare a robot's clock with ours, by a message of `stamp` that came `at`."""
     offset = at - stamp
     if clock is None or stamp < clock.stamp - CLOCK_STEP:
         return StampClock(offset, stamp, at)
@@ -56,7 +57,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     """What arrives late must not look new: the pose is as old as its stamp lags the freshest."""
     clock, true_at = robot.clock, event.at
     if event.stamp is not None:
-        clock = _set_clock(clock, event.at, event.stamp)
+        clock = set_clock(clock, event.at, event.stamp)
         # Of a stamp beyond all measure the sum is rounded by minutes: nothing was true after it came.
         true_at = min(event.at, event.stamp + clock.offset)
     pose, frame_id = Reading(event.pose, true_at), brief(event.frame_id.lstrip("/"), LONGEST_NAME)
@@ -122,7 +123,9 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
         if line not in before:
             robot = with_fault(robot, line)
     last = (robot.queue.at, robot.orders.last_serial) if robot.queue else None
-    traces, gone = trace_queue(robot.traces, queue, at, last, partial(_metres_to_end, robot))
+    traces, gone = trace_queue(
+        robot.traces, queue, at, last, partial(_metres_to_end, robot), robot.kind.tells_ends
+    )
     robot = replace(_without_lost_pause(robot, event), queue=Reading(queue, at))
     if event.fault:
         # Orders were left out of it: whether the others are gone is unknown.
@@ -133,13 +136,22 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
     return replace(robot, traces=traces, gone=(*recent, *gone)[-GONE_KEPT:])
 
 
+def _take_battery(robot: Robot, event: events.BatteryReported) -> Robot:
+    """The first value above 1 tells, for good, that a robot of unknown scale counts in per cent."""
+    percent, counts_percent = event.percent, robot.counts_percent
+    if event.is_raw:
+        counts_percent = counts_percent or percent > 1.0
+        percent = percent if counts_percent else percent * 100.0
+    return replace(robot, battery=Reading(percent, event.at), counts_percent=counts_percent)
+
+
 def apply_report(robot: Robot, event: events.Telemetry) -> Robot:
     """Apply one report of a robot to it."""
     match event:
         case events.PoseReported():
             return _take_pose(robot, event)
         case events.BatteryReported():
-            robot = replace(robot, battery=Reading(event.percent, event.at))
+            robot = _take_battery(robot, event)
         case events.CargoReported():
             robot = replace(robot, cargo=Reading(event.loaded, event.at))
         case events.ObstacleReported():

@@ -1,5 +1,6 @@
 """One robot as far as it is known: each value with the time it was true."""
 
+import math
 from collections.abc import Mapping
 from typing import Generic, TypeVar
 
@@ -11,6 +12,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.kind import Kind
+from fleet_tui.model.navigation import Blocked, Goal, Progress
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
 
@@ -49,14 +51,18 @@ class Chart(Struct, frozen=True, eq=False):
 
 
 class Robot(Struct, frozen=True, eq=False):
-    """`number` counts from 1 in the order of the config; `heard` is the effective time of the
-    last telemetry; `floor` is the one whose frame its pose names; `paused_at` is where it stood
-    when it accepted our own pause; `standing` is the pose it has not left, and since when; `place`
-    is coarser: where it got to, and since when it gets no further; `jumps` are the metres of its
-    pose's last leaps that no robot drives, each with its time; `fault_at` is when bad data came last;
-    `says_paused`: it has a topic for that, heard or not; `traces` are the orders in its queue by id,
-    `gone` those that left it, the newest last; `pause_lost_at` is when it started anew while under our own
-    pause, which that ended."""
+    """`number` counts from 1 in the order of the config; `heard` is the effective time of the last telemetry;
+    `floor` is the one whose frame its pose names; `paused_at` is where it stood when it accepted our own
+    pause; `standing` is the pose it has not left, and since when; `place` is coarser: where it got to, and
+    since when it gets no further; `jumps` are the metres of its pose's last leaps that no robot drives, each
+    with its time; `fault_at` is when bad data came last; `says_paused`: it has a topic for that, heard or
+    not; `traces` are the orders in its queue by id, `gone` those that left it, the newest last;
+    `pause_lost_at` is when it started anew while under our own pause, which that ended; `goals` are those
+    that its action servers list, by action; `odometry` is its newest pose by its wheels, `located` where it
+    found itself on the map last, `anchor` where on the map the frame of its wheels begins; `variance` that of
+    its place in square metres; `own_floor` the floor it says that it is on; `held` is why this console sends
+    it no order that waits here, empty while it does, and `released_at` when the operator let it go on last;
+    `counts_percent`: its battery was seen to count to 100."""
 
     name: str
     number: int
@@ -69,9 +75,20 @@ class Robot(Struct, frozen=True, eq=False):
     frame_id: str = ""
     floor: str | None = None
     battery: Reading[float] | None = None
+    counts_percent: bool = False
     cargo: Reading[bool] | None = None
     obstacle: Reading[float] | None = None
     queue: Reading[OrderQueue] | None = None
+    goals: Mapping[str, tuple[Goal, ...]] = field(default_factory=dict)
+    odometry: Pose | None = None
+    located: Pose | None = None
+    anchor: Pose | None = None
+    variance: Reading[float] | None = None
+    blocked: Reading[Blocked] | None = None
+    progress: Reading[Progress] | None = None
+    own_floor: str = ""
+    held: str = ""
+    released_at: float = -math.inf
     traces: Mapping[str, OrderTrace] = field(default_factory=dict)
     gone: tuple[GoneOrder, ...] = ()
     says_paused: bool = False

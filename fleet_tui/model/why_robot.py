@@ -1,10 +1,10 @@
 """Reasons to stand still that lie in the robot: what it says of itself, and whether it is heard at all."""
 
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.confirmation import STANDS_AFTER
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.graph import Role
 from fleet_tui.model.link import Phase
+from fleet_tui.model.pauses import STANDS_AFTER
 from fleet_tui.model.reason import Reason, Strength, name_of, own_pause, stands_since
 from fleet_tui.model.reports import JUMPS_WITHIN
 from fleet_tui.model.robot import Robot

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 from fleet_tui.simulator.frames import Frame, to_json
 
 if TYPE_CHECKING:
-    from fleet_tui.simulator.session import Operation, Session
+    from fleet_tui.simulator.sessions.operations import Operation
+    from fleet_tui.simulator.sessions.session import Session
 
 GIVEN_UP = "Timeout exceeded while waiting for service response"
 
@@ -25,6 +26,8 @@ class Call:
     def __init__(self, session: "Session", operation: "Operation", limit: float | None) -> None:
         self.operation = operation
         self.given_up = False
+        self.over: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+        """Done once the client has its answer, or will never have one."""
         self._session = session
         self._timer: asyncio.TimerHandle | None = None
         if limit is not None:
@@ -36,6 +39,7 @@ class Call:
             self._timer.cancel()
         if not self.given_up:
             self._session.reply(frame)
+            self._end()
 
     def reply_in(self, seconds: float, frame: Frame) -> None:
         """The same, after so many seconds."""
@@ -48,3 +52,8 @@ class Call:
     def _give_up(self) -> None:
         self._session.reply(response(self.operation, GIVEN_UP, False))
         self.given_up = True
+        self._end()
+
+    def _end(self) -> None:
+        if not self.over.done():  # some answers come twice
+            self.over.set_result(None)

@@ -11,7 +11,8 @@ from fleet_tui.simulator.ros.errors import BridgeError
 from fleet_tui.simulator.rosapi import OF_THE_BRIDGE
 
 if TYPE_CHECKING:
-    from fleet_tui.simulator.session import Operation, Session
+    from fleet_tui.simulator.sessions.operations import Operation
+    from fleet_tui.simulator.sessions.session import Session
 
 FIRST, LAST = 0.3, 0.95  # seconds after the bridge's start between which it discovers publishers on ROS 2
 

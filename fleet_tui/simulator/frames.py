@@ -26,6 +26,8 @@ TAGS = {"int8": 72, "float32": 85, "float64": 86}  # the CBOR tags of RFC 8746 f
 
 def _as_list(value: Any) -> Any:
     if isinstance(value, np.ndarray):
+        if value.dtype == np.uint8:
+            return base64.standard_b64encode(value.tobytes()).decode()
         # An array of fixed length on ROS 2: its NaN and Infinity stand bare in the text.
         if value.dtype.kind == "f":
             return msgspec.Raw(json.dumps(value.tolist(), separators=(",", ":")).encode())
@@ -36,6 +38,9 @@ def _as_list(value: Any) -> Any:
 def _as_tag(encoder: cbor2.CBOREncoder, value: Any) -> None:
     if not isinstance(value, np.ndarray):
         raise TypeError(f"{type(value)} has no place in a ROS message")
+    if value.dtype == np.uint8:
+        encoder.encode(value.tolist())
+        return
     encoder.encode(cbor2.CBORTag(TAGS[value.dtype.name], value.tobytes()))
 
 
@@ -54,22 +59,22 @@ class Payload:
     """
 
     def __init__(self, msg: Any, raw: Callable[[Any], Any] | None = None) -> None:
-        self._msg, self._raw = msg, raw
+        self.msg, self._raw = msg, raw
 
     @cached_property
     def json(self) -> str:
         """The message as JSON."""
-        return to_json(self._msg)
+        return to_json(self.msg)
 
     @cached_property
     def cbor(self) -> bytes:
         """The message as CBOR, int8 arrays as typed arrays."""
-        return cbor2.dumps(self._msg, default=_as_tag)
+        return cbor2.dumps(self.msg, default=_as_tag)
 
     @cached_property
     def cbor_raw(self) -> bytes:
         """The time and ROS's own encoding as CBOR."""
-        return cbor2.dumps(self._raw(self._msg) if self._raw else self._msg, default=_as_tag)
+        return cbor2.dumps(self._raw(self.msg) if self._raw else self.msg, default=_as_tag)
 
 
 class Publication:

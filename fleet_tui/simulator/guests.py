@@ -1,7 +1,7 @@
 """Topics that clients publish and services that clients offer, through the bridge."""
 
 import time
-from collections.abc import MutableMapping
+from collections.abc import Mapping, MutableMapping
 from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import TYPE_CHECKING
@@ -16,7 +16,8 @@ from fleet_tui.simulator.ros_types import ServiceError, ServiceType
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.calls import Call
-    from fleet_tui.simulator.session import Operation, Session
+    from fleet_tui.simulator.sessions.operations import Operation
+    from fleet_tui.simulator.sessions.session import Session
 
 
 @dataclass(eq=False)
@@ -30,7 +31,10 @@ class _Offer:
 
 
 class Guests:
-    """Keeps what clients publish and offer in `topics`, `types` and `services` while they are there."""
+    """Keeps what clients publish and offer in `topics`, `types` and `services` while they are there.
+
+    `listened`: the topics to which robots listen, with their types.
+    """
 
     def __init__(
         self,
@@ -38,9 +42,11 @@ class Guests:
         topics: MutableMapping[str, Topic],
         types: MutableMapping[str, str],
         services: MutableMapping[str, ServiceType],
+        listened: Mapping[str, str],
     ) -> None:
         self._dialect = dialect
         self._topics, self._types, self._services = topics, types, services
+        self._listened = listened
         self._offers: dict[str, _Offer] = {}
         self._advertised: dict[str, set[Session]] = {}
 
@@ -59,8 +65,9 @@ class Guests:
         if self._dialect.fields(short) is None:
             raise ServiceError(self._dialect.unknown_package(short.partition("/")[0], "msg"))
         known = self._topics.get(name)
-        if known is not None and self._dialect.short(known.type) != short:
-            raise ServiceError(f"Tried to advertise {name} with type {type_}, established is {known.type}")
+        established = known.type if known else self._listened.get(name)
+        if established is not None and self._dialect.short(established) != short:
+            raise ServiceError(f"Tried to advertise {name} with type {type_}, established is {established}")
         if known is None:
             told = self._dialect.message_type(short)
             nothing = tuple[Payload, ...]()
@@ -86,7 +93,8 @@ class Guests:
         name = resolve(operation["topic"])
         known = self._topics.get(name)
         if known is None or operation.get("type"):
-            self.advertise(session, name, operation.get("type") or "", bool(operation.get("latch")))
+            type_ = operation.get("type") or self._listened.get(name, "")
+            self.advertise(session, name, type_, bool(operation.get("latch")))
             known = self._topics[name]
         short, now = self._dialect.short(known.type), time.time()
         msg = fill(self._dialect, short, self._dialect.fields(short) or {}, operation["msg"], now)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from itertools import count
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.frames import Payload
@@ -17,6 +17,9 @@ from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.warehouse import Floor
 from fleet_tui.simulator.world import World
 
+if TYPE_CHECKING:
+    from fleet_tui.simulator.fleets import Body
+
 Message = dict[str, Any]
 
 
@@ -24,7 +27,8 @@ Message = dict[str, Any]
 class Topic:
     """A topic: `payload` makes what is published now from the wall time in seconds since 1970.
 
-    `robot` is whose telemetry it is: published at the server's rate where `fast`, else twice a second.
+    `robot` is whose telemetry it is: published at the server's rate where `fast`, else twice a second, or
+    only at every so many of those `turns`. `due` tells whether there is anything to say now.
     Latched topics are said once to every subscriber:
     what `history` has, or where that is None `payload`.
     """
@@ -32,10 +36,12 @@ class Topic:
     name: str
     type: str
     payload: Callable[[float], Payload]
-    robot: Robot | None = None
+    robot: "Body | None" = None
     fast: bool = False
     latched: bool = False
     history: Callable[[], Iterable[Payload]] | None = None
+    turns: int = 1
+    due: Callable[[], bool] | None = None
 
 
 def topics_of(world: World, loaded_at: float, dialect: Dialect = ROS1) -> Iterator[Topic]:

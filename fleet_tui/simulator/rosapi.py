@@ -2,16 +2,18 @@
 
 import json
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from fleet_tui.simulator.ros.definitions import MESSAGES
+from fleet_tui.simulator.ros.definitions import ACTIONS, MESSAGES
 from fleet_tui.simulator.ros.definitions import SERVICES as DEFINED_SERVICES
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros.typedefs import message_typedefs, service_typedefs
+from fleet_tui.simulator.ros.typedefs import action_typedefs, message_typedefs, service_typedefs
 from fleet_tui.simulator.ros_types import NodeDiedError, ServiceType, service_type
 
 FLEET, BRIDGE, ROSAPI = "/fleet", "/rosbridge_websocket", "/rosapi"
+HIDDEN = "/_action/"  # what an action consists of, nobody is told
 OF_THE_BRIDGE = ("/client_count", "/connected_clients", "/rosout")
 Values = dict[str, Any]
 
@@ -27,24 +29,32 @@ def _type(dialect: Dialect, verb: str) -> str:
     return dialect.rosapi_type(_TYPES.get(verb, "".join(map(str.capitalize, verb.split("_")))))
 
 
-class Rosapi:
-    """Answers about the topics and services given as name -> type; both may change later.
+@dataclass(frozen=True)
+class Graph:
+    """All there is, each name with its type; it may change later.
 
-    `subscribed`: the topics to which the bridge is subscribed, with the types it asked for; `clock`: the wall
-    time; `own`: whether a topic or service is a client's of the bridge.
+    `listened`: topics to which robots listen; `subscribed`: those to which the bridge is subscribed, with the
+    types it asked for.
     """
 
+    topics: Mapping[str, str]
+    listened: Mapping[str, str]
+    services: Mapping[str, ServiceType]
+    subscribed: Callable[[], Mapping[str, str]]
+    action_servers: Callable[[], list[str]]
+
+
+class Rosapi:
+    """Answers about a graph. `clock`: the wall time; `own`: whether a topic or service is a client's of the
+    bridge. `distro` may be changed."""
+
     def __init__(
-        self,
-        dialect: Dialect,
-        topics: Mapping[str, str],
-        services: Mapping[str, ServiceType],
-        subscribed: Callable[[], Mapping[str, str]],
-        clock: Callable[[], float],
-        own: Callable[[str], bool],
+        self, dialect: Dialect, graph: Graph, clock: Callable[[], float], own: Callable[[str], bool]
     ) -> None:
-        self._dialect, self._topics, self._services = dialect, topics, services
-        self._subscribed, self._clock, self._own = subscribed, clock, own
+        self._dialect, self._clock, self._own = dialect, clock, own
+        self._topics, self._services, self._subscribed = graph.topics, graph.services, graph.subscribed
+        self._listened, self._action_servers = graph.listened, graph.action_servers
+        self.distro = dialect.distro
         self.services = rosapi_services(dialect)
         self._params = dict(dialect.params)
 
@@ -70,25 +80,31 @@ class Rosapi:
     def _about_all(self, verb: str) -> Values:
         match verb:
             case "topics":
-                found = {**self._subscribed(), **self._topics}
+                asked = {name: type_ for name, type_ in self._subscribed().items() if HIDDEN not in name}
+                found = {**asked, **self._listened, **self._topics}
                 return {"topics": list(found), "types": list(found.values())}
             case "topics_and_raw_types":
                 found = self._about_all("topics")
                 texts = ["\n".join(self._fields(type_)) for type_ in found["types"]]
                 return found | {"typedefs_full_text": texts}
             case "services":
-                return {"services": [*self._services, *self.services]}
+                return {"services": [*self._told, *self.services]}
             case "get_time":
                 return {"time": self._dialect.time(self._clock())}
             case "get_ros_version":
-                return {"version": self._dialect.version, "distro": self._dialect.distro}
+                return {"version": self._dialect.version, "distro": self.distro}
             case "interfaces":
-                types = [self._dialect.message_type(name) for name in MESSAGES]
+                types = [self._dialect.message_type(name) for name in MESSAGES if "_Feedback" not in name]
+                types += [self._dialect.action_type(name) for name in ACTIONS]
                 types += [self._dialect.service_type(name) for name in DEFINED_SERVICES]
                 return {"interfaces": sorted(set(types))}
             case "action_servers":
-                return {"action_servers": []}
+                return {"action_servers": self._action_servers()}
         raise NodeDiedError  # action_type: the handler ends the whole of rosapi
+
+    @property
+    def _told(self) -> Mapping[str, ServiceType]:
+        return {name: type_ for name, type_ in self._services.items() if HIDDEN not in name}
 
     def _fields(self, type_: str) -> Iterable[str]:
         for name, field in (self._dialect.fields(type_) or {}).items():
@@ -98,15 +114,18 @@ class Rosapi:
     def _typedefs(self, verb: str, type_: str) -> list[Values]:
         if verb == "message_details":
             return message_typedefs(self._dialect, type_)
+        if verb.startswith("action_"):
+            return action_typedefs(self._dialect, type_, verb.split("_")[1].capitalize())
         return service_typedefs(self._dialect, type_, response="response" in verb)
 
     def _for_type(self, verb: str, type_: str) -> Values:
         if verb == "topics_for_type":
-            return {"topics": [name for name, other in self._topics.items() if other == type_]}
-        return {"services": [name for name, other in self._services.items() if other.name == type_]}
+            found = {**self._listened, **self._topics}
+            return {"topics": [name for name, other in found.items() if other == type_]}
+        return {"services": [name for name, other in self._told.items() if other.name == type_]}
 
     def _about_services(self, verb: str, service: str) -> Values:
-        known = self._services.get(service) or self.services.get(service)
+        known = self._told.get(service) or self.services.get(service)
         match verb:
             case "service_type":
                 return {"type": known.name if known else ""}
@@ -119,10 +138,14 @@ class Rosapi:
 
     def _about_topic(self, verb: str, topic: str) -> Values:
         if verb == "topic_type":
-            return {"type": self._topics.get(topic) or self._subscribed().get(topic, "")}
+            if HIDDEN in topic:
+                return {"type": ""}
+            known = self._topics.get(topic) or self._listened.get(topic)
+            return {"type": known or self._subscribed().get(topic, "")}
         if verb == "publishers":
             return {"publishers": [self._publisher(topic)] if topic in self._topics else []}
-        return {"subscribers": [BRIDGE] if topic in self._subscribed() else []}
+        listening = {BRIDGE: self._subscribed(), FLEET: self._listened}
+        return {"subscribers": [node for node, topics in listening.items() if topic in topics]}
 
     def _about_nodes(self, verb: str, request: Values) -> Values:
         nodes = [ROSAPI, BRIDGE, FLEET]
@@ -132,9 +155,9 @@ class Rosapi:
         if node not in nodes and self._dialect.fragile:
             raise NodeDiedError
         return {
-            "subscribing": list(self._subscribed()) if node == BRIDGE else [],
+            "subscribing": list({BRIDGE: self._subscribed(), FLEET: self._listened}.get(node, ())),
             "publishing": [name for name in self._topics if self._publisher(name) == node],
-            "services": [name for name in (*self._services, *self.services) if self._offering(name) == node],
+            "services": [name for name in (*self._told, *self.services) if self._offering(name) == node],
         }
 
     def _offering(self, service: str) -> str:

@@ -1,11 +1,11 @@
-"""Serves a world the way rosbridge_server serves a fleet, faults included, with doors for tests."""
+"""Serves simulated fleets the way rosbridge_server serves a fleet, faults included, with doors for tests."""
 
 import asyncio
 import errno
 import logging
 import time
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -13,12 +13,15 @@ from websockets.asyncio.server import Server, ServerConnection, serve
 
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.channels import resolve
+from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.messages import Topic, topics_of
+from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.services import REMEMBERED
-from fleet_tui.simulator.session import Operation, Session
+from fleet_tui.simulator.sessions.operations import Operation
+from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
 from fleet_tui.simulator.words import DIAGNOSTICS, ROSOUT, Talk, word_topics
 from fleet_tui.simulator.world import World
@@ -34,16 +37,17 @@ _LOG.addHandler(logging.NullHandler())
 
 
 class RosbridgeServer(TopicDesk):
-    """A rosbridge server in front of `world`, which it steps `rate` times a second.
+    """A rosbridge server in front of one or more fleets, which it steps `rate` times a second.
 
-    `speed`: seconds of world time in a second; the rates on the wire stay as they are. Port 0 takes a free
-    one. `subscribe_delay`: seconds every subscribe takes (the real bridge needs 0.02).
+    A World alone stands for the fleet of its robots. `speed`: seconds of world time in a second; the rates
+    on the wire stay as they are. Port 0 takes a free one. `subscribe_delay`: seconds every subscribe takes
+    (the real bridge needs 0.02).
     The attributes without an underscore are for tests: to read and to change.
     """
 
     def __init__(
         self,
-        world: World,
+        fleets: World | Fleet | Sequence[Fleet],
         host: str = "127.0.0.1",
         port: int = 0,
         rate: float = 10.0,
@@ -52,8 +56,13 @@ class RosbridgeServer(TopicDesk):
         dialect: Dialect = ROS1,
     ) -> None:
         self._talk = Talk(dialect)
-        topics = (*topics_of(world, time.time(), dialect), *word_topics(world.robots, dialect, self._talk))
-        super().__init__(world, dialect, (*topics, *self._own_topics(dialect)))
+        if isinstance(fleets, World):
+            fleets = OhFleet(fleets)
+        fleets = fleets if isinstance(fleets, Sequence) else (fleets,)
+        now = time.time()
+        topics = [topic for fleet in fleets for topic in fleet.topics(now, dialect)]
+        words = word_topics(fleets, dialect, self._talk)
+        super().__init__(fleets, dialect, (*topics, *words, *self._own_topics(dialect)))
         self.subscribe_delay, self.speed = subscribe_delay, speed
         self.received: deque[Operation] = deque(maxlen=REMEMBERED)
         """Every operation that arrived; the newest last."""
@@ -63,6 +72,11 @@ class RosbridgeServer(TopicDesk):
         self._sessions: dict[Session, float] = {}
         self._server: Server | None = None
         self._life: asyncio.Task[None] | None = None
+
+    @property
+    def world(self) -> World:
+        """The world of the first fleet that has one."""
+        return next(fleet.world for fleet in self.fleets if isinstance(fleet, OhFleet))
 
     async def start(self) -> None:
         """Listen and let the world run. Raises FleetError where the port can't be had."""
@@ -137,6 +151,7 @@ class RosbridgeServer(TopicDesk):
         finally:
             del self._sessions[session]
             self.guests.gone(session)
+            self.actions.gone(session)
             for topic in session.subscriptions:
                 self.leave(session, topic)
             self._announce()
@@ -153,12 +168,16 @@ class RosbridgeServer(TopicDesk):
             due = max(due + period, clock() - MADE_UP)
             await asyncio.sleep(due - clock())
             tick += 1
-            self.world.step(period * self.speed)
+            for fleet in self.fleets:
+                fleet.step(period * self.speed)
             self._publish_telemetry(tick)
 
     def _publish_telemetry(self, tick: int) -> None:
-        for line in self._talk.lines(self.world.robots, time.time()):
-            self.publish(ROSOUT, Payload(line))
+        for fleet in self.fleets:
+            for line in self._talk.tell(fleet.lines(), time.time()):
+                self.publish(ROSOUT, Payload(line))
+        self.spread()
+        self.actions.tell_feedback()
         if tick % max(1, round(self._rate)) == 0:
             self.publish(DIAGNOSTICS)
         for name in dict.fromkeys(map(resolve, self.channels)):
@@ -166,7 +185,8 @@ class RosbridgeServer(TopicDesk):
             if topic is None or topic.robot is None or topic.robot.silence > 0.0:
                 continue
             # Robots take turns, so that their slow topics do not all fall into one tick.
-            if topic.fast or (tick + topic.robot.index) % self._slow_ticks == 0:
+            turn = (tick + topic.robot.index) % (self._slow_ticks * topic.turns) == 0
+            if (topic.fast or turn) and (topic.due is None or topic.due()):
                 self.publish(name)
 
     def _own_topics(self, dialect: Dialect) -> Iterator[Topic]:

@@ -2,22 +2,23 @@
 
 import asyncio
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from fleet_tui.simulator.actions import ActionDesk
 from fleet_tui.simulator.calls import Call, response
 from fleet_tui.simulator.channels import resolve
+from fleet_tui.simulator.fleets import Body, Fleet
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.guests import Guests
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError, robot_services
-from fleet_tui.simulator.rosapi import Rosapi
-from fleet_tui.simulator.session import Operation, Session
-from fleet_tui.simulator.world import World
+from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError
+from fleet_tui.simulator.rosapi import HIDDEN, Graph, Rosapi
+from fleet_tui.simulator.sessions.operations import Operation
+from fleet_tui.simulator.sessions.session import Session
 
-DESK = "Application_layout"
 WAITING = 1000  # messages that wait for an overloaded bridge; those after them are lost
 REMEMBERED = 10_000  # calls and operations kept for tests
 
@@ -25,21 +26,27 @@ Values = dict[str, Any]
 
 
 class ServiceDesk:
-    """The services of a world's robots and rosapi's. Its attributes are for tests to read and change."""
+    """The services of all robots and rosapi's. Its attributes are for tests to read and change."""
 
     capacity: float | None = None
     """Messages a second that the bridge carries, the others wait; None = any number."""
+    master_alive = True
+    """False: every call fails while topics go on."""
+    rosapi_alive = True
+    """False: rosapi's services do not exist."""
     _busy_until = 0.0
 
     def __init__(
         self,
-        world: World,
+        fleets: Sequence[Fleet],
         dialect: Dialect,
         topics: dict[str, Topic],
         subscribed: Callable[[], Mapping[str, str]],
     ) -> None:
-        self.world, self.dialect, self.topics = world, dialect, topics
-        self.types = {topic.name: topic.type for topic in topics.values()}
+        self.fleets, self.dialect, self.topics = fleets, dialect, topics
+        self.robots: dict[str, Body] = {name: one for fleet in fleets for name, one in fleet.robots.items()}
+        """The robots of all fleets by name."""
+        self.types = {topic.name: topic.type for topic in topics.values() if HIDDEN not in topic.name}
         """What rosapi tells of the topics."""
         self.calls: list[tuple[str, Values]] = []
         """Every call that arrived with its args, rosapi's left out; the newest last."""
@@ -51,29 +58,41 @@ class ServiceDesk:
         """Answers instead of the world's, made from the args; a ServiceError makes the call fail."""
         self.deliveries: dict[str, Callable[[Call, Frame], None]] = {}
         """How the answers of a service are brought to the client, where not at once."""
-        self.master_alive = True
-        """False: every call fails while topics go on."""
-        self.rosapi_alive = True
-        """False: rosapi's services do not exist."""
         self.unsourced: set[str] = set()
         """Packages that the bridge doesn't have: it can handle none of their messages and services."""
-        types = robot_services(dialect).items()
-        self.services = {f"/{robot}/{DESK}/{verb}": type_ for robot in world.robots for verb, type_ in types}
-        self.guests = Guests(dialect, topics, self.types, self.services)
-        self.rosapi = Rosapi(dialect, self.types, self.services, subscribed, time.time, self.guests.owns)
+        self.services = {name: type_ for fleet in fleets for name, type_ in fleet.services(dialect).items()}
+        self.call_timeout = dialect.call_timeout
+        """Seconds after which a call is given up that names no limit, None = never."""
+        self.actions = ActionDesk(fleets, dialect, self.unsourced)
+        self._connect(subscribed)
 
-    def call(self, session: Session, operation: Operation) -> None:
+    def _connect(self, subscribed: Callable[[], Mapping[str, str]]) -> None:
+        dialect = self.dialect
+        heard = {name: what for fleet in self.fleets for name, what in fleet.heard().items()}
+        self.heard = {name: take for name, (_, take) in heard.items()}
+        """The listeners to messages that clients publish to robots, by topic."""
+        listened = {name: dialect.message_type(type_) for name, (type_, _) in heard.items()}
+        self.guests = Guests(dialect, self.topics, self.types, self.services, listened)
+        graph = Graph(self.types, listened, self.services, subscribed, lambda: self.actions.names)
+        self.rosapi = Rosapi(dialect, graph, time.time, self.guests.owns)
+
+    def fleet_of(self, robot: str) -> Fleet:
+        """The fleet of a robot."""
+        return next(fleet for fleet in self.fleets if robot in fleet.robots)
+
+    def call(self, session: Session, operation: Operation) -> Call | None:
         """Answer a call once its node is awake, unless the bridge has given it up before."""
-        service, limit = resolve(operation["service"]), self.dialect.call_timeout
-        if limit is not None and operation.get("timeout") is not None:
+        service, limit = resolve(operation["service"]), self.call_timeout
+        if self.dialect.call_timeout is not None and operation.get("timeout") is not None:
             if not isinstance(operation["timeout"], (int, float)):
                 given = type(operation["timeout"]).__name__
                 text = f"'>' not supported between instances of '{given}' and 'int'"
                 session.reply(response(operation, text, False))
-                return
+                return None
             limit = operation["timeout"] if operation["timeout"] > 0 else None
         call = Call(session, operation, limit)
         self.in_turn(lambda: self._reply(call, service), self.frozen.get(service, 0.0))
+        return call
 
     def in_turn(self, send: Callable[[], None], delay: float = 0.0) -> None:
         """Send a message `delay` seconds after the bridge has got to it: at once, unless it is overloaded."""
@@ -111,7 +130,7 @@ class ServiceDesk:
         request = fill(
             self.dialect, self.dialect.part(type_.name, "Request"), type_.fields, args, time.time()
         )
-        return self.world.answer(service, request)
+        return self.fleet_of(service.split("/")[1]).answer(service, request)
 
     def _reply(self, call: Call, service: str) -> None:
         if call.given_up:

@@ -2,27 +2,30 @@
 
 import asyncio
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
 from fleet_tui.simulator.channels import Channels, resolve
+from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Payload, Publication
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.services import ServiceDesk
-from fleet_tui.simulator.session import Operation, Session
+from fleet_tui.simulator.sessions.operations import Operation
+from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.words import ERROR, INFO, ROSOUT, Talk
-from fleet_tui.simulator.world import World
 
 
 class TopicDesk(ServiceDesk):
     """The topics of a bridge, beside its services. Its attributes are for tests to read and change."""
 
     _talk: Talk
+    one_by_one = False
+    """True: a client's call or goal must be over before its next operation is looked at."""
 
-    def __init__(self, world: World, dialect: Dialect, topics: Iterable[Topic]) -> None:
-        super().__init__(world, dialect, {topic.name: topic for topic in topics}, self._asked)
+    def __init__(self, fleets: Sequence[Fleet], dialect: Dialect, topics: Iterable[Topic]) -> None:
+        super().__init__(fleets, dialect, {topic.name: topic for topic in topics}, self._asked)
         self.max_message_size = dialect.max_message_size
         """Bytes of a message to a client, None = any number."""
         self.muted: set[str] = set()
@@ -61,6 +64,21 @@ class TopicDesk(ServiceDesk):
             if self.channels.sessions(asked) and self._flows(asked, topic):
                 payload = payload or topic.payload(time.time())
                 self.in_turn(partial(self._send, asked, topic, Publication(asked, payload)))
+
+    def publish_for(self, session: Session, operation: Operation) -> None:
+        """Publish a client's message, to robots too. Raises BridgeError."""
+        name, payload = self.guests.published(session, operation)
+        self.publish(name, payload)
+        if name in self.heard:
+            self.heard[name](payload.msg)
+            self.spread()
+
+    def spread(self) -> None:
+        """Publish what has changed in the fleets since the last time."""
+        for fleet in self.fleets:
+            for name, payload in fleet.news(self.dialect):
+                self.publish(name, payload)
+        self.actions.tell_results()
 
     def complain(self, session: Session, operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""

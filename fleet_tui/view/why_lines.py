@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Mapping
 
 from fleet_tui.keys import KEYS
-from fleet_tui.model.confirmation import STANDS_AFTER
 from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.pauses import STANDS_AFTER
 from fleet_tui.model.reason import Reason
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.why import reasons

@@ -4,7 +4,7 @@ import pytest
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm
-from fleet_tui.model.apply import COMMANDS_KEPT
+from fleet_tui.model.command_events import COMMANDS_KEPT
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.geometry import MapFrame, Pose

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import fields
 
-from fleet_tui.model import events
+from fleet_tui.model import events, navigation_events
 from fleet_tui.model.commands import (
     NEXT,
     CancelOrder,
@@ -22,6 +22,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
 from tests.fleets import LINK, T0, fleet, told
@@ -45,7 +46,48 @@ COMMANDS = st.one_of(
 )
 COMMAND_IDS = st.integers(1, 5)
 
+GOALS = st.builds(
+    Goal, IDS, IDS, st.just("navigate_to_pose"), STATES, st.text(max_size=3), st.none() | NUMBERS
+)
+FEW = st.none() | NUMBERS
+
 FACTS: dict[type, st.SearchStrategy[events.Event]] = {
+    navigation_events.OdometryReported: st.builds(
+        navigation_events.OdometryReported, ROBOTS, AT, PLACES, FEW
+    ),
+    navigation_events.LocalisationReported: st.builds(
+        navigation_events.LocalisationReported, ROBOTS, AT, PLACES, st.text(max_size=4), FEW, FEW
+    ),
+    navigation_events.BlockedReported: st.builds(
+        navigation_events.BlockedReported,
+        ROBOTS,
+        AT,
+        st.sampled_from(["", "stop", "limit"]),
+        st.text(max_size=4),
+    ),
+    navigation_events.ProgressReported: st.builds(
+        navigation_events.ProgressReported,
+        ROBOTS,
+        AT,
+        st.builds(Progress, IDS, FEW, FEW, FEW, st.none(), NUMBERED),
+    ),
+    navigation_events.GoalsReported: st.builds(
+        navigation_events.GoalsReported,
+        ROBOTS,
+        AT,
+        st.sampled_from(["follow_waypoints", "navigate_to_pose"]),
+        st.lists(GOALS, max_size=4).map(tuple),
+    ),
+    navigation_events.PlanReported: st.builds(navigation_events.PlanReported, ROBOTS, AT, PLACES),
+    navigation_events.FloorReported: st.builds(navigation_events.FloorReported, ROBOTS, AT, FLOORS),
+    navigation_events.QueueHeld: st.builds(navigation_events.QueueHeld, ROBOTS, st.text(max_size=4)),
+    navigation_events.GoalAnswered: st.builds(
+        navigation_events.GoalAnswered,
+        COMMAND_IDS,
+        st.sampled_from([Stage.DONE, Stage.FAILED]),
+        AT,
+        st.text(max_size=4),
+    ),
     events.PoseReported: st.builds(
         events.PoseReported,
         ROBOTS,

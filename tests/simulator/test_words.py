@@ -1,12 +1,14 @@
 """The simulated robots say in words what happens to them, on the topics of ROS 1."""
 
 import json
+from typing import Any
 
 import pytest
 
 from fleet_tui.simulator.faults import parse_faults, play
+from fleet_tui.simulator.oh_ressources.words import Changes
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.words import Talk, health
+from fleet_tui.simulator.words import DIAGNOSTICS, Talk
 from fleet_tui.simulator.world import World
 from tests.client.test_counting import counter, until
 from tests.fleets import WALL
@@ -22,30 +24,32 @@ def world() -> World:
     return World(2, 1, seed=1, quiet=True)
 
 
-def said(talk: Talk, it: World) -> list[tuple[int, str, str]]:
-    lines = talk.lines(it.robots, WALL)
+def said(changes: Changes) -> list[tuple[int, str, str]]:
+    lines = Talk().tell(changes.lines(), WALL)
     assert all(set(line) == LOG_FIELDS for line in lines)
     return [(line["level"], line["name"], line["msg"]) for line in lines]
 
 
 def test_nothing_is_said_while_nothing_happens() -> None:
-    it, talk = world(), Talk()
-    assert said(talk, it) == []
+    it = world()
+    changes = Changes(it.robots)
+    assert said(changes) == []
     it.step(1.0)
-    assert said(talk, it) == []
+    assert said(changes) == []
 
 
 def test_an_order_from_its_arrival_to_its_end() -> None:
-    it, talk = world(), Talk()
-    said(talk, it)
+    it = world()
+    changes = Changes(it.robots)
+    said(changes)
     robot = it.robots["robot_0"]
     start, end = list(robot.floor.labels)[:2]
     robot.take(start, end, 1)
-    assert (2, "/robot_0/planner", f"took order 1: {start} -> {end}") in said(talk, it)
+    assert (2, "/robot_0/planner", f"took order 1: {start} -> {end}") in said(changes)
     heard = []
     for _ in range(3000):
         it.step(0.1)
-        heard += said(talk, it)
+        heard += said(changes)
     assert heard.count((1, "/robot_0/navigation", f"at vertex {end}")) == 1
     assert [words for _, node, words in heard if "navigation" not in node] == [
         "working on order 1",
@@ -53,6 +57,12 @@ def test_an_order_from_its_arrival_to_its_end() -> None:
         "order 1 has left the queue",
         "cargo is unloaded",
     ]
+
+
+def health(it: World) -> list[dict[str, Any]]:
+    told = json.loads(RosbridgeServer(it).topics[DIAGNOSTICS].payload(WALL).json)["status"]
+    assert isinstance(told, list)
+    return told
 
 
 @pytest.mark.parametrize(
@@ -64,25 +74,27 @@ def test_an_order_from_its_arrival_to_its_end() -> None:
     ],
 )
 def test_planted_faults_are_spoken_of(fault: str, level: int, words: str, part: str, broken: int) -> None:
-    it, talk = world(), Talk()
-    said(talk, it)
+    it = world()
+    changes = Changes(it.robots)
+    said(changes)
     play(RosbridgeServer(it), parse_faults(f"{fault}:robot_1", it.robots))
     it.step(0.1)
-    ((heard_level, node, heard),) = said(talk, it)
+    ((heard_level, node, heard),) = said(changes)
     assert (heard_level, node) == (level, f"/robot_1/{part}") and words in heard
-    parts = {one["name"]: one for one in health(it.robots, WALL)["status"]}
+    parts = {one["name"]: one for one in health(it)}
     assert all(set(one) == STATUS_FIELDS for one in parts.values())
     assert parts[f"robot_1: {part}"]["level"] == broken
     assert parts[f"robot_0: {part}"]["level"] == 0
 
 
 def test_who_is_silent_says_nothing() -> None:
-    it, talk = world(), Talk()
-    said(talk, it)
+    it = world()
+    changes = Changes(it.robots)
+    said(changes)
     robot = it.robots["robot_0"]
     robot.silence, robot.paused = 60.0, True
-    assert said(talk, it) == []
-    assert {one["name"].partition(":")[0] for one in health(it.robots, WALL)["status"]} == {"robot_1"}
+    assert said(changes) == []
+    assert {one["name"].partition(":")[0] for one in health(it)} == {"robot_1"}
 
 
 async def test_it_comes_over_the_wire_with_the_types_that_rosapi_tells(server: RosbridgeServer) -> None:

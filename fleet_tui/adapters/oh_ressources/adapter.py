@@ -76,6 +76,8 @@ class OhRessources:
         """Return the call of a command. Raises CommandError for one that must not leave."""
         return (call_of(self.names, command, command_id),)
 
-    def outcome(self, command: Command, values: object, result: bool) -> tuple[Stage, str]:
+    def outcome(
+        self, command: Command, values: object, result: bool, status: int | None = None
+    ) -> tuple[Stage, str]:
         """Return what an answer means for a command, with the robot's own words."""
         return judge(command, values, result, self._refusals)

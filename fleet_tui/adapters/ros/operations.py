@@ -30,6 +30,16 @@ class ServiceResponse(msgspec.Struct, frozen=True):
     result: bool
 
 
+class GoalResult(msgspec.Struct, frozen=True):
+    """The end of a goal of ours. With `result` False the values are a string that says why it was not
+    taken."""
+
+    id: str
+    values: Any
+    status: int
+    result: bool
+
+
 class Status(msgspec.Struct, frozen=True):
     """What a bridge has to say about an operation of ours."""
 
@@ -49,7 +59,7 @@ class Fragment(msgspec.Struct, frozen=True):
 LARGEST_ANSWER = 4 * 2**20
 """Bytes of the values of an answer, or of what a bridge says; larger ones are not read."""
 
-Operation = Publish | ServiceResponse | Status | Fragment
+Operation = Publish | ServiceResponse | GoalResult | Status | Fragment
 
 
 class _Frame(msgspec.Struct):
@@ -61,6 +71,7 @@ class _Frame(msgspec.Struct):
     id: str | None = None
     values: msgspec.Raw = msgspec.Raw(b"null")
     result: bool = True
+    status: int = 0
     level: str = ""
     data: str = ""
     num: int = -1
@@ -88,6 +99,8 @@ def decode(payload: bytes) -> Operation | None:
                 return Publish(frame.topic, frame.msg)
             case "service_response":
                 return ServiceResponse(frame.id or "", _values(frame.values), frame.result)
+            case "action_result":
+                return GoalResult(frame.id or "", _values(frame.values), frame.status, frame.result)
             case "fragment":
                 return Fragment(frame.id or "", frame.data, frame.num, frame.total)
             case "status":
@@ -175,6 +188,17 @@ def call_service(call_id: str, service: str, args: Mapping[str, object], timeout
     return _encoder.encode(
         {"op": "call_service", "id": call_id, "service": service, "args": args, "timeout": float(timeout)}
     )
+
+
+def send_action_goal(goal_id: str, action: str, type_: str, args: Mapping[str, object]) -> bytes:
+    """The frame that gives a goal. Feedback is not asked for: its topic brings that of all clients."""
+    goal = {"id": goal_id, "action": action, "action_type": type_, "feedback": False, "args": args}
+    return _encoder.encode({"op": "send_action_goal", **goal})
+
+
+def publish(topic: str, type_: str, message: Mapping[str, object]) -> bytes:
+    """The frame that publishes a message. With its type a bridge needs no advertisement."""
+    return _encoder.encode({"op": "publish", "topic": topic, "type": type_, "msg": message})
 
 
 _TOPIC = re.compile(rb'"topic"\s*:\s*("(?:[^"\\]|\\.){1,200}")')

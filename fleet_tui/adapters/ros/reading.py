@@ -88,7 +88,7 @@ class Reading:
             case operations.Status(level, text):
                 self._warn(f"the bridge says ({brief(level)}): {brief(text)}")
                 return (events.FrameRejected(self._link, f"the bridge says: {text}"),)
-            case None:
+            case operations.GoalResult() | None:
                 return ()
         return operation
 

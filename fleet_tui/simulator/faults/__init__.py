@@ -60,17 +60,20 @@ FAULTS: Mapping[str, tuple[str, wire.Play]] = {
 """Each fault by its name: the text of the help, and how it is played on one robot."""
 
 
-def parse_faults(text: str, robots: Collection[str]) -> list[tuple[str, str]]:
+def parse_faults(
+    text: str, robots: Collection[str], faults: Mapping[str, tuple[str, wire.Play]] = FAULTS
+) -> list[tuple[str, str]]:
     """Fault and robot for each `NAME` (every robot) or `NAME:ROBOT` between the commas.
 
-    Raises ConfigError with every name that is none.
+    `faults`: those of the robots' kind. Raises ConfigError with every name that is none.
     """
     wanted, problems = list[tuple[str, str]](), list[str]()
     for part in filter(None, (part.strip() for part in text.split(","))):
         name, _, robot = part.partition(":")
-        if name not in FAULTS:
-            near = did_you_mean(name, FAULTS)
-            problems.append(f"--fault {part}: no such fault{near or ': ' + ', '.join(FAULTS)}")
+        if name not in faults:
+            near = did_you_mean(name, faults)
+            of_kind = " of this kind of robots" if name in FAULTS else ""
+            problems.append(f"--fault {part}: no such fault{of_kind}{near or ': ' + ', '.join(faults)}")
         elif robot and robot not in robots:
             problems.append(f"--fault {part}: no such robot{did_you_mean(robot, robots)}")
         else:
@@ -83,4 +86,4 @@ def parse_faults(text: str, robots: Collection[str]) -> list[tuple[str, str]]:
 def play(server: "RosbridgeServer", wanted: Iterable[tuple[str, str]]) -> None:
     """Let these faults happen to these robots from now on."""
     for name, robot in wanted:
-        FAULTS[name][1](server, robot)
+        server.fleet_of(robot).faults[name][1](server, robot)

@@ -28,7 +28,8 @@ GONE = 5.0  # seconds after which `unregistered` has no services
 
 
 def _services(server: "RosbridgeServer", robot: str, verb: str = "") -> list[str]:
-    return [name for name in server.services if name.startswith(f"/{robot}/Application_layout/{verb}")]
+    own = [name for name in server.services if name.startswith(f"/{robot}/")]
+    return [name for name in own if name.rpartition("/")[2].startswith(verb)]
 
 
 def _answered(answer: Callable[["RosbridgeServer", str, Values], Values], verb: str = "") -> Play:
@@ -130,7 +131,7 @@ def unregistered(server: "RosbridgeServer", robot: str) -> None:
             for service in _services(server, robot):
                 del server.services[service]
 
-    server.world.troubles.append(step)
+    server.fleet_of(robot).troubles.append(step)
 
 
 def frozen_rosapi(server: "RosbridgeServer", _robot: str) -> None:
@@ -168,4 +169,4 @@ def volatile_maps(server: "RosbridgeServer", robot: str) -> None:
             for name in names:
                 server.publish(name)
 
-    server.world.troubles.append(step)
+    server.fleet_of(robot).troubles.append(step)

@@ -24,6 +24,21 @@ geometry_msgs/Twist: geometry_msgs/Vector3 linear, geometry_msgs/Vector3 angular
 nav_msgs/MapMetaData: time map_load_time, float32 resolution, uint32 width, uint32 height, \
 geometry_msgs/Pose origin
 nav_msgs/OccupancyGrid: std_msgs/Header header, nav_msgs/MapMetaData info, int8[] data
+geometry_msgs/TwistWithCovariance: geometry_msgs/Twist twist, float64[36] covariance
+nav_msgs/Odometry: std_msgs/Header header, string child_frame_id, geometry_msgs/PoseWithCovariance pose, \
+geometry_msgs/TwistWithCovariance twist
+nav_msgs/Path: std_msgs/Header header, geometry_msgs/PoseStamped[] poses
+sensor_msgs/BatteryState: std_msgs/Header header, float32 voltage, float32 temperature, float32 current, \
+float32 charge, float32 capacity, float32 design_capacity, float32 percentage, uint8 power_supply_status, \
+uint8 power_supply_health, uint8 power_supply_technology, bool present, float32[] cell_voltage, \
+float32[] cell_temperature, string location, string serial_number
+builtin_interfaces/Duration: int32 sec, uint32 nanosec
+unique_identifier_msgs/UUID: uint8[16] uuid
+action_msgs/GoalInfo: unique_identifier_msgs/UUID goal_id, time stamp
+action_msgs/GoalStatus: action_msgs/GoalInfo goal_info, int8 status
+action_msgs/GoalStatusArray: action_msgs/GoalStatus[] status_list
+nav2_msgs/CollisionMonitorState: uint8 action_type, string polygon_name
+nav2_msgs/MissedWaypoint: uint32 index, geometry_msgs/PoseStamped goal, uint16 error_code
 rosgraph_msgs/Log: std_msgs/Header header, byte level, string name, string msg, string file, \
 string function, uint32 line, string[] topics
 rcl_interfaces/Log: time stamp, uint8 level, string name, string msg, string file, string function, \
@@ -53,6 +68,8 @@ OH_ressources/Execute_manual_order_with_cargo: int32 request_id, string agent, i
 -> int32 request_id, string status
 OH_ressources/Cancel_order: string robot, int32 ind -> bool success, string status
 OH_ressources/Clear_orders: string robot, int32 ind -> bool success, string status
+action_msgs/CancelGoal: action_msgs/GoalInfo goal_info -> int8 return_code, \
+action_msgs/GoalInfo[] goals_canceling
 std_srvs/Empty: ->
 std_srvs/SetBool: bool data -> bool success, string message
 std_srvs/Trigger: -> bool success, string message
@@ -70,6 +87,9 @@ rosapi/Nodes: -> string[] nodes
 rosapi/NodeDetails: string node -> string[] subscribing, string[] publishing, string[] services
 rosapi/GetActionServers: -> string[] action_servers
 rosapi/ActionType: string action -> string type
+rosapi/ActionGoalDetails: string type -> rosapi/TypeDef[] typedefs
+rosapi/ActionResultDetails: string type -> rosapi/TypeDef[] typedefs
+rosapi/ActionFeedbackDetails: string type -> rosapi/TypeDef[] typedefs
 rosapi/Publishers: string topic -> string[] publishers
 rosapi/Subscribers: string topic -> string[] subscribers
 rosapi/MessageDetails: string type -> rosapi/TypeDef[] typedefs
@@ -85,6 +105,24 @@ rosapi/GetParamNames: -> string[] names
 rosapi/GetTime: -> time time
 rosapi/GetROSVersion: -> uint8 version, string distro
 rosapi/Interfaces: -> string[] interfaces
+"""
+
+_PROGRESS = """geometry_msgs/PoseStamped current_pose, builtin_interfaces/Duration navigation_time, \
+builtin_interfaces/Duration estimated_time_remaining, int16 number_of_recoveries, \
+float32 distance_remaining"""
+
+_ACTIONS = f"""
+nav2_msgs/NavigateToPose: geometry_msgs/PoseStamped pose, string behavior_tree \
+-> uint16 error_code, string error_msg -> {_PROGRESS}
+nav2_msgs/NavigateThroughPoses: geometry_msgs/PoseStamped[] poses, string behavior_tree \
+-> uint16 error_code, string error_msg -> {_PROGRESS}, int16 number_of_poses_remaining
+nav2_msgs/FollowWaypoints: uint32 number_of_loops, uint32 goal_index, geometry_msgs/PoseStamped[] poses \
+-> nav2_msgs/MissedWaypoint[] missed_waypoints, uint16 error_code, string error_msg \
+-> uint32 current_waypoint
+nav2_msgs/DockRobot: bool use_dock_id, string dock_id, geometry_msgs/PoseStamped dock_pose, \
+string dock_type, float32 max_staging_time, bool navigate_to_staging_pose \
+-> bool success, uint16 error_code, uint16 num_retries \
+-> uint16 state, builtin_interfaces/Duration docking_time, uint16 num_retries
 """
 
 _FIELD = re.compile(r"([\w/]+?)(?:\[(\d*)\])? (\w+)")
@@ -116,10 +154,24 @@ def _lines(text: str) -> Iterator[tuple[str, str]]:
         yield name, rest
 
 
-MESSAGES: Mapping[str, Fields] = {name: _fields(rest) for name, rest in _lines(_MESSAGES)}
+ACTIONS: Mapping[str, tuple[Fields, Fields, Fields]] = {
+    name: (_fields(goal), _fields(result), _fields(feedback))
+    for name, rest in _lines(_ACTIONS)
+    for goal, result, feedback in (rest.split("->"),)
+}
+"""The fields of each action type: goal, result and feedback."""
+
+_GOAL_ID = {"goal_id": RosField("unique_identifier_msgs/UUID")}
+
+MESSAGES: Mapping[str, Fields] = (
+    {name: _fields(rest) for name, rest in _lines(_MESSAGES)}
+    | {f"{name}_Feedback": feedback for name, (_, _, feedback) in ACTIONS.items()}
+    | {f"{name}_FeedbackMessage": {**_GOAL_ID, "feedback": RosField(f"{name}_Feedback")} for name in ACTIONS}
+)
 """The fields of each message type."""
 
-PACKAGES = frozenset(name.partition("/")[0] for name in MESSAGES)
+PACKAGES = frozenset(name.partition("/")[0] for name in MESSAGES) - {"sensor_msgs"}
+"""Packages of which every message that is asked for is here."""
 
 SERVICES: Mapping[str, tuple[Fields, Fields]] = {
     name: (_fields(rest.partition("->")[0]), _fields(rest.partition("->")[2]))

@@ -51,6 +51,9 @@ class Dialect(Protocol):
     def service_type(self, name: str) -> str:
         """The service type as rosapi tells it."""
 
+    def action_type(self, name: str) -> str:
+        """The action type as rosapi tells it."""
+
     def short(self, type_: str) -> str:
         """The type as typedefs and error texts have it; both spellings are read."""
 

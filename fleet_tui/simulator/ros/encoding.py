@@ -40,7 +40,7 @@ class _Encoder:
             return
         if field.length == 0:
             self._pack("I", len(value))
-        if isinstance(value, np.ndarray) and value.dtype == np.int8:
+        if isinstance(value, np.ndarray) and value.dtype in (np.int8, np.uint8):
             self.data += value.tobytes()
             return
         for item in value:

@@ -1,5 +1,6 @@
 """Completes requests and messages from JSON as the bridge does, in its very words."""
 
+import base64
 from collections.abc import Mapping
 from typing import Any
 
@@ -21,64 +22,86 @@ def fill(dialect: Dialect, name: str, fields: Fields, given: object, now: float)
     """A complete message: `given` is an object, a list in the order of the fields, or anything else, which
     counts as nothing. What is missing becomes zero, a header's stamp becomes now (seconds since 1970).
     Raises ServiceError."""
-    if isinstance(given, list):
-        given = dict(zip(fields, given, strict=False))
-    given = given if isinstance(given, dict) else {}
-    for key in given:
-        if key not in fields:
-            raise ServiceError(f"Message type {name} does not have a field {key}")
-    filled = {
-        key: _value(dialect, name, key, field, given[key], now)
-        if key in given
-        else _zero(dialect, name, key, field, now)
-        for key, field in fields.items()
-    }
-    if dialect.short(name) == "std_msgs/Header" and "stamp" not in given:
-        filled["stamp"] = dialect.time(now)
-    return filled
+    return _Filling(dialect, name, now).message(name, fields, given, "")
 
 
-def _zero(dialect: Dialect, message: str, key: str, field: RosField, now: float) -> object:
-    if field.length is not None:
-        return _fixed(dialect, [0.0], field.length) if field.length else []
-    if field.type in ZEROS:
-        return dialect.defaults.get((message, key), ZEROS[field.type])
-    if _is_time(field):
-        return dialect.time(0.0)
-    return fill(dialect, field.type, dialect.fields(field.type) or {}, {}, now)
+class _Filling:
+    """One message on its way; complaints name it, and the field with all that it lies in."""
 
+    def __init__(self, dialect: Dialect, root: str, now: float) -> None:
+        self._dialect, self._root, self._now = dialect, root, now
 
-def _value(dialect: Dialect, message: str, key: str, field: RosField, value: object, now: float) -> object:
-    if field.length is not None:
+    def message(self, name: str, fields: Fields, given: object, at: str) -> Message:
+        if isinstance(given, list):
+            given = dict(zip(fields, given, strict=False))
+        given = given if isinstance(given, dict) else {}
+        for key in given:
+            if key not in fields:
+                raise ServiceError(f"Message type {self._root} does not have a field {at}{key}")
+        filled = {
+            key: self._value(field, given[key], f"{at}{key}")
+            if key in given
+            else self._zero(name, key, field)
+            for key, field in fields.items()
+        }
+        if self._dialect.short(name) == "std_msgs/Header" and "stamp" not in given:
+            filled["stamp"] = self._dialect.time(self._now)
+        return filled
+
+    def _zero(self, message: str, key: str, field: RosField) -> object:
+        if field.length is not None:
+            return self._fixed(field, [0]) if field.length else []
+        if field.type in ZEROS:
+            return self._dialect.defaults.get((message, key), ZEROS[field.type])
+        if _is_time(field):
+            return self._dialect.time(0.0)
+        return self.message(field.type, self._dialect.fields(field.type) or {}, {}, "")
+
+    def _value(self, field: RosField, value: object, at: str) -> object:
+        if field.length is not None:
+            return self._array(field, value, at)
+        if field.type in ZEROS:
+            return self._primitive(at, field.type, value)
+        if not isinstance(value, dict):
+            raise self._wrong(at, field.type, value)
+        if _is_time(field):
+            parts = [next((value[names[i]] for names in TIMES if names[i] in value), 0) for i in (0, 1)]
+            for part in parts:
+                if type(part) is not int:
+                    raise self._wrong(at, "int32", part)
+            return dict(zip(self._dialect.time(0.0), parts, strict=True))
+        return self.message(field.type, self._dialect.fields(field.type) or {}, value, f"{at}.")
+
+    def _array(self, field: RosField, value: object, at: str) -> object:
+        if isinstance(value, str) and field.type == "uint8":
+            try:
+                value = list(base64.standard_b64decode(value))
+            except ValueError as error:
+                raise ServiceError(str(error)) from None
         if not isinstance(value, list):
-            raise ServiceError(dialect.wrong(message, key, f"{field.type}[]", value))
-        one = RosField(field.type)
-        items = [_value(dialect, message, key, one, item, now) for item in value]
-        return _fixed(dialect, items, field.length) if field.length else items
-    if field.type in ZEROS:
-        return _primitive(dialect, message, key, field.type, value)
-    if not isinstance(value, dict):
-        raise ServiceError(dialect.wrong(message, key, field.type, value))
-    if _is_time(field):
-        seconds, nanoseconds = (
-            next((value[names[i]] for names in TIMES if names[i] in value), 0) for i in (0, 1)
-        )
-        return dict(zip(dialect.time(0.0), (seconds, nanoseconds), strict=True))
-    return fill(dialect, field.type, dialect.fields(field.type) or {}, value, now)
+            raise self._wrong(at, f"{field.type}[]", value)
+        items = [self._value(RosField(field.type), item, at) for item in value]
+        return self._fixed(field, items) if field.length else items
 
+    def _fixed(self, field: RosField, items: list[Any]) -> object:
+        array = np.zeros(field.length or 0, dtype=np.uint8 if field.type == "uint8" else float)
+        try:
+            array[:] = items  # one number fills all
+        except ValueError as error:
+            raise ServiceError(str(error)) from None
+        return array if field.type == "uint8" else self._dialect.fixed(array.tolist())
 
-def _fixed(dialect: Dialect, items: list[object], length: int) -> object:
-    return dialect.fixed(np.resize(np.array(items, dtype=float), length).tolist())
+    def _primitive(self, at: str, rostype: str, value: object) -> object:
+        # Not isinstance: the bridge refuses true and false for a number.
+        wanted = (int, float) if rostype.startswith("float") else (type(ZEROS[rostype]),)
+        if type(value) not in wanted:
+            raise self._wrong(at, rostype, value)
+        if isinstance(value, int) and rostype in INTEGERS:
+            return self._dialect.integer(at, value, *INTEGERS[rostype])
+        return float(value) if isinstance(value, int) and rostype.startswith("float") else value
 
-
-def _primitive(dialect: Dialect, message: str, key: str, rostype: str, value: object) -> object:
-    # Not isinstance: the bridge refuses true and false for a number.
-    wanted = (int, float) if rostype.startswith("float") else (type(ZEROS[rostype]),)
-    if type(value) not in wanted:
-        raise ServiceError(dialect.wrong(message, key, rostype, value))
-    if isinstance(value, int) and rostype in INTEGERS:
-        return dialect.integer(key, value, *INTEGERS[rostype])
-    return float(value) if isinstance(value, int) and rostype.startswith("float") else value
+    def _wrong(self, at: str, rostype: str, value: object) -> ServiceError:
+        return ServiceError(self._dialect.wrong(self._root, at, rostype, value))
 
 
 def _is_time(field: RosField) -> bool:

@@ -41,7 +41,7 @@ class Ros1:
         """`package/Name`."""
         return name
 
-    service_type = short = primitive = message_type
+    service_type = action_type = short = primitive = message_type
 
     def part(self, type_: str, part: str) -> str:
         """`package/NameRequest`."""

@@ -6,10 +6,14 @@ from types import MappingProxyType
 
 import numpy as np
 
-from fleet_tui.simulator.ros.definitions import MESSAGES, PACKAGES, SERVICES, Fields, RosField
+from fleet_tui.simulator.ros.definitions import ACTIONS, MESSAGES, PACKAGES, SERVICES, Fields, RosField
 from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.ros1 import COMMON_VERBS
 
+ACTION_VERBS = (
+    "action_type",
+    *("action_goal_details", "action_result_details", "action_feedback_details"),
+)
 _RENAMED = {"rosgraph_msgs/Log": "rcl_interfaces/Log", "rosapi": "rosapi_msgs"}
 _PRIMITIVES = {"bool": "boolean", "float32": "float", "float64": "double", "byte": "octet"}
 _TIME = RosField("builtin_interfaces/Time")
@@ -23,19 +27,23 @@ def _named(name: str, kind: str) -> str:
 
 
 def _short(type_: str) -> str:
-    return type_.replace("/msg/", "/").replace("/srv/", "/")
+    return type_.replace("/msg/", "/").replace("/srv/", "/").replace("/action/", "/")
 
 
 def _translated(field: RosField) -> RosField:
     if field.type == "time":
         return _TIME
-    type_ = _short(_named(field.type, "msg")) if "/" in field.type else field.type
+    type_ = _short_name(field.type) if "/" in field.type else field.type
     return RosField(type_, field.length)
+
+
+def _short_name(name: str) -> str:
+    return name if name.partition("_Feedback")[0] in ACTIONS else _short(_named(name, "msg"))
 
 
 def _messages() -> Mapping[str, Fields]:
     found: dict[str, Fields] = {
-        _short(_named(name, "msg")): {key: _translated(field) for key, field in fields.items()}
+        _short_name(name): {key: _translated(field) for key, field in fields.items()}
         for name, fields in MESSAGES.items()
         if not name.startswith("rosgraph_msgs/")
     }
@@ -51,7 +59,7 @@ class Ros2:
     """What is told as `package/msg/Name`, with sec and nanosec in times and no seq."""
 
     version, distro = 2, "jazzy"
-    rosapi_verbs: Collection[str] = (*COMMON_VERBS, "action_type", "get_ros_version", "interfaces")
+    rosapi_verbs: Collection[str] = (*COMMON_VERBS, *ACTION_VERBS, "get_ros_version", "interfaces")
     call_timeout: float | None = 5.0
     max_message_size: int | None = 10_000_000
     reads_binary = True
@@ -71,8 +79,15 @@ class Ros2:
     log_levels: Mapping[int, int] = MappingProxyType({1: 10, 2: 20, 4: 30, 8: 40, 16: 50})
 
     def message_type(self, name: str) -> str:
-        """`package/msg/Name`."""
+        """`package/msg/Name`, or `package/action/Name_FeedbackMessage`."""
+        action, _, part = name.partition("_Feedback")
+        if action in ACTIONS:
+            return f"{_named(action, 'action')}_Feedback{part}"
         return _named(name, "msg")
+
+    def action_type(self, name: str) -> str:
+        """`package/action/Name`."""
+        return _named(name, "action")
 
     def service_type(self, name: str) -> str:
         """`package/srv/Name`."""

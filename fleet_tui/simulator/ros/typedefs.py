@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from fleet_tui.simulator.ros.definitions import SERVICES, Fields, RosField
+from fleet_tui.simulator.ros.definitions import ACTIONS, SERVICES, Fields, RosField
 from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.filling import ZEROS
 
@@ -10,6 +10,7 @@ _CONSTANTS: Mapping[str, Mapping[str, int]] = {
     "rosgraph_msgs/Log": {"DEBUG": 1, "ERROR": 8, "FATAL": 16, "INFO": 2, "WARN": 4},
     "diagnostic_msgs/DiagnosticStatus": {"ERROR": 2, "OK": 0, "STALE": 3, "WARN": 1},
 }
+PARTS = "Goal", "Result", "Feedback"
 _TIME = {"secs": RosField("int32"), "nsecs": RosField("int32")}
 
 
@@ -26,6 +27,14 @@ def service_typedefs(dialect: Dialect, type_: str, response: bool) -> list[Messa
             part = dialect.part(told, "Response" if response else "Request")
             return _with_parts(dialect, part, both[response], set())
     return []
+
+
+def action_typedefs(dialect: Dialect, type_: str, part: str) -> list[Message]:
+    """The `Goal`, `Result` or `Feedback` of an action type and every type in it."""
+    name = dialect.short(type_)
+    if name not in ACTIONS:
+        return []
+    return _with_parts(dialect, f"{name}_{part}", ACTIONS[name][PARTS.index(part)], set())
 
 
 def _recursive(dialect: Dialect, type_: str, seen: set[str]) -> list[Message]:

@@ -6,47 +6,26 @@ As on the real bridge the client is told nothing about an operation that makes n
 import asyncio
 import sys
 import uuid
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import msgspec
 from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.simulator.fragments import Assembler, split
-from fleet_tui.simulator.frames import Frame, Payload, Publication
-from fleet_tui.simulator.outbox import COMPRESSIONS, Outbox, Subscription, Wish
+from fleet_tui.simulator.frames import Frame, Publication
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.errors import BridgeError
+from fleet_tui.simulator.sessions.fragments import Assembler, split
+from fleet_tui.simulator.sessions.operations import Operation, problem_of
+from fleet_tui.simulator.sessions.outbox import COMPRESSIONS, Outbox, Subscription, Wish
 
 if TYPE_CHECKING:
+    from fleet_tui.simulator.actions import ActionDesk
+    from fleet_tui.simulator.calls import Call
     from fleet_tui.simulator.guests import Guests
-
-Operation = dict[str, Any]
-
-# Field -> type and whether it must be there; what is said with another type is not listened to.
-_FIELDS: Mapping[str, Mapping[str, tuple[type, bool]]] = {
-    "subscribe": {
-        "topic": (str, True),
-        "id": (str, False),
-        "type": (str, False),
-        "throttle_rate": (int, False),
-        "queue_length": (int, False),
-        "fragment_size": (int, False),
-        "compression": (str, False),
-    },
-    "unsubscribe": {"topic": (str, True), "id": (str, False)},
-    "call_service": {"service": (str, True)},
-    "advertise": {"topic": (str, True), "type": (str, True)},
-    "unadvertise": {"topic": (str, True)},
-    "publish": {"topic": (str, True), "type": (str, False), "msg": (dict, True)},
-    "advertise_service": {"service": (str, True), "type": (str, True)},
-    "unadvertise_service": {"service": (str, True)},
-    "service_response": {"service": (str, True)},
-    "fragment": {"data": (str, True), "num": (int, True), "total": (int, True)},
-}
 
 
 class Bridge(Protocol):
@@ -55,7 +34,10 @@ class Bridge(Protocol):
     subscribe_delay: float
     dialect: Dialect
     guests: "Guests"
+    actions: "ActionDesk"
     max_message_size: int | None
+    one_by_one: bool
+    """True: a client's call or goal must be over before its next operation is looked at."""
 
     def note(self, operation: Operation) -> None:
         """Take note of an operation that arrived."""
@@ -63,7 +45,7 @@ class Bridge(Protocol):
     def complain(self, session: "Session", operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""
 
-    def call(self, session: "Session", operation: Operation) -> None:
+    def call(self, session: "Session", operation: Operation) -> "Call | None":
         """Answer a service call, or not."""
 
     def join(self, session: "Session", operation: Operation) -> None:
@@ -75,8 +57,11 @@ class Bridge(Protocol):
     def leave(self, session: "Session", topic: str) -> None:
         """A client has unsubscribed from the topic."""
 
-    def publish(self, name: str, payload: Payload | None = None) -> None:
-        """Publish a message of a topic."""
+    def publish_for(self, session: "Session", operation: Operation) -> None:
+        """Publish a client's message."""
+
+    def spread(self) -> None:
+        """Publish what has changed in the fleets."""
 
 
 @dataclass(eq=False)
@@ -137,7 +122,7 @@ class Session:
         if not isinstance(operation, dict):
             return
         self.bridge.note(operation)
-        if problem := _problem(operation):
+        if problem := problem_of(operation, self.bridge.dialect.version):
             self.bridge.complain(self, operation, problem)
             return
         try:
@@ -154,7 +139,17 @@ class Session:
             case "unsubscribe":
                 self._unsubscribe(operation["topic"], operation.get("id"))
             case "call_service":
-                self.bridge.call(self, operation)
+                call = self.bridge.call(self, operation)
+                self.bridge.spread()
+                if call is not None:
+                    await self._wait(call.over)
+            case "send_action_goal":
+                ended = self.bridge.actions.send(self, operation)
+                self.bridge.spread()
+                await self._wait(ended)
+            case "cancel_action_goal":
+                self.bridge.actions.cancel(self, operation)
+                self.bridge.spread()
             case "fragment":
                 text = self._assembler.add(operation)
                 if text is not None:
@@ -162,12 +157,19 @@ class Session:
             case _:
                 self._share(operation)
 
+    async def _wait(self, over: "asyncio.Future[None]") -> None:
+        """Wait for the end of what was asked for, where the bridge does that."""
+        if self.bridge.one_by_one:
+            gone = asyncio.ensure_future(self.connection.wait_closed())
+            await asyncio.wait((over, gone), return_when=asyncio.FIRST_COMPLETED)
+            gone.cancel()
+
     def _share(self, operation: Operation) -> None:
         """Publish a topic or offer a service of one's own."""
         guests = self.bridge.guests
         match operation["op"]:
             case "publish":
-                self.bridge.publish(*guests.published(self, operation))
+                self.bridge.publish_for(self, operation)
             case "advertise":
                 guests.advertise(self, operation["topic"], operation["type"], bool(operation.get("latch")))
             case "unadvertise":
@@ -228,20 +230,3 @@ class Session:
             return [frame]
         size = min(self._fragment_size, self.bridge.max_message_size or sys.maxsize)
         return split(frame, size, self.bridge.dialect.fragment_id)
-
-
-def _problem(operation: Operation) -> str:
-    """The reason why an operation can't be meant, empty where it can."""
-    op = operation.get("op")
-    fields = _FIELDS.get(str(op))
-    if op is None:
-        return "Received a message without an op"
-    if fields is None:
-        return f"Unknown operation: {op}"
-    for name, (type_, needed) in fields.items():
-        if operation.get(name) is None:
-            if needed:
-                return f"Expected a {name} field but none was found"
-        elif not isinstance(operation[name], type_):
-            return f"Expected field {name} to be one of {type_.__name__}. Invalid value: {operation[name]}"
-    return ""

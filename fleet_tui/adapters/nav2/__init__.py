@@ -1,0 +1,1 @@
+"""Robots with Nav2 behind a bridge of ROS 2."""

@@ -1,0 +1,47 @@
+"""Answers of Nav2's action servers: what of a command they tell."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from fleet_tui.adapters.answers import judge, said
+from fleet_tui.adapters.nav2.codes import in_words
+from fleet_tui.model.bounds import brief
+from fleet_tui.model.commands import Command, PauseRobot, Stage
+
+RETURN_CODES = {
+    1: "the robot rejected it",
+    2: "the robot knows no such goal",
+    3: "the goal had ended already",
+}
+"""Return codes of action_msgs/CancelGoal."""
+NO_SERVER = ("does not exist", "No action server available")
+
+
+def judge_cancel(command: Command, values: object, result: bool) -> tuple[Stage, str]:
+    """Tell how a cancellation went. One of all goals is well where there is none."""
+    all_meant = isinstance(command, PauseRobot)
+    if not result:
+        stage, words = judge(command, values, result, ())
+        absent = stage is Stage.REFUSED and any(text in words for text in NO_SERVER)
+        return (Stage.ACCEPTED, "no such action server") if all_meant and absent else (stage, words)
+    code = values.get("return_code") if isinstance(values, Mapping) else None
+    if not isinstance(code, int):
+        return Stage.UNKNOWN, f"an answer that says nothing: {brief(said(values))}"
+    if code == 0:
+        return Stage.ACCEPTED, ""
+    words = RETURN_CODES.get(code, f"return code {code}")
+    well = code == 3 or (all_meant and code in (1, 2))
+    return (Stage.ACCEPTED, "no goal was under way") if well else (Stage.REFUSED, words)
+
+
+def judge_goal(values: object, status: int, result: bool) -> tuple[Stage, str]:
+    """Tell what the end of a goal that this console gave means, as far as its own answer tells."""
+    if not result:
+        return Stage.REFUSED, brief(said(values))
+    fields: Mapping[str, Any] = values if isinstance(values, Mapping) else {}
+    code, message = fields.get("error_code"), fields.get("error_msg")
+    words = in_words(code, brief(message) if isinstance(message, str) else "") if code else ""
+    missed = fields.get("missed_waypoints")
+    if isinstance(missed, list) and missed:
+        return Stage.FAILED, f"{len(missed)} of its stops were missed{f': {words}' if words else ''}"
+    return (Stage.DONE if status == 4 else Stage.FAILED), words

@@ -1,0 +1,93 @@
+"""Orders and cancellations of Nav2 as goals and calls, and what their answers mean."""
+
+import math
+from collections.abc import Mapping, Sequence
+
+from fleet_tui.adapters.adapter import Call, Goal
+from fleet_tui.adapters.nav2.vocabulary import ACTIONS
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.errors import CommandError
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.goals import active
+from fleet_tui.model.order import Stop
+from fleet_tui.model.robot import Robot
+
+NO_STAMP = {"sec": 0, "nanosec": 0}
+ALL = "AAAAAAAAAAAAAAAAAAAAAA=="
+"""The id of all goals: sixteen zeros."""
+CANCEL_TYPE = "action_msgs/srv/CancelGoal"
+
+
+def order_goal(names: Names, robot: Robot, stops: Sequence[Stop]) -> Goal:
+    """Return the goal that leads to the stops one after the other. Raises CommandError."""
+    poses, here = list[Pose](), robot.pose.value if robot.pose else None
+    for stop in stops:
+        here = _pose(robot, stop, here)
+        poses.append(here)
+    if len(poses) == 1:
+        args: dict[str, object] = {"pose": _stamped(poses[0]), "behavior_tree": ""}
+        return Goal(_action(names, "navigate_to_pose", robot), names.action_type("navigate_to_pose"), args)
+    args = {"poses": [_stamped(pose) for pose in poses]}
+    return Goal(_action(names, "follow_waypoints", robot), names.action_type("follow_waypoints"), args)
+
+
+def _action(names: Names, key: str, robot: Robot) -> str:
+    name = names.action(key, robot.name)
+    if not name:
+        raise CommandError(f"this robot has no {key}: [{names.table}.actions] {key} is empty")
+    return name
+
+
+def _pose(robot: Robot, stop: Stop, before: Pose | None) -> Pose:
+    """The pose of a stop: heading along the last edge to it, else from where the robot comes."""
+    if stop.pose is not None:
+        return stop.pose
+    chart = robot.charts.get(robot.floor or "")
+    if chart is None or chart.graph is None or stop.vertex not in chart.graph.vertices:
+        raise CommandError(f"where vertex {stop.vertex} lies is not known: no graph of its floor has it")
+    vertex = chart.graph.vertices[stop.vertex]
+    if before is None:
+        return Pose(vertex.x, vertex.y)
+    dx, dy = vertex.x - before.x, vertex.y - before.y
+    return Pose(vertex.x, vertex.y, math.atan2(dy, dx) if math.hypot(dx, dy) > 0.1 else before.yaw)
+
+
+def _stamped(pose: Pose) -> Mapping[str, object]:
+    """A geometry_msgs/PoseStamped without a stamp: the robot looks where its map is now."""
+    return {
+        "header": {"frame_id": "map"},
+        "pose": {
+            "position": {"x": pose.x, "y": pose.y, "z": 0.0},
+            "orientation": {"x": 0.0, "y": 0.0, "z": math.sin(pose.yaw / 2), "w": math.cos(pose.yaw / 2)},
+        },
+    }
+
+
+def cancel_call(names: Names, robot: Robot, order_id: str) -> Call:
+    """Return the call that cancels one goal, whoever gave it. Raises CommandError for an unknown one."""
+    found = [goal for listed in robot.goals.values() for goal in listed if goal.id == order_id]
+    if len(found) != 1:
+        known = f"{len(found)} goals begin with {order_id}" if found else f"no goal {order_id} is known"
+        raise CommandError(f"{known}: see the queue of {robot.name}")
+    return _cancel(names, robot, found[0].action, found[0].uuid)
+
+
+def cancel_own(names: Names, robot: Robot) -> list[Call]:
+    """Return the calls that cancel each goal under way, those that drive by others first."""
+    under_way = sorted(active(robot.goals), key=lambda goal: ACTIONS.index(goal.action))
+    return [_cancel(names, robot, goal.action, goal.uuid) for goal in under_way if not goal.is_leg]
+
+
+def cancel_all(names: Names, robot: Robot) -> list[Call]:
+    """Return the calls that cancel all goals of all clients, of each action that ever had one, and of those
+    that orders use."""
+    used = {"follow_waypoints", "navigate_to_pose", *robot.goals}
+    keys = [key for key in ACTIONS if key in used and names.action(key, robot.name)]
+    return [_cancel(names, robot, key, ALL) for key in keys]
+
+
+def _cancel(names: Names, robot: Robot, action: str, uuid: str) -> Call:
+    # Complete: the bridge fills gaps with zeros, and zeros stand for all goals.
+    info = {"goal_id": {"uuid": uuid}, "stamp": NO_STAMP}
+    service = f"{names.action(action, robot.name)}/_action/cancel_goal"
+    return Call(service, CANCEL_TYPE, {"goal_info": info})

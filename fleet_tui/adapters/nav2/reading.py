@@ -1,0 +1,178 @@
+"""Messages of Nav2 as facts."""
+
+import base64
+import binascii
+import math
+from collections.abc import Callable, Iterable
+
+from fleet_tui.adapters.parts import read_all
+from fleet_tui.adapters.ros import messages as ros
+from fleet_tui.adapters.ros import navigation as nav
+from fleet_tui.adapters.ros.facts import pose_of
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.errors import WireError
+from fleet_tui.model import events, navigation_events
+from fleet_tui.model.bounds import LONGEST_NAME, MOST_ORDERS, brief
+from fleet_tui.model.navigation import Goal, Progress
+from fleet_tui.model.order import OrderState
+
+# (robot, message still encoded, monotonic seconds of arrival) -> the facts; raises WireError.
+Read = Callable[[str, object, float], Iterable[events.Event]]
+
+STATES = {
+    1: OrderState.QUEUED,
+    2: OrderState.IN_PROCESS,
+    3: OrderState.IN_PROCESS,
+    4: OrderState.DONE,
+    5: OrderState.CANCELLED,
+    6: OrderState.FAILED,
+}
+"""States of a goal (action_msgs/GoalStatus). One that is being cancelled still drives."""
+WORDS = {1: "accepted", 2: "executing", 3: "cancelling", 4: "succeeded", 5: "cancelled", 6: "aborted"}
+MONITOR = {0: "", 1: "stop", 2: "slowdown", 3: "approach", 4: "limit"}
+"""What a collision monitor does (nav2_msgs/CollisionMonitorState)."""
+
+
+def read_odometry(names: Names) -> Read:
+    """Read a nav_msgs/Odometry."""
+    read, scale = ros.reader(nav.Located, names.paths("odometry")), names.scale("odometry")
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        message = read(msg)
+        pose = pose_of(message.pose.pose, "pose", scale)
+        yield navigation_events.OdometryReported(robot, at, pose, message.header.stamp.seconds)
+
+    return facts
+
+
+def read_localisation(names: Names) -> Read:
+    """Read a geometry_msgs/PoseWithCovarianceStamped."""
+    read, scale = ros.reader(nav.Located, names.paths("pose")), names.scale("pose")
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        message = read(msg)
+        pose, header = pose_of(message.pose.pose, "pose", scale), message.header
+        variance = _variance(message.pose.covariance)
+        yield navigation_events.LocalisationReported(
+            robot, at, pose, header.frame_id, header.stamp.seconds, variance
+        )
+
+    return facts
+
+
+def _variance(covariance: list[float | None]) -> float | None:
+    """The variance of x and y together, None where one of both is missing or not a number."""
+    found = [covariance[n] if n < len(covariance) else None for n in (0, 7)]
+    known = [one for one in found if one is not None and math.isfinite(one)]
+    return sum(known) if len(known) == len(found) else None
+
+
+def read_battery(names: Names) -> Read:
+    """Read a sensor_msgs/BatteryState. Its scale is that of the profile, else it is found out."""
+    read = ros.reader(nav.BatteryState, names.paths("battery"))
+    scale = names.profile.scales.get("battery")
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        charge = read(msg).percentage
+        if charge is None or not math.isfinite(charge):
+            return
+        percent = charge if scale is None else charge * scale
+        if not 0.0 <= percent <= 101.0:
+            raise WireError(f"percentage is {charge}, which is not within 0 and 100 times the scale")
+        yield events.BatteryReported(robot, at, percent, is_raw=scale is None)
+
+    return facts
+
+
+def read_blocked(names: Names) -> Read:
+    """Read a nav2_msgs/CollisionMonitorState."""
+    read = ros.reader(nav.CollisionMonitorState, names.paths("blocked"))
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        message = read(msg)
+        action = MONITOR.get(message.action_type, f"action {message.action_type}")
+        yield navigation_events.BlockedReported(robot, at, action, brief(message.polygon_name, LONGEST_NAME))
+
+    return facts
+
+
+def read_floor(names: Names) -> Read:
+    """Read a std_msgs/String with the name of a floor."""
+    read = ros.reader(nav.Text, names.paths("floor"))
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        yield navigation_events.FloorReported(robot, at, brief(read(msg).data.lstrip("/"), LONGEST_NAME))
+
+    return facts
+
+
+def read_plan(names: Names) -> Read:
+    """Read a nav_msgs/Path."""
+    read = ros.reader(nav.Path, names.paths("plan"))
+    read_pose = ros.reader(nav.PoseStamped)
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        poses = read(msg).poses
+        if poses:
+            yield navigation_events.PlanReported(robot, at, pose_of(read_pose(poses[-1]).pose, "poses[-1]"))
+
+    return facts
+
+
+def read_goals(action: str) -> Read:
+    """Read the action_msgs/GoalStatusArray of an action, `action` being its key."""
+    read, read_one = ros.reader(nav.GoalStatusArray), ros.reader(nav.GoalStatus)
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        listed, faults = read(msg).status_list, list[str]()
+        found = read_all(read_one, listed[-MOST_ORDERS:], "status_list", MOST_ORDERS, faults)
+        goals = []
+        for one in found:
+            try:
+                goals.append(_goal(action, one))
+            except WireError as problem:
+                faults.append(str(problem))
+        yield navigation_events.GoalsReported(robot, at, action, tuple(goals), faults[0] if faults else "")
+
+    return facts
+
+
+def _goal(action: str, one: nav.GoalStatus) -> Goal:
+    uuid = one.goal_info.goal_id.uuid
+    word = WORDS.get(one.status, f"status {one.status}")
+    stamp = one.goal_info.stamp.seconds
+    return Goal(short_id(uuid), uuid, action, STATES.get(one.status), word, stamp)
+
+
+def short_id(uuid: str) -> str:
+    """The first eight digits of a goal's id, as people write it. Raises WireError."""
+    try:
+        found = base64.b64decode(uuid, validate=True)
+    except (binascii.Error, ValueError):
+        found = b""
+    if len(found) != 16:
+        raise WireError(f"goal_id.uuid: {brief(uuid, LONGEST_NAME)!r} is no id of 16 bytes")
+    return found.hex()[:8]
+
+
+def read_feedback() -> Read:
+    """Read the feedback of a goal."""
+    read = ros.reader(nav.FeedbackMessage)
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        message = read(msg)
+        told, goal = message.feedback, short_id(message.goal_id.uuid)
+        left, elapsed = told.estimated_time_remaining, told.navigation_time
+        metres = told.distance_remaining
+        progress = Progress(
+            goal,
+            # 0 stands for "not known": before the first plan, and while it stands.
+            metres if metres and math.isfinite(metres) and metres > 0.0 else None,
+            left.seconds if left and left.seconds > 0.0 else None,
+            elapsed.seconds if elapsed else None,
+            told.number_of_recoveries,
+            told.current_waypoint,
+        )
+        yield navigation_events.ProgressReported(robot, at, progress)
+
+    return facts

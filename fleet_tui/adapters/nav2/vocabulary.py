@@ -1,0 +1,42 @@
+"""Names of Nav2's topics and actions, `{robot}` being the namespace."""
+
+from fleet_tui.adapters.ros.fields import GRID, HEADER, alike, placed
+from fleet_tui.adapters.ros.names import Vocabulary
+
+ACTIONS = ("follow_waypoints", "navigate_through_poses", "navigate_to_pose", "dock_robot", "undock_robot")
+"""In the order in which they are cancelled: the first drives by goals of others."""
+
+VOCABULARY = Vocabulary(
+    topics={
+        "odometry": ("/{robot}/odom", "nav_msgs/Odometry"),
+        "pose": ("/{robot}/amcl_pose", "geometry_msgs/PoseWithCovarianceStamped"),
+        "battery": ("/{robot}/battery_state", "sensor_msgs/BatteryState"),
+        "blocked": ("/{robot}/collision_monitor_state", "nav2_msgs/CollisionMonitorState"),
+        "floor": ("", "std_msgs/String"),
+        "pause_navigation": ("", "std_msgs/Bool"),
+        "plan": ("/{robot}/plan", "nav_msgs/Path"),
+        "map": ("/map", "nav_msgs/OccupancyGrid"),
+    },
+    floor_topics=frozenset({"map"}),
+    services={"pause": ("", "std_srvs/Trigger"), "resume": ("", "std_srvs/Trigger")},
+    actions={
+        "follow_waypoints": ("/{robot}/follow_waypoints", "nav2_msgs/action/FollowWaypoints"),
+        "navigate_through_poses": (
+            "/{robot}/navigate_through_poses",
+            "nav2_msgs/action/NavigateThroughPoses",
+        ),
+        "navigate_to_pose": ("/{robot}/navigate_to_pose", "nav2_msgs/action/NavigateToPose"),
+        "dock_robot": ("/{robot}/dock_robot", "nav2_msgs/action/DockRobot"),
+        "undock_robot": ("/{robot}/undock_robot", "nav2_msgs/action/UndockRobot"),
+    },
+    fields={
+        "odometry": {**HEADER, **placed("pose.pose.")},
+        "pose": {**HEADER, **placed("pose.pose."), "covariance": "pose.covariance"},
+        "battery": alike("percentage"),
+        "blocked": alike("action_type", "polygon_name"),
+        "floor": alike("data"),
+        "plan": alike("poses"),
+        "map": GRID,
+    },
+    scales=frozenset({"odometry", "pose", "battery"}),
+)

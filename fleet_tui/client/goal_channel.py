@@ -1,0 +1,131 @@
+"""Connections on which goals are given, one for each robot: a bridge of Humble does nothing else on such a
+connection until its goal has ended."""
+
+import asyncio
+import logging
+import time
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+
+from fleet_tui.adapters.adapter import Adapter, Goal
+from fleet_tui.adapters.ros import operations
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import LinkError, WireError
+from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.navigation_events import GoalAnswered
+from fleet_tui.transports.rosbridge.connection import Connection
+
+LOG = logging.getLogger(__name__)
+
+CONNECT_WITHIN = 1.0
+"""Seconds that a goal may wait for its connection: after that it was not meant for this moment any more."""
+
+TakeResult = Callable[[int, operations.GoalResult], None]
+
+
+class GoalChannel:
+    """The connection for goals of one robot, made with its first one. Runs on the network loop."""
+
+    def __init__(self, link: str, bridge: Link, writer: Writer, take: TakeResult) -> None:
+        """`take` is given the end of each goal with the number of its command."""
+        self._link, self._writer, self._take = link, writer, take
+        self.connection = Connection(bridge, self)
+        self._opened = asyncio.Event()
+        self._reason = ""
+        self._commands: dict[str, int] = {}
+        self.connection.connect()
+
+    async def send(self, command_id: int, goal: Goal) -> None:
+        """Give a goal now or not at all. Raises LinkError."""
+        with suppress(TimeoutError):
+            await asyncio.wait_for(self._opened.wait(), CONNECT_WITHIN)
+        if not self.connection.is_connected:
+            raise LinkError(f"no link for goals: {self._reason or 'the bridge does not answer'}")
+        goal_id = f"goal:{command_id}"
+        self._commands[goal_id] = command_id
+        self.connection.send(operations.send_action_goal(goal_id, goal.address, goal.type, goal.args))
+
+    def on_connecting(self) -> None:
+        """A try has begun."""
+
+    def on_open(self) -> None:
+        """Goals can be given."""
+        self._opened.set()
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """The ends of goals can't come any more: their states as topics decide."""
+        self._opened.clear()
+        self._reason = reason
+        self._commands.clear()
+
+    def on_frame(self, payload: bytes, is_binary: bool) -> None:
+        """Only ends of goals come here."""
+        if self._writer.tap is not None:
+            self._writer.tap.heard(self._link, "commands", payload, is_binary, time.monotonic())
+        try:
+            operation = None if is_binary else operations.decode(payload)
+        except WireError as problem:
+            LOG.warning("%s", problem)
+            return
+        if isinstance(operation, operations.GoalResult) and operation.id in self._commands:
+            self._take(self._commands.pop(operation.id), operation)
+
+    def on_sent(self, payload: bytes) -> None:
+        """A goal left."""
+        if self._writer.tap is not None:
+            self._writer.tap.sent(self._link, "commands", payload)
+
+    def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
+        """No end of a goal is that large."""
+        LOG.warning("an answer of %d bytes was dropped", size)
+
+    def close(self) -> None:
+        """Close for good; goals go on."""
+        self.connection.shut()
+
+
+class Goals:
+    """The goals of one bridge's robots. `advance` tells a stage that a command reached, `adapters` are by
+    robot."""
+
+    def __init__(
+        self,
+        link: str,
+        bridge: Link,
+        adapters: Mapping[str, Adapter],
+        writer: Writer,
+        advance: Callable[[int, Stage, str], None],
+    ) -> None:
+        self._link, self._bridge, self._adapters, self._writer = link, bridge, adapters, writer
+        self._advance = advance
+        self._channels: dict[str, GoalChannel] = {}
+        self._commands: dict[int, Command] = {}
+
+    async def give(self, command_id: int, command: Command, goal: Goal) -> None:
+        """Give the goal of a command, and tell that it left, or why not."""
+        if command.robot not in self._channels:
+            channel = GoalChannel(self._link, self._bridge, self._writer, self._take)
+            self._channels[command.robot] = channel
+        self._commands[command_id] = command
+        try:
+            await self._channels[command.robot].send(command_id, goal)
+        except LinkError as problem:
+            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            return
+        self._advance(command_id, Stage.SENT, "")
+
+    def _take(self, command_id: int, result: operations.GoalResult) -> None:
+        """Take the end of a goal: a refusal ends its command, all else is told beside its state."""
+        command = self._commands.pop(command_id)
+        adapter = self._adapters[command.robot]
+        stage, words = adapter.outcome(command, result.values, result.result, result.status)
+        if stage is Stage.REFUSED:
+            self._advance(command_id, stage, words)
+        else:
+            self._writer.take(GoalAnswered(command_id, stage, time.monotonic(), words))
+
+    def close(self) -> None:
+        """Close all connections for good; goals go on."""
+        for channel in self._channels.values():
+            channel.close()

@@ -1,0 +1,118 @@
+"""The keeper of orders for robots that drive one goal at a time: what waits here, and when it leaves."""
+
+import logging
+import time
+from collections.abc import Callable, Iterator
+
+from fleet_tui.client.queue_file import Kept, QueueFile
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, CommandRecord, PlaceOrder, Stage
+from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.keeping import is_busy, next_to_send, waiting
+from fleet_tui.model.navigation_events import QueueHeld
+from fleet_tui.model.robot import Robot
+from fleet_tui.store import Store
+
+LOG = logging.getLogger(__name__)
+
+RESTARTED = "this console was started anew"
+
+Send = Callable[[int, Command, float], None]
+
+
+class Keeper:
+    """Runs on the network loop, but for `load`. `send` sends a command of a number, given at a monotonic
+    second; `new_id` gives the number of a command."""
+
+    def __init__(
+        self,
+        file: QueueFile | None,
+        store: Store,
+        tell: Callable[[Event], None],
+        send: Send,
+        new_id: Callable[[], int],
+    ) -> None:
+        """Without a file this console keeps nothing."""
+        self._file, self._store, self._tell, self._send, self._new_id = file, store, tell, send, new_id
+        self._leaving: set[int] = set()
+        self._saved: list[Kept] = []
+
+    def load(self) -> None:
+        """Take up what an earlier console kept, held until the operator lets it go on."""
+        state = self._store.state
+        if self._file is None or not any(robot.kind.keeps_goals for robot in state.robots.values()):
+            return
+        if not self._file.claim():
+            return
+        self._saved = self._file.load()
+        for kept in self._saved:
+            robot = state.robots.get(kept.robot)
+            if robot is None or state.links[robot.link].url != kept.url:
+                continue
+            command_id, now = self._new_id(), time.monotonic()
+            self._tell(CommandIssued(command_id, PlaceOrder(robot.name, kept.stops), now, kept.wall))
+            self._tell(CommandAdvanced(command_id, Stage.WAITING, now, RESTARTED))
+            self._tell(QueueHeld(robot.name, RESTARTED))
+        if self._file.problem:
+            LOG.warning("%s", self._file.problem)
+
+    def takes(self, command_id: int, command: Command, given_at: float) -> bool:
+        """Carry a command out here, if it is about what waits here."""
+        state = self._store.state
+        robot = state.robots[command.robot]
+        if not robot.kind.keeps_goals:
+            return False
+        if isinstance(command, PlaceOrder) and is_busy(state, robot):
+            stage, words = self._keep(robot)
+            self._tell(CommandAdvanced(command_id, stage, given_at, words))
+            return True
+        if isinstance(command, CancelOrder):
+            for record in waiting(state, robot):
+                if record.order_id == command.order_id:
+                    self._drop(record, given_at)
+                    for stage in (Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED):
+                        self._tell(CommandAdvanced(command_id, stage, given_at, "it waited here"))
+                    return True
+        if isinstance(command, ClearOrders):
+            for record in waiting(state, robot):
+                self._drop(record, given_at)
+        return False
+
+    def _keep(self, robot: Robot) -> tuple[Stage, str]:
+        if self._file is None:
+            busy = f"{robot.name} has an order, and keeps no queue: give this one in a console, or wait"
+            return Stage.NOT_SENT, busy
+        if not self._file.claim():
+            return Stage.NOT_SENT, f"{robot.name} has an order, and {self._file.owner} keeps the queue"
+        return Stage.WAITING, f"in the queue of this console ({self._file.owner})"
+
+    def _drop(self, record: CommandRecord, at: float) -> None:
+        self._tell(CommandAdvanced(record.id, Stage.CANCELLED, at, "by this console, before it was sent"))
+
+    def look(self, now: float) -> None:
+        """Send what may leave, and write down what waits. With each tick."""
+        state = self._store.state
+        kept = list(self._kept(state))
+        if self._file is not None and kept != self._saved:
+            self._saved = kept
+            self._file.save(kept)
+        self._leaving &= {record.id for record in state.commands if record.stage is Stage.WAITING}
+        for robot in state.robots.values():
+            if robot.kind.keeps_goals:
+                record = next_to_send(state, robot)
+                if record is not None and record.id not in self._leaving:
+                    self._leaving.add(record.id)
+                    self._send(record.id, record.command, now)
+
+    def _kept(self, state: FleetState) -> Iterator[Kept]:
+        for robot in state.robots.values():
+            if robot.kind.keeps_goals:
+                url = state.links[robot.link].url
+                for record in waiting(state, robot):
+                    assert isinstance(record.command, PlaceOrder)
+                    yield Kept(url, robot.name, record.command.stops, record.wall)
+
+    def close(self) -> None:
+        """Let others keep orders. What waits stays in the file."""
+        if self._file is not None:
+            self._file.close()

@@ -1,0 +1,130 @@
+"""Facts about commands: how each one changes what is known of it."""
+
+from typing import assert_never
+
+from msgspec.structs import replace
+
+from fleet_tui.model import events, navigation_events
+from fleet_tui.model.bounds import brief
+from fleet_tui.model.commands import (
+    Before,
+    CancelOrder,
+    ClearOrders,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+    Step,
+)
+from fleet_tui.model.confirmation import before, confirm
+from fleet_tui.model.fleet import FleetState, with_robot
+from fleet_tui.model.follow_up import follow_up
+from fleet_tui.model.keeping import next_id
+from fleet_tui.model.navigation_reports import know_stops
+
+COMMANDS_KEPT = 200
+
+
+def confirm_commands(state: FleetState) -> FleetState:
+    """One after the other: an order in a queue is the doing of one command only."""
+    for record in state.commands:
+        looked = follow_up(state, record) if record.is_decided else confirm(state, record)
+        if looked is not record:
+            state = _after_step(_with_record(state, looked), looked)
+    return state
+
+
+def _with_record(state: FleetState, record: CommandRecord) -> FleetState:
+    commands = tuple(record if one.id == record.id else one for one in state.commands)
+    return replace(state, commands=commands)
+
+
+def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
+    """Note our own pause: where no topic tells it, that is all that is known."""
+    robot = state.robots.get(record.command.robot)
+    if robot is None or record.stage not in (Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE):
+        return state
+    match record.command:
+        case PauseRobot():
+            stands_at = robot.pose.value if robot.pose else None
+            return with_robot(state, replace(robot, paused_by_us=True, paused_at=stands_at))
+        case ResumeRobot():
+            released = replace(robot, paused_by_us=False, paused_at=None, held="", released_at=state.now)
+            return with_robot(state, released)
+        case PlaceOrder(_, stops) if record.order_id is not None:
+            return with_robot(state, know_stops(robot, record.order_id, stops))
+        case PlaceOrder() | CancelOrder() | ClearOrders():
+            return state
+        case _:
+            assert_never(record.command)
+
+
+def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetState:
+    """A command ends once: whatever else comes for it changes nothing."""
+    found = next((record for record in state.commands if record.id == event.id), None)
+    if found is None:
+        return state
+    record = found.advanced(Step(_late_or(event.stage, state, found), event.at, brief(event.words)))
+    if record is found:
+        return state
+    robot = state.robots.get(record.command.robot)
+    if record.stage is Stage.WAITING and robot is not None:
+        record = replace(record, order_id=next_id(state, robot))
+    elif found.stage is Stage.WAITING and robot is not None and record.stage is Stage.SENT:
+        record = replace(
+            record, order_id=None, order_serial=None, answer=None, before=before(robot, event.at)
+        )
+    return _after_step(_with_record(state, record), record)
+
+
+def take_answer(state: FleetState, event: navigation_events.GoalAnswered) -> FleetState:
+    """Keep what the robot told of the end of a goal."""
+    found = next((record for record in state.commands if record.id == event.id), None)
+    if found is None:
+        return state
+    answer = Step(event.stage, event.at, brief(event.words))
+    return _with_record(state, replace(found, answer=answer))
+
+
+def _late_or(stage: Stage, state: FleetState, record: CommandRecord) -> Stage:
+    """The stage that an answer leads to. Where no topic tells a pause, an answer long after the command is
+    the only sign that it was carried out."""
+    robot = state.robots.get(record.command.robot)
+    late = stage is Stage.ACCEPTED and record.stage is Stage.NOT_CONFIRMED
+    untold = robot is not None and not robot.says_paused
+    return Stage.LATE if late and untold and isinstance(record.command, PauseRobot | ResumeRobot) else stage
+
+
+def _is_in_queue(state: FleetState, record: CommandRecord) -> bool:
+    """Whether the order it placed is still there: who gave it must be known as long."""
+    robot = state.robots.get(record.command.robot)
+    return robot is not None and any(order.id == record.order_id for order in robot.orders.orders)
+
+
+def issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
+    """Begin the record of a command."""
+    if any(record.id == event.id for record in state.commands):
+        return state
+    robot = state.robots.get(event.command.robot)
+    record = CommandRecord(
+        event.id,
+        event.command,
+        event.at,
+        event.wall,
+        (Step(Stage.CHECKED, event.at),),
+        Before() if robot is None else before(robot, event.at),
+    )
+    commands = (*state.commands, record)
+    # What is under way, or in a queue, stays, however much there is.
+    surplus = len(commands) - COMMANDS_KEPT
+    if surplus > 0:
+        old = [one.id for one in commands if one.is_decided and not _is_in_queue(state, one)][:surplus]
+        commands = tuple(one for one in commands if one.id not in old)
+    return replace(state, commands=commands)
+
+
+def hold_queue(state: FleetState, event: navigation_events.QueueHeld) -> FleetState:
+    """Keep the orders that wait here from leaving."""
+    robot = state.robots.get(event.robot)
+    return state if robot is None else with_robot(state, replace(robot, held=brief(event.reason)))

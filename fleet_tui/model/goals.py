@@ -1,0 +1,106 @@
+"""Goals as orders: what a robot's action servers list, put together as its queue."""
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+
+from msgspec.structs import replace
+
+from fleet_tui.model.bounds import MOST_ORDERS
+from fleet_tui.model.navigation import Goal
+from fleet_tui.model.order import BEGUN, OVER, Order, OrderQueue, OrderState, Stop
+
+LEADING = "follow_waypoints"
+"""The action that drives by goals of another one: those are its legs, and no orders of their own."""
+LISTED_FOR = 10.0
+"""Seconds for which a goal that has ended stays in the queue, for the command that gave it."""
+
+Goals = Mapping[str, tuple[Goal, ...]]
+"""The goals of each action."""
+
+
+def with_reported(known: Goals, action: str, reported: Sequence[Goal], at: float) -> Goals:
+    """Return the goals after an action server has listed its own, oldest first."""
+    before = {goal.uuid: goal for goal in known.get(action, ())}
+    is_first = action not in known
+    serial = max((goal.serial for goals in known.values() for goal in goals), default=0)
+    merged = list[Goal]()
+    for goal in reported[-MOST_ORDERS:]:
+        old = before.get(goal.uuid)
+        if old is None:
+            serial += 1
+            old = replace(goal, serial=serial)
+        ended = old.ended_at
+        if ended is None and goal.state in OVER:
+            ended = -math.inf if is_first else at
+        merged.append(replace(old, state=goal.state, word=goal.word, ended_at=ended))
+    return _with_legs({**known, action: tuple(_with_replaced(before, merged))})
+
+
+def _with_replaced(before: Mapping[str, Goal], goals: Sequence[Goal]) -> Iterable[Goal]:
+    """A goal that fails at the moment at which a newer one has come was replaced by it."""
+    for goal in goals:
+        old = before.get(goal.uuid)
+        was_over = old is not None and old.state in OVER
+        newer = any(one.serial > goal.serial and one.state not in OVER for one in goals)
+        if (old is not None and old.state is OrderState.REPLACED) or (
+            goal.state is OrderState.FAILED and not was_over and newer
+        ):
+            yield replace(goal, state=OrderState.REPLACED)
+        else:
+            yield goal
+
+
+def _with_legs(goals: Goals) -> Goals:
+    """Mark the goals that the leading action gave while it was under way."""
+    leaders = [goal for goal in goals.get(LEADING, ()) if goal.state in BEGUN]
+    if not leaders:
+        return goals
+    return {
+        action: listed
+        if action == LEADING
+        else tuple(replace(goal, is_leg=True) if _is_leg_of(leaders, goal) else goal for goal in listed)
+        for action, listed in goals.items()
+    }
+
+
+def _is_leg_of(leaders: Sequence[Goal], goal: Goal) -> bool:
+    if goal.is_leg or goal.state in OVER:
+        return goal.is_leg
+    return any(one.stamp is None or goal.stamp is None or one.stamp <= goal.stamp for one in leaders)
+
+
+def queue_of(goals: Goals, at: float, offset: float | None) -> OrderQueue:
+    """Return the goals as a queue: those under way, and those that have just ended. `offset`: by how many
+    seconds our clock is ahead of the robot's."""
+    own = sorted(
+        (goal for listed in goals.values() for goal in listed if not goal.is_leg),
+        key=lambda goal: goal.serial,
+    )
+    last = max((goal.serial for listed in goals.values() for goal in listed), default=0)
+    shown = [goal for goal in own if goal.ended_at is None or at - goal.ended_at < LISTED_FOR]
+    begun = [goal.id for goal in shown if goal.state in BEGUN]
+    orders = tuple(
+        Order(
+            goal.id,
+            goal.stops,
+            goal.state,
+            goal.word,
+            goal.serial,
+            None if goal.stamp is None or offset is None else goal.stamp + offset,
+        )
+        for goal in shown[-MOST_ORDERS:]
+    )
+    return OrderQueue(last, begun[-1] if begun else "", orders)
+
+
+def with_stops(goals: Goals, id_: str, stops: tuple[Stop, ...]) -> Goals:
+    """Return the goals, one of them with where it leads to."""
+    return {
+        action: tuple(replace(goal, stops=stops) if goal.id == id_ else goal for goal in listed)
+        for action, listed in goals.items()
+    }
+
+
+def active(goals: Goals) -> list[Goal]:
+    """Return the goals that are under way, legs included."""
+    return [goal for listed in goals.values() for goal in listed if goal.state not in OVER]

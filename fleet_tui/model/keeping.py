@@ -1,0 +1,94 @@
+"""Orders that this console keeps for robots that drive one goal at a time, and when the next one may
+leave."""
+
+from collections.abc import Iterator
+
+from msgspec.structs import replace
+
+from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
+from fleet_tui.model.order import Order
+from fleet_tui.model.robot import Robot
+
+PREFIX = "k"
+"""Begins the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
+SOMEBODY_ELSE = "someone else drives"
+
+_WELL = frozenset({Stage.DONE})
+_GOING = frozenset({Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
+
+
+def orders_of(state: FleetState, robot: Robot) -> list[CommandRecord]:
+    """Return the orders that this console gave to a robot, in the order in which they are driven: one that
+    was stopped and is kept comes before those that were never begun."""
+    found = [
+        one
+        for one in state.commands
+        if one.command.robot == robot.name and isinstance(one.command, PlaceOrder)
+    ]
+    return sorted(found, key=lambda one: one.issued_at)
+
+
+def waiting(state: FleetState, robot: Robot) -> list[CommandRecord]:
+    """Return the orders that wait here, the next one first."""
+    return [one for one in orders_of(state, robot) if one.stage is Stage.WAITING]
+
+
+def next_id(state: FleetState, robot: Robot) -> str:
+    """Return an id for an order that begins to wait."""
+    taken = [one.order_id or "" for one in orders_of(state, robot)]
+    numbers = [int(id_[1:]) for id_ in taken if id_.startswith(PREFIX) and id_[1:].isdigit()]
+    return f"{PREFIX}{max(numbers, default=0) + 1}"
+
+
+def foreign(state: FleetState, robot: Robot) -> list[Order]:
+    """Return the orders under way that this console did not give, as far as it knows its own."""
+    known = {one.order_id for one in orders_of(state, robot)}
+    unknown = any(one.stage in _GOING for one in orders_of(state, robot))
+    return [] if unknown else [order for order in robot.orders.open if order.id not in known]
+
+
+def is_busy(state: FleetState, robot: Robot) -> bool:
+    """Tell whether an order that left now would replace another one, or overtake it."""
+    return bool(robot.orders.open) or any(
+        one.stage is Stage.WAITING or one.stage in _GOING or one.has_open_order
+        for one in orders_of(state, robot)
+    )
+
+
+def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
+    """Return the order that may leave now, if any: the one before is done, and nothing speaks against it."""
+    kept = waiting(state, robot)
+    if not kept or robot.held or robot.paused_by_us or not state.is_online(robot):
+        return None
+    if state.links[robot.link].phase is not Phase.UP or robot.orders.open:
+        return None
+    others = (one for one in orders_of(state, robot) if one.stage is not Stage.WAITING)
+    return None if any(one.stage in _GOING or one.has_open_order for one in others) else kept[0]
+
+
+def with_held_queues(state: FleetState) -> FleetState:
+    """Hold the queue of each robot where something happened that the operator must know of first."""
+    held = {
+        robot.name: replace(robot, held=reason)
+        for robot in state.robots.values()
+        if robot.kind.keeps_goals
+        and not robot.held
+        and waiting(state, robot)
+        and (reason := next(_reasons(state, robot), ""))
+    }
+    return replace(state, robots={**state.robots, **held}) if held else state
+
+
+def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
+    if foreign(state, robot):
+        yield SOMEBODY_ELSE
+    if state.links[robot.link].phase is not Phase.UP:
+        yield "the link was lost"
+    elif not state.is_online(robot):
+        yield f"{robot.name} was offline"
+    ended = [one for one in orders_of(state, robot) if one.is_decided and not one.has_open_order]
+    newest = max(ended, key=lambda one: one.at, default=None)
+    if newest is not None and newest.stage not in _WELL and newest.at > robot.released_at:
+        yield f"order {newest.order_id or 'before'} is {newest.stage.value}"

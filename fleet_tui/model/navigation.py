@@ -1,0 +1,49 @@
+"""Navigation goals of robots that have no queue, and how far they are with them."""
+
+from msgspec import Struct
+
+from fleet_tui.model.order import OrderState, Stop
+
+
+class Goal(Struct, frozen=True):
+    """A goal of an action. `id` is short, for people; `uuid` as it is on the wire. `action` is its key in the
+    vocabulary; `stamp` the second at which it was taken, by the robot's clock; `stops` where it leads to, as
+    far as that is known; `serial` grows with each goal seen. `is_leg`: another goal of the same robot gave
+    it. `ended_at` is when it was first seen as over (monotonic), infinitely long ago if that was before."""
+
+    id: str
+    uuid: str
+    action: str
+    state: OrderState | None
+    word: str = ""
+    stamp: float | None = None
+    stops: tuple[Stop, ...] = ()
+    serial: int = 0
+    is_leg: bool = False
+    ended_at: float | None = None
+
+
+class Progress(Struct, frozen=True):
+    """How far a goal is: metres left, seconds left and since its start, recoveries so far, and the number of
+    the stop that it drives to, each None where it is not told. `goal` is its short id."""
+
+    goal: str
+    metres: float | None = None
+    seconds: float | None = None
+    elapsed: float | None = None
+    recoveries: int | None = None
+    stop: int | None = None
+
+
+class Blocked(Struct, frozen=True):
+    """A robot that its collision monitor holds back, and since when this console has seen it (monotonic).
+    `action` is stop, slowdown, approach or limit, empty for none; `polygon` the zone that saw something."""
+
+    action: str
+    polygon: str
+    since: float
+
+    @property
+    def is_stopped(self) -> bool:
+        """Tell whether it stands because of it."""
+        return self.action == "stop"

@@ -1,0 +1,101 @@
+"""Facts about navigating robots and the orders that wait for them. `at` is the monotonic second at which a
+fact reached us."""
+
+from msgspec import Struct
+
+from fleet_tui.model.commands import Stage
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.navigation import Goal, Progress
+
+
+class OdometryReported(Struct, frozen=True, tag=True):
+    """Where a robot is by its wheels, in a frame of its own that drifts."""
+
+    robot: str
+    at: float
+    pose: Pose
+    stamp: float | None
+
+
+class LocalisationReported(Struct, frozen=True, tag=True):
+    """Where a robot was on its map when it last found out. `variance`: of x and y together, in square metres,
+    None where it gives none."""
+
+    robot: str
+    at: float
+    pose: Pose
+    frame_id: str
+    stamp: float | None
+    variance: float | None
+
+
+class BlockedReported(Struct, frozen=True, tag=True):
+    """A collision monitor holds the robot back, or no longer: `action` is empty then."""
+
+    robot: str
+    at: float
+    action: str
+    polygon: str
+
+
+class ProgressReported(Struct, frozen=True, tag=True):
+    """How far a goal is."""
+
+    robot: str
+    at: float
+    progress: Progress
+
+
+class GoalsReported(Struct, frozen=True, tag=True):
+    """All goals that an action server lists, the oldest first; `fault` says what of them was left out."""
+
+    robot: str
+    at: float
+    action: str
+    goals: tuple[Goal, ...]
+    fault: str = ""
+
+
+class PlanReported(Struct, frozen=True, tag=True):
+    """Where the path ends that a robot drives now."""
+
+    robot: str
+    at: float
+    end: Pose
+
+
+class FloorReported(Struct, frozen=True, tag=True):
+    """The floor a robot is on, by its own word."""
+
+    robot: str
+    at: float
+    floor: str
+
+
+class GoalAnswered(Struct, frozen=True, tag=True):
+    """The end of a goal as the robot told the console that gave it: DONE or FAILED, with its words."""
+
+    id: int
+    stage: Stage
+    at: float
+    words: str = ""
+
+
+class QueueHeld(Struct, frozen=True, tag=True):
+    """The orders that this console keeps for a robot stay until the operator lets it go on."""
+
+    robot: str
+    reason: str
+
+
+Navigation = (
+    OdometryReported
+    | LocalisationReported
+    | BlockedReported
+    | ProgressReported
+    | GoalsReported
+    | PlanReported
+    | FloorReported
+)
+Live = OdometryReported | BlockedReported | ProgressReported
+"""Signs of life: the others are latched."""

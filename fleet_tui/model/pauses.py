@@ -1,0 +1,75 @@
+"""Pauses and resumes: what telemetry says of whether they were carried out."""
+
+from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.keeping import waiting
+from fleet_tui.model.robot import Robot
+
+STANDS_AFTER = 1.0
+"""Seconds without movement after which a robot stands, and with which it counted as moving."""
+
+WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
+"""Where telemetry decides."""
+
+
+def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
+    """Tell whether a pause's or resume's opposite was given since and took effect, as far as is known:
+    what is seen from then on is the doing of that one."""
+    opposite = ResumeRobot if isinstance(record.command, PauseRobot) else PauseRobot
+    return any(
+        isinstance(other.command, opposite)
+        and other.command.robot == record.command.robot
+        and other.issued_at > record.issued_at
+        and other.stage in WAITS | {Stage.CONFIRMED, Stage.TAKEN, Stage.LATE}
+        for other in state.commands
+    )
+
+
+def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
+    """Whether it has reported one place since the command. A robot may stop so soon that it reports no
+    further one."""
+    if robot.pose is None or robot.standing is None or state.is_old(robot.pose):
+        return False
+    return robot.pose.at - max(robot.standing.at, record.issued_at) >= STANDS_AFTER
+
+
+def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
+    """The words stay on the screen, and must not read as what the robot is later."""
+    taken = Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
+    if is_overtaken(state, record):
+        return taken
+    if robot.kind.holds and record.stage is Stage.ACCEPTED:
+        return _held(state, robot, wanted)
+    sent = record.time_of(Stage.SENT) or record.issued_at
+    if robot.paused is not None:
+        if robot.paused.at > sent and robot.paused.value is wanted:
+            return Step(Stage.CONFIRMED, state.now, "reported by the robot")
+        return None
+    if wanted and record.before.moving:
+        stopped = _stopped(state, robot, record)
+        return Step(Stage.CONFIRMED, state.now, "it was seen to stop") if stopped else None
+    return None if robot.says_paused else taken
+
+
+def _held(state: FleetState, robot: Robot, wanted: bool) -> Step | None:
+    """A pause that cancels goals is seen when none is under way any more."""
+    if not wanted:
+        return Step(Stage.CONFIRMED, state.now, "the orders that wait here go on")
+    if robot.orders.open:
+        return None
+    kept = any(one.order_id for one in waiting(state, robot))
+    return Step(Stage.CONFIRMED, state.now, "stopped, goal kept here" if kept else "stopped, no goal to keep")
+
+
+def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
+    """What telemetry showed where a pause or resume can't be seen to have been carried out."""
+    wanted = isinstance(record.command, PauseRobot)
+    if robot.paused is not None:
+        return "it reported no pause" if wanted else "it reported a pause"
+    if robot.says_paused:
+        return "the topic that tells its pauses has not been heard"
+    if not wanted or not record.before.moving or is_overtaken(state, record):
+        return "nothing shows it"
+    if robot.pose is None or robot.pose.at - record.issued_at < STANDS_AFTER:
+        return "its pose has not been heard since"
+    return "it went on moving"

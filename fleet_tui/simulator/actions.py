@@ -1,0 +1,145 @@
+"""Goals that clients give to action servers through the bridge, and what they are told of them."""
+
+import asyncio
+import time
+import uuid
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from fleet_tui.simulator.channels import resolve
+from fleet_tui.simulator.fleets import Fleet
+from fleet_tui.simulator.frames import to_json
+from fleet_tui.simulator.ros.definitions import ACTIONS
+from fleet_tui.simulator.ros.dialect import Dialect, Message
+from fleet_tui.simulator.ros.errors import BridgeError, ServiceError
+from fleet_tui.simulator.ros.filling import fill
+from fleet_tui.simulator.ros.goals import ActionServer, Goal
+
+if TYPE_CHECKING:
+    from fleet_tui.simulator.sessions.operations import Operation
+    from fleet_tui.simulator.sessions.session import Session
+
+REMEMBERED = 1000  # goals of clients who wait for their end
+SOUGHT = 1.0  # seconds for which the bridge looks for an action server
+
+Ended = asyncio.Future[None]
+"""Done once the client has been told the result."""
+
+
+@dataclass(eq=False)
+class _Given:
+    """A goal that a client gave."""
+
+    session: "Session"
+    operation: "Operation"
+    fleet: Fleet
+    server: ActionServer
+    goal: Goal
+    ended: Ended = field(default_factory=asyncio.Future)
+
+
+class ActionDesk:
+    """Its attributes are for tests to read and change."""
+
+    def __init__(self, fleets: Iterable[Fleet], dialect: Dialect, unsourced: set[str]) -> None:
+        self._dialect, self._unsourced = dialect, unsourced
+        self._servers = {name: (fleet, server) for fleet in fleets for name, server in fleet.actions.items()}
+        self._given: list[_Given] = []
+        self.tells_failure = True
+        """False: a goal that is rejected, or for which there is no server, is never answered."""
+
+    @property
+    def names(self) -> list[str]:
+        """The action servers that are there."""
+        return [name for name, (_, server) in self._servers.items() if server.alive]
+
+    def send(self, session: "Session", operation: "Operation") -> Ended:
+        """Give a goal of a client's."""
+        name = resolve(operation["action"])
+        fleet, server = self._servers.get(name, (None, None))
+        try:
+            type_ = self._type(operation["action_type"])
+            request = self._request(type_, operation.get("args"))
+        except ServiceError as error:
+            return self._fail(session, operation, str(error))
+        if fleet is None or server is None or server.type != type_ or not server.alive:
+            return self._fail(session, operation, "No action server available", SOUGHT)
+        goal = server.take(uuid.uuid4().bytes, time.time_ns(), request)
+        if goal is None:
+            if not self.tells_failure:
+                return asyncio.Future()
+            return self._fail(session, operation, "Action goal was rejected")
+        given = _Given(session, operation, fleet, server, goal)
+        self._given.append(given)
+        del self._given[:-REMEMBERED]
+        return given.ended
+
+    def cancel(self, session: "Session", operation: "Operation") -> None:
+        """Cancel a goal that this very client gave, the newest of this id. Raises BridgeError."""
+        for given in reversed(self._given):
+            if given.session is session and given.operation.get("id") == operation.get("id"):
+                given.server.cancel(given.goal.id, 0)
+                return
+        raise BridgeError(f"No goal with id {operation.get('id')} to cancel")
+
+    def tell_feedback(self) -> None:
+        """Tell the clients who want to know how their goals get on."""
+        for given in self._given:
+            if given.operation.get("feedback") and given.server.alive and not given.goal.over:
+                values = given.fleet.feedback(given.server, given.goal, self._dialect)
+                if values is not None:
+                    self._tell(given.session, given.operation, "action_feedback", {"values": values})
+
+    def tell_results(self) -> None:
+        """Tell the clients how their goals ended; of a server that is dead nothing ever comes."""
+        for given in list(self._given):
+            if not given.server.alive:
+                self._given.remove(given)
+            elif given.goal.over and (values := given.fleet.result(given.server, given.goal)) is not None:
+                self._given.remove(given)
+                self._tell_result(given.session, given.operation, values, given.goal.status, True)
+                given.ended.set_result(None)
+
+    def gone(self, session: "Session") -> None:
+        """Forget a client; its goals go on."""
+        self._given = [given for given in self._given if given.session is not session]
+
+    def _type(self, asked: str) -> str:
+        type_ = self._dialect.short(asked)
+        package, _, name = type_.partition("/")
+        packages = {action.partition("/")[0] for action in ACTIONS}
+        if package in self._unsourced or package not in packages:
+            raise ServiceError(self._dialect.unknown_package(package, "action"))
+        if type_ not in ACTIONS:
+            why = f"module '{package}.action' has no attribute '{name}'"
+            raise ServiceError(
+                f"Unable to import action class {name} from package {package}. Caused by {why}"
+            )
+        return type_
+
+    def _request(self, type_: str, args: object) -> Message:
+        return fill(self._dialect, f"{type_}_Goal", ACTIONS[type_][0], args, time.time())
+
+    def _fail(self, session: "Session", operation: "Operation", words: str, delay: float = 0.0) -> Ended:
+        ended = Ended()
+
+        def tell() -> None:
+            self._tell_result(session, operation, words, 0, False)
+            ended.set_result(None)
+
+        if delay == 0.0:
+            tell()
+        elif self.tells_failure:
+            asyncio.get_running_loop().call_later(delay, tell)
+        return ended
+
+    def _tell_result(
+        self, session: "Session", operation: "Operation", values: Any, status: int, result: bool
+    ) -> None:
+        told = {"values": values, "status": status, "result": result}
+        self._tell(session, operation, "action_result", told)
+
+    def _tell(self, session: "Session", operation: "Operation", op: str, told: Message) -> None:
+        id_ = {"id": operation["id"]} if operation.get("id") is not None else {}
+        session.reply(to_json({"op": op, "action": operation["action"], **told, **id_}))

@@ -1,0 +1,49 @@
+"""The kinds of simulated robots: one line each."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+from fleet_tui.simulator.faults import FAULTS, wire
+from fleet_tui.simulator.nav2.faults import FAULTS as NAV2_FAULTS
+
+if TYPE_CHECKING:
+    # The command line lists kinds and faults: it must not wait for the fleets to be imported.
+    from fleet_tui.simulator.fleets import Fleet
+
+
+class Build(Protocol):
+    """Makes a fleet; `first` is the number in the first robot's name."""
+
+    def __call__(self, robots: int, floors: int, seed: int, first: int) -> "Fleet":
+        """Make it."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of robots: the generations of ROS it runs on, the usual one first, and its faults."""
+
+    build: Build
+    ros: tuple[str, ...]
+    faults: Mapping[str, tuple[str, wire.Play]]
+    graph_files: bool = False
+    """Their graph is no topic but a file."""
+
+
+def _oh_ressources(robots: int, floors: int, seed: int, first: int) -> "Fleet":
+    from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+    from fleet_tui.simulator.world import World
+
+    return OhFleet(World(robots, floors, seed, first=first))
+
+
+def _nav2(robots: int, floors: int, seed: int, first: int) -> "Fleet":
+    from fleet_tui.simulator.nav2.fleet import Nav2Fleet
+
+    return Nav2Fleet(robots, floors, seed, first=first)
+
+
+KINDS: Mapping[str, Kind] = {
+    "oh_ressources": Kind(_oh_ressources, ("1", "2"), FAULTS),
+    "nav2": Kind(_nav2, ("2",), NAV2_FAULTS, graph_files=True),
+}

@@ -1,0 +1,111 @@
+"""A fleet with Nav2 as the bridge sees it: topics, actions, services."""
+
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cached_property, partial
+from typing import Any
+
+from fleet_tui.simulator.fleets import Line
+from fleet_tui.simulator.frames import Payload
+from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.nav2 import messages
+from fleet_tui.simulator.nav2.faults import FAULTS
+from fleet_tui.simulator.nav2.navigation import TO_POSE, Navigation
+from fleet_tui.simulator.nav2.topics import News, map_topics, steady_topics
+from fleet_tui.simulator.nav2.words import Changes, health
+from fleet_tui.simulator.nav2.world import Nav2World
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.goals import ActionServer, Goal
+from fleet_tui.simulator.ros_types import ServiceType, service_type
+
+Message = dict[str, Any]
+
+ACTIVE = "lifecycle_manager_navigation/is_active"
+CANCEL = "_action/cancel_goal"
+
+
+class Nav2Fleet(Nav2World):
+    """The robots of a Nav2World on the wire."""
+
+    faults = FAULTS
+
+    def __init__(self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0) -> None:
+        super().__init__(robots, floors, seed, quiet, first, clock=time.time_ns)
+        if robots > 1:
+            self.robots[next(reversed(self.robots))].percent = float("nan")
+        self._news = News(self)
+        self._changes = Changes(self)
+
+    @cached_property
+    def actions(self) -> Mapping[str, ActionServer]:
+        """Every robot's action servers by name."""
+        return {
+            server.name: server
+            for navigation in self.navigation.values()
+            for server in navigation.servers.values()
+        }
+
+    def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
+        """Every topic; the maps were loaded at this wall time."""
+        yield from map_topics(self, loaded_at, dialect)
+        for navigation in self.navigation.values():
+            yield from steady_topics(navigation, dialect)
+        yield from self._news.topics(dialect)
+
+    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+        """The goal_pose of each robot: a pose there becomes a goal."""
+        return {
+            f"/{name}/goal_pose": ("geometry_msgs/PoseStamped", partial(_take_pose, navigation))
+            for name, navigation in self.navigation.items()
+        }
+
+    def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
+        """Of each robot: whether Nav2 is active, and what cancels the goals of each action."""
+        trigger, cancel = (
+            service_type(dialect, name) for name in ("std_srvs/Trigger", "action_msgs/CancelGoal")
+        )
+        return {f"/{name}/{ACTIVE}": trigger for name in self.robots} | {
+            f"{action}/{CANCEL}": cancel for action in self.actions
+        }
+
+    def answer(self, service: str, args: Mapping[str, Any]) -> Message:
+        """The answer of a service; `args` complete and of the right types."""
+        if service.endswith(ACTIVE):
+            return {"success": self.navigation[service.split("/")[1]].active, "message": ""}
+        info = args["goal_info"]
+        stamp = info["stamp"]["sec"] * messages.GIGA + info["stamp"]["nanosec"]
+        server = self.actions[service.removesuffix(f"/{CANCEL}")]
+        answer = server.cancel(bytes(info["goal_id"]["uuid"]), stamp)
+        goals = [messages.goal_info(goal.id, goal.stamp) for goal in answer["goals_canceling"]]
+        return answer | {"goals_canceling": goals}
+
+    def news(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
+        """Everything that changed since the last look: where robots are, what stops them, how goals stand."""
+        return self._news.take(dialect)
+
+    def feedback(self, server: ActionServer, goal: Goal, dialect: Dialect) -> Message | None:
+        """The feedback of an action on a goal, None where it says nothing."""
+        navigation = self._navigation_of(server)
+        if navigation.robot.silence or not navigation.tells:
+            return None
+        return messages.feedback(navigation, server.verb, goal, messages.header(dialect, time.time()))
+
+    def result(self, server: ActionServer, goal: Goal) -> Message | None:
+        """The result of a goal that is over, None while it can't be heard."""
+        navigation = self._navigation_of(server)
+        return None if navigation.robot.silence else messages.result(goal, navigation.distro)
+
+    def lines(self) -> Iterable[Line]:
+        """The lines of Nav2's nodes about everything that happened since the last look."""
+        return self._changes.lines()
+
+    def health(self) -> Iterable[Message]:
+        """The batteries and localisations of all robots that can be heard."""
+        return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))
+
+    def _navigation_of(self, server: ActionServer) -> Navigation:
+        return self.navigation[server.name.split("/")[1]]
+
+
+def _take_pose(navigation: Navigation, message: Message) -> None:
+    navigation.take(TO_POSE, {"pose": message, "behavior_tree": ""})

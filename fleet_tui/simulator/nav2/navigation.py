@@ -1,0 +1,184 @@
+"""The action servers of one robot: they take goals and let the robot drive. Pure."""
+
+import random
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.nav2.poses import FRAME, flat, stamped
+from fleet_tui.simulator.nav2.robot import Nav2Robot
+from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, CANCELING, SUCCEEDED, ActionServer, Goal
+
+Message = dict[str, Any]
+
+TO_POSE, THROUGH = "navigate_to_pose", "navigate_through_poses"
+WAYPOINTS, DOCK = "follow_waypoints", "dock_robot"
+TYPES = {
+    TO_POSE: "nav2_msgs/NavigateToPose",
+    THROUGH: "nav2_msgs/NavigateThroughPoses",
+    WAYPOINTS: "nav2_msgs/FollowWaypoints",
+    DOCK: "nav2_msgs/DockRobot",
+}
+NOT_STAGED = 903
+
+
+@dataclass(eq=False)
+class _Tour:
+    """A goal of which each pose is driven to as a goal of navigate_to_pose."""
+
+    goal: Goal
+    poses: list[Message]
+    at: int = 0
+    leg: Goal | None = None
+    missed: list[Message] = field(default_factory=list)
+
+
+class Navigation:
+    """Its attributes are for tests to read and change. `clock`: nanoseconds since 1970."""
+
+    def __init__(self, robot: Nav2Robot, rng: random.Random, clock: Callable[[], int]) -> None:
+        self.robot = robot
+        self._rng, self._clock = rng, clock
+        begins = {TO_POSE: self._begin, THROUGH: self._begin, WAYPOINTS: self._tour, DOCK: self._dock}
+        self.servers = {
+            verb: ActionServer(f"/{robot.name}/{verb}", TYPES[verb], self._decide, begin)
+            for verb, begin in begins.items()
+        }
+        self.active = True
+        """False: the lifecycle manager has let the servers down, goals are rejected."""
+        self.reject = 0
+        """The number of goals that are rejected from now on."""
+        self.received: list[Message] = []
+        """Every goal that reached a server, legs of tours too; the newest last."""
+        self.tells = True
+        """False: nothing is said on the way."""
+        self.distro = "jazzy"
+        """Whose results are told."""
+        self._current: Goal | None = None
+        self._tours: dict[str, _Tour] = {}
+
+    def give(self, x: float, y: float, yaw: float = 0.0) -> Goal | None:
+        """Give a goal of navigate_to_pose as another client would; None where it is rejected."""
+        return self.take(TO_POSE, {"pose": stamped(Pose(x, y, yaw)), "behavior_tree": ""})
+
+    def take(self, verb: str, request: Message) -> Goal | None:
+        """Give any goal, its fields complete, under a new id; None where it is rejected."""
+        return self.servers[verb].take(self.new_id(), self._clock(), request)
+
+    def new_id(self) -> bytes:
+        """An id for a goal."""
+        return self._rng.randbytes(16)
+
+    def abort(self, code: int = 105, words: str = "Failed to make progress") -> None:
+        """Let the robot give up the drive it is on."""
+        if self._current is not None:
+            self.robot.fail(code, words)
+
+    def step(self, dt: float) -> None:
+        """Bring the goals on, after the robot has lived for dt seconds."""
+        for server in self.servers.values():
+            server.age(dt)
+        self._advance_drive()
+        for verb, tour in list(self._tours.items()):
+            self._advance_tour(verb, tour)
+
+    def waypoint(self) -> int:
+        """The index of the waypoint that follow_waypoints is driving to."""
+        tour = self._tours.get(WAYPOINTS)
+        return tour.at if tour else 0
+
+    def _decide(self, request: Message) -> bool:
+        self.received.append(request)
+        del self.received[:-1000]
+        if self.reject > 0:
+            self.reject -= 1
+            return False
+        poses = request.get("poses", [request["pose"]] if "pose" in request else [])
+        return self.active and all(pose["header"]["frame_id"] == FRAME for pose in poses)
+
+    def _begin(self, goal: Goal) -> None:
+        """Drive to a goal's pose or poses. One navigator at a time; its new goal replaces its old one."""
+        mine, other = (TO_POSE, THROUGH) if "pose" in goal.request else (THROUGH, TO_POSE)
+        if self.servers[other].running:
+            self.servers[mine].advance(goal, ABORTED, _result())
+            return
+        if self._current is not None:
+            self.servers[mine].advance(self._current, ABORTED, _result())
+        self._current = goal
+        poses = [goal.request["pose"]] if mine == TO_POSE else goal.request["poses"]
+        self.robot.drive([flat(pose["pose"]) for pose in poses])
+
+    def _advance_drive(self) -> None:
+        goal = self._current
+        if goal is None:
+            return
+        server = self.servers[TO_POSE if "pose" in goal.request else THROUGH]
+        if not server.alive:
+            self._current = None
+            self.robot.halt()
+        elif goal.status == CANCELING:
+            self._finish(server, goal, CANCELED, _result())
+        elif self.robot.failure is not None:
+            self._finish(server, goal, ABORTED, _result(*self.robot.failure))
+        elif not self.robot.driving:
+            self._finish(server, goal, SUCCEEDED, _result())
+
+    def _finish(self, server: ActionServer, goal: Goal, status: int, result: Message) -> None:
+        self._current = None
+        self.robot.halt()
+        server.advance(goal, status, result)
+
+    def _tour(self, goal: Goal) -> None:
+        self._replace(WAYPOINTS, _Tour(goal, goal.request["poses"]))
+
+    def _dock(self, goal: Goal) -> None:
+        floor = self.robot.floor
+        dock = floor.graph.vertices[floor.vertex_of("charger")]
+        self._replace(DOCK, _Tour(goal, [stamped(Pose(dock.x, dock.y))]))
+
+    def _replace(self, verb: str, tour: _Tour) -> None:
+        before = self._tours.get(verb)
+        if before is not None:
+            self.servers[verb].advance(before.goal, ABORTED, self._told(verb, before))
+        self._tours[verb] = tour
+
+    def _advance_tour(self, verb: str, tour: _Tour) -> None:
+        server, leg = self.servers[verb], tour.leg
+        if not server.alive:
+            del self._tours[verb]
+        elif tour.goal.status == CANCELING:
+            if leg is not None:
+                self.servers[TO_POSE].cancel(leg.id, 0)
+            self._end_tour(verb, tour, CANCELED)
+        elif tour.at == len(tour.poses):
+            self._end_tour(verb, tour, ABORTED if verb == DOCK and tour.missed else SUCCEEDED)
+        elif leg is None:
+            tour.leg = self.take(TO_POSE, {"pose": tour.poses[tour.at], "behavior_tree": ""})
+            if tour.leg is None:
+                self._pass(tour, 0)
+        elif leg.over or leg.id not in self.servers[TO_POSE].goals:
+            self._pass(tour, None if leg.status == SUCCEEDED else leg.result.get("error_code", 0))
+
+    def _pass(self, tour: _Tour, code: int | None) -> None:
+        """Go on to the next waypoint; code None: this one was reached."""
+        if code is not None:
+            goal = tour.poses[tour.at]
+            tour.missed.append({"index": tour.at, "goal": goal, "error_code": code})
+        tour.at, tour.leg = tour.at + 1, None
+
+    def _end_tour(self, verb: str, tour: _Tour, status: int) -> None:
+        del self._tours[verb]
+        if verb == DOCK:
+            self.robot.docked = status == SUCCEEDED
+        self.servers[verb].advance(tour.goal, status, self._told(verb, tour))
+
+    def _told(self, verb: str, tour: _Tour) -> Message:
+        if verb == DOCK:
+            code = NOT_STAGED if tour.missed else 0
+            return {"success": not tour.missed, "error_code": code, "num_retries": 0}
+        return {"missed_waypoints": tour.missed, **_result()}
+
+
+def _result(code: int = 0, words: str = "") -> Message:
+    return {"error_code": code, "error_msg": words}

@@ -1,0 +1,74 @@
+"""Ways to a pose: straight through free space, else along the floor's graph. Pure."""
+
+import math
+from itertools import pairwise
+
+import numpy as np
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.floorplan import FREE, HEIGHT, ORIGIN, RESOLUTION, WIDTH
+from fleet_tui.simulator.warehouse import Floor
+
+Spot = tuple[float, float]
+
+OFF_THE_MAP, OCCUPIED, NO_PATH = 204, 206, 208  # error codes of Nav2's planner
+
+
+class NoPathError(Exception):
+    """There is no way to a goal: `code` is Nav2's number for the reason."""
+
+    def __init__(self, code: int, words: str) -> None:
+        super().__init__(words)
+        self.code = code
+
+
+def plan(floor: Floor, start: Pose, goal: Pose) -> list[Spot]:
+    """The corners of the way, both ends included. Raises NoPathError."""
+    here, there = (start.x, start.y), (goal.x, goal.y)
+    words = (
+        f"GridBased plugin failed to plan from ({start.x:.2f}, {start.y:.2f}) to ({goal.x:.2f}, {goal.y:.2f})"
+    )
+    if not _on_map(there):
+        raise NoPathError(
+            OFF_THE_MAP, f"{words}: Goal Coordinates of({goal.x:f}, {goal.y:f}) was outside bounds"
+        )
+    if _cell(floor, there) != FREE:
+        raise NoPathError(OCCUPIED, f"{words}: Goal occupied")
+    if _clear(floor, here, there):
+        return [here, there]
+    first, last = _nearest(floor, here), _nearest(floor, there)
+    way = floor.graph.path(first, last) if first is not None and last is not None else ()
+    if not way:
+        raise NoPathError(NO_PATH, f"{words}: no valid path found")
+    vertices = [floor.graph.vertices[id_] for id_ in way]
+    return [here, *((vertex.x, vertex.y) for vertex in vertices), there]
+
+
+def length(way: list[Spot]) -> float:
+    """Metres along a way."""
+    return sum(math.dist(start, end) for start, end in pairwise(way))
+
+
+def _on_map(spot: Spot) -> bool:
+    # Not finite is not on the map either.
+    x, y = (value - origin for value, origin in zip(spot, ORIGIN, strict=True))
+    return 0.0 <= x < WIDTH * RESOLUTION and 0.0 <= y < HEIGHT * RESOLUTION
+
+
+def _cell(floor: Floor, spot: Spot) -> int:
+    column, row = (int((value - origin) / RESOLUTION) for value, origin in zip(spot, ORIGIN, strict=True))
+    return int(floor.cells[row, column])
+
+
+def _clear(floor: Floor, start: Spot, end: Spot) -> bool:
+    """Tell whether every cell on the line is free."""
+    steps = max(2, math.ceil(math.dist(start, end) / RESOLUTION) + 1)
+    columns = ((np.linspace(start[0], end[0], steps) - ORIGIN[0]) / RESOLUTION).astype(int)
+    rows = ((np.linspace(start[1], end[1], steps) - ORIGIN[1]) / RESOLUTION).astype(int)
+    return bool((floor.cells[rows, columns] == FREE).all())
+
+
+def _nearest(floor: Floor, spot: Spot) -> int | None:
+    """The nearest vertex that is reached in a straight line."""
+    near = sorted(floor.graph.vertices.values(), key=lambda vertex: math.dist(spot, (vertex.x, vertex.y)))
+    return next((vertex.id for vertex in near if _clear(floor, spot, (vertex.x, vertex.y))), None)

@@ -1,0 +1,186 @@
+"""One simulated robot with Nav2: it drives to poses, and believes its wheels and its localisation. Pure."""
+
+import math
+import random
+from collections.abc import Iterator, Sequence
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.nav2.paths import NoPathError, Spot, length, plan
+from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN
+from fleet_tui.simulator.warehouse import Floor
+
+SLIP, SKID = 1.01, 1.004  # what the wheels count for a metre, for a radian
+FAR, TURNED = 0.25, 0.2  # metres, radians after which the localisation tells where it is
+SURE, LOST = 0.0025, 4.0  # variance of x and of y in square metres
+PROGRESS = 10.0  # seconds without progress before it tries a recovery
+RECOVERIES = 3  # tries before it gives up
+NO_PROGRESS = 105, "Failed to make progress"
+
+Failure = tuple[int, str]
+"""Nav2's error code and words."""
+
+
+class Nav2Robot:
+    """A robot without a queue. `quiet` turns off obstacles of its own. Its attributes may be changed."""
+
+    percent = 0.01
+    """The factor of the percentage: 0.01 = it is 0 to 1, 1 = 0 to 100, NaN = it is not measured."""
+    odometry = True
+    """False: its wheels are not counted."""
+    variance = SURE
+    """How far its localisation trusts itself."""
+    docked = False
+    obstacle = 0.0
+    """Seconds in front of an obstacle, 0 = none."""
+    silence = 0.0
+    """Seconds for which nothing of it is published."""
+    stuck = False
+    """True: its wheels stand still whatever it is told."""
+
+    def __init__(self, index: int, floor: Floor, pose: Pose, rng: random.Random, quiet: bool) -> None:
+        self.name, self.index, self.floor = f"robot_{index}", index, floor
+        self._rng, self._quiet = rng, quiet
+        self.pose = pose
+        self.odom = Pose(0.0, 0.0)
+        """The pose that its wheels tell, seen from its start."""
+        self.estimate = pose
+        """The pose on the map that its localisation last told."""
+        self.battery = rng.uniform(45.0, 95.0)
+        """Per cent."""
+        self.driving = self.moving = False
+        """It is on the way; it got on in the last step."""
+        self.way: list[Spot] = []
+        """The corners still before it."""
+        self.stops = 0
+        """The poses still before it."""
+        self.recoveries = 0
+        self.failure: Failure | None = None
+        """Why it gave up its last drive."""
+        self._stood = 0.0
+        self._obstacle_in, self._obstacle_for = rng.uniform(25.0, 90.0), 0.0
+        self._work: Iterator[None] = iter(())
+
+    @property
+    def distance_remaining(self) -> float:
+        """Metres to its goal, 0 before it has a plan."""
+        return length([(self.pose.x, self.pose.y), *self.way]) if self.way else 0.0
+
+    @property
+    def time_remaining(self) -> float:
+        """Seconds to its goal, 0 while it stands."""
+        return self.distance_remaining / SPEED if self.moving else 0.0
+
+    def drive(self, poses: Sequence[Pose]) -> None:
+        """Drive to these poses one after the other, from now on."""
+        self.halt()
+        self.driving, self.docked = True, False
+        self._work = self._drive(poses)
+
+    def halt(self) -> None:
+        """Stand still."""
+        self.driving = self.moving = False
+        self.way, self.stops, self.recoveries, self.failure, self._stood = [], 0, 0, None, 0.0
+        self._work = iter(())
+
+    def fail(self, code: int, words: str) -> None:
+        """Give up the drive."""
+        self.halt()
+        self.failure = code, words
+
+    def lose(self) -> None:
+        """Make its localisation unsure, and wrong by as much."""
+        self.variance = LOST
+
+    def block(self) -> None:
+        """Put an obstacle before it that stays."""
+        self.obstacle, self._obstacle_for = STEP, math.inf
+
+    def step(self) -> None:
+        """Live on for STEP seconds."""
+        self.silence = max(0.0, self.silence - STEP)
+        before = self.pose
+        if self.driving:
+            held = self._blocked() or self.stuck
+            if not held:
+                next(self._work, None)
+        elif self.obstacle:
+            self._blocked()
+        self.moving = self.driving and self.pose != before
+        self._watch_progress()
+        self._count_wheels(before)
+        rate = CHARGE if self.docked else -DRAIN if self.moving else -DRAIN_STANDING
+        self.battery = min(100.0, max(0.0, self.battery + rate * STEP))
+
+    def localise(self) -> bool:
+        """Tell whether the localisation has anything new to say: it has once the robot has moved enough."""
+        at, last = self.pose, self.estimate
+        off = math.sqrt(self.variance) if self.variance >= LOST else 0.0
+        turned = abs(math.remainder(at.yaw - last.yaw, math.tau))
+        if turned < TURNED and math.dist((at.x + off, at.y), (last.x, last.y)) < FAR:
+            return False
+        self.estimate = Pose(at.x + off, at.y, at.yaw)
+        return True
+
+    def _drive(self, poses: Sequence[Pose]) -> Iterator[None]:
+        self.stops = len(poses)
+        yield
+        for pose in poses:
+            try:
+                self.way = plan(self.floor, self.pose, pose)[1:]
+            except NoPathError as error:
+                self.fail(error.code, str(error))
+                return
+            while self.way:
+                yield from self._reach(self.way[0])
+                self.way = self.way[1:]
+            yield from self._turn(pose.yaw)
+            self.stops -= 1
+        self.driving = False
+
+    def _reach(self, spot: Spot) -> Iterator[None]:
+        x, y = spot
+        if math.dist(spot, (self.pose.x, self.pose.y)) < 1e-9:
+            return
+        yield from self._turn(math.atan2(y - self.pose.y, x - self.pose.x))
+        while (left := math.dist(spot, (self.pose.x, self.pose.y))) > 1e-9:
+            part, at = min(1.0, SPEED * STEP / left), self.pose
+            self.pose = Pose(at.x + part * (x - at.x), at.y + part * (y - at.y), at.yaw)
+            yield
+
+    def _turn(self, wanted: float) -> Iterator[None]:
+        while abs(left := math.remainder(wanted - self.pose.yaw, math.tau)) > 1e-9:
+            turned = math.copysign(min(abs(left), TURN * STEP), left)
+            self.pose = Pose(self.pose.x, self.pose.y, math.remainder(self.pose.yaw + turned, math.tau))
+            yield
+
+    def _watch_progress(self) -> None:
+        self._stood = 0.0 if self.moving or not self.driving else self._stood + STEP
+        if self._stood > PROGRESS:
+            self._stood = 0.0
+            self.recoveries += 1
+            if self.recoveries > RECOVERIES:
+                self.fail(*NO_PROGRESS)
+
+    def _count_wheels(self, before: Pose) -> None:
+        if self.pose == before:
+            return
+        dx, dy = self.pose.x - before.x, self.pose.y - before.y
+        turn = self.odom.yaw - before.yaw
+        x = self.odom.x + SLIP * (dx * math.cos(turn) - dy * math.sin(turn))
+        y = self.odom.y + SLIP * (dx * math.sin(turn) + dy * math.cos(turn))
+        turned = SKID * math.remainder(self.pose.yaw - before.yaw, math.tau)
+        self.odom = Pose(x, y, math.remainder(self.odom.yaw + turned, math.tau))
+
+    def _blocked(self) -> bool:
+        """Tell whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
+        if self.obstacle == 0.0:
+            if self._quiet or not self.moving:
+                return False
+            self._obstacle_in -= STEP
+            if self._obstacle_in > 0.0:
+                return False
+            self._obstacle_in, self._obstacle_for = self._rng.uniform(60.0, 90.0), self._rng.uniform(2.0, 8.0)
+        self.obstacle += STEP
+        if self.obstacle > self._obstacle_for:
+            self.obstacle = 0.0
+        return self.obstacle > 0.0

@@ -1,0 +1,80 @@
+"""Robots with Nav2 in words: lines of /rosout, entries of /diagnostics."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from fleet_tui.simulator.fleets import Line
+from fleet_tui.simulator.nav2.navigation import TO_POSE, Navigation
+from fleet_tui.simulator.nav2.robot import LOST, Nav2Robot
+from fleet_tui.simulator.nav2.world import Nav2World
+from fleet_tui.simulator.robot import EMPTY, LOW
+from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, EXECUTING, SUCCEEDED
+from fleet_tui.simulator.words import BROKEN, DOUBTFUL, ERROR, HEALTHY, INFO, WARN, entry
+
+Message = dict[str, Any]
+
+_ENDS = {
+    SUCCEEDED: (INFO, "Goal succeeded"),
+    CANCELED: (INFO, "Goal canceled"),
+    ABORTED: (ERROR, "Goal failed"),
+}
+
+
+class Changes:
+    """Notices what happens to robots from one look to the next."""
+
+    def __init__(self, world: Nav2World) -> None:
+        self._world = world
+        self._statuses: dict[bytes, int] = {}
+        self._blocked: set[str] = set()
+
+    def lines(self) -> Iterator[Line]:
+        """The lines about all of it."""
+        statuses: dict[bytes, int] = {}
+        for name, navigation in self._world.navigation.items():
+            said = [*self._goals(name, navigation, statuses), *self._obstacle(navigation.robot)]
+            if not navigation.robot.silence:
+                yield from said
+        self._statuses = statuses
+
+    def _goals(self, name: str, navigation: Navigation, statuses: dict[bytes, int]) -> Iterator[Line]:
+        for goal in navigation.servers[TO_POSE].goals.values():
+            before, statuses[goal.id] = self._statuses.get(goal.id), goal.status
+            if before == goal.status:
+                continue
+            if goal.status == EXECUTING:
+                at = goal.request["pose"]["pose"]["position"]
+                words = f"Begin navigating from current location to ({at['x']:.2f}, {at['y']:.2f})"
+                yield INFO, f"/{name}/bt_navigator", words
+            elif goal.over:
+                level, words = _ENDS[goal.status]
+                code = goal.result.get("error_code")
+                why = f" error_code:{code} error_msg:{goal.result['error_msg']}." if code else ""
+                yield level, f"/{name}/bt_navigator", words + why
+
+    def _obstacle(self, robot: Nav2Robot) -> Iterator[Line]:
+        blocked = robot.obstacle > 0.0
+        if blocked != (robot.name in self._blocked):
+            self._blocked ^= {robot.name}
+            words = (
+                "Robot to stop due to PolygonStop polygon"
+                if blocked
+                else "Robot to continue normal operation"
+            )
+            yield (WARN if blocked else INFO), f"/{robot.name}/collision_monitor", words
+
+
+def health(robot: Nav2Robot) -> Iterator[Message]:
+    """The entries of /diagnostics about one robot."""
+    empty, low = robot.battery < EMPTY, robot.battery < LOW
+    level = BROKEN if empty else DOUBTFUL if low else HEALTHY
+    words = "empty" if empty else "low" if low else "charging" if robot.docked else "charged"
+    yield entry(robot, "battery", level, words, percent=f"{robot.battery:.1f}")
+    lost = robot.variance >= LOST
+    yield entry(
+        robot,
+        "localisation",
+        DOUBTFUL if lost else HEALTHY,
+        "not sure where it is" if lost else "localised",
+        variance=f"{robot.variance:g}",
+    )

@@ -1,0 +1,72 @@
+"""A World as the bridge sees it."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+from fleet_tui.simulator.faults import FAULTS
+from fleet_tui.simulator.fleets import Line
+from fleet_tui.simulator.frames import Payload
+from fleet_tui.simulator.messages import Message, Topic, topics_of
+from fleet_tui.simulator.oh_ressources.words import Changes, health
+from fleet_tui.simulator.robot import Robot
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.goals import ActionServer, Goal
+from fleet_tui.simulator.ros_types import ServiceType, robot_services
+from fleet_tui.simulator.world import World
+
+DESK = "Application_layout"
+
+
+class OhFleet:
+    """The robots of a World on the wire. They have no actions and listen to no topic."""
+
+    faults = FAULTS
+
+    def __init__(self, world: World) -> None:
+        self.world, self.troubles = world, world.troubles
+        self.actions: Mapping[str, ActionServer] = {}
+        self._changes = Changes(world.robots)
+
+    @property
+    def robots(self) -> Mapping[str, Robot]:
+        """The world's robots."""
+        return self.world.robots
+
+    def step(self, dt: float) -> None:
+        """Let dt seconds pass."""
+        self.world.step(dt)
+
+    def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
+        """Every topic of the world."""
+        return topics_of(self.world, loaded_at, dialect)
+
+    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+        """Nothing."""
+        return {}
+
+    def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
+        """The services of every robot."""
+        types = robot_services(dialect).items()
+        return {f"/{robot}/{DESK}/{verb}": type_ for robot in self.robots for verb, type_ in types}
+
+    def answer(self, service: str, args: Mapping[str, Any]) -> Message:
+        """The world's answer."""
+        return self.world.answer(service, args)
+
+    def feedback(self, server: ActionServer, goal: Goal, dialect: Dialect) -> Message | None:
+        """Nothing."""
+
+    def result(self, server: ActionServer, goal: Goal) -> Message | None:
+        """Nothing."""
+
+    def news(self, dialect: Dialect) -> Iterable[tuple[str, Payload]]:
+        """Nothing: everything is said all the time."""
+        return ()
+
+    def lines(self) -> Iterable[Line]:
+        """The lines about everything that happened since the last look."""
+        return self._changes.lines()
+
+    def health(self) -> Iterable[Message]:
+        """Three entries about every robot that can be heard."""
+        return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))

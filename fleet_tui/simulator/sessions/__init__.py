@@ -1,0 +1,1 @@
+"""Connected clients: what they ask for, what is due to them."""
