@@ -58,8 +58,11 @@ def _profile(kind: str, found: Discovery, where: str) -> Iterator[str]:
 
 
 def _text(value: object) -> str:
-    """A string or a list of them, as TOML: JSON's are TOML's too, but for DEL."""
-    return json.dumps(value).replace("\x7f", "\\u007f")
+    """A string or a list of them as TOML, in ASCII: JSON but for what it writes as half a surrogate pair."""
+    text = json.dumps(value, ensure_ascii=False)
+    return "".join(
+        letter if letter.isprintable() and letter < "\x7f" else f"\\U{ord(letter):08x}" for letter in text
+    )
 
 
 def _differing(bridge: Link) -> Iterator[str]:

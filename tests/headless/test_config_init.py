@@ -178,6 +178,13 @@ NAME = st.lists(PART | st.text(max_size=3), min_size=1, max_size=4).map(lambda p
 NAMES = st.dictionaries(NAME, st.sampled_from(TYPES) | st.text(max_size=5), max_size=12)
 
 
+def test_any_frame_can_be_written() -> None:
+    topics = {"/r/pose": TOPICS["pose"][1], "/r/ground/graph": TOPICS["graph"][1]}
+    frame = '\U00010000\x85\x7f\n"é'
+    text = render(Link(), discover(Listed(topics, {})), {"r": frame})
+    assert text.isascii() and tomllib.loads(text)["floors"] == [{"name": "ground", "frame_id": frame}]
+
+
 @given(
     topics=NAMES,
     services=NAMES,
