@@ -1,18 +1,15 @@
 """What a well-formed configuration can still have wrong."""
 
-import re
 from collections import Counter
 from collections.abc import Iterator
 from urllib.parse import urlsplit
 
+from fleet_tui.adapters.discovery import NAME
 from fleet_tui.config.check_profiles import check_profiles
 from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config, Link, link_key
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keymap import keymap
 from fleet_tui.model.alarm import Priority
-
-# ROS graph names, and what is harmless beside them.
-NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
 
 
 def checked(config: Config) -> list[str]:

@@ -1,177 +1,23 @@
-"""What robots and floors a bridge has, by the names and types of its topics and services. Pure."""
+"""What kinds of robots a bridge has: each kind recognises its own. Pure."""
 
-import re
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
-from difflib import get_close_matches
+from collections.abc import Mapping
 
-from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
-from fleet_tui.adapters.ros.type_names import plain_type, same_type
-from fleet_tui.config.check import NAME
+from fleet_tui.adapters.discovery import Discovery, Listed
+from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS
 
-TOPICS, SERVICES, FLOOR_TOPICS = VOCABULARY.topics, VOCABULARY.services, VOCABULARY.floor_topics
-QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]
-PAUSED = "{robot}/paused"
-# Types whose one field is read alike.
-ALIKE = {"std_msgs/Float32": ("std_msgs/Float64",)}
+Found = Mapping[str, Discovery]
+"""What was found, by kind."""
 
 
-@dataclass
-class Site:
-    """Robots with their floors, and where the profile must differ; `notes` is what a person must decide,
-    by the table it belongs to."""
-
-    robots: dict[str, list[str]] = field(default_factory=dict)
-    topics: dict[str, str] = field(default_factory=dict)
-    types: dict[str, str] = field(default_factory=dict)
-    services: dict[str, str] = field(default_factory=dict)
-    service_types: dict[str, str] = field(default_factory=dict)
-    live_maps: set[str] = field(default_factory=set)
-    notes: dict[str, list[str]] = field(default_factory=dict)
-
-    @property
-    def floors(self) -> list[str]:
-        """Every floor of any robot."""
-        return list(dict.fromkeys(floor for floors in self.robots.values() for floor in floors))
-
-
-def site_of(topics: Mapping[str, str], services: Mapping[str, str]) -> Site:
-    """The site of which these are the topics and services, name -> type."""
-    topics, other_types = _as_usual(topics, TOPICS)
-    services, other_service_types = _as_usual(services, SERVICES)
-    site = Site({robot: [] for robot in _robots(topics)})
-    site.types |= other_types
-    site.service_types |= other_service_types
-    for robot, floors in site.robots.items():
-        floors += dict.fromkeys(_floors(robot, topics))
-    for key in TOPICS:
-        _topic(site, key, topics)
-    for key in SERVICES:
-        _service(site, key, services)
-    for name, type_ in topics.items():
-        if type_ == TOPICS["map"][1]:
-            site.live_maps |= {floor for floor in site.floors if f"/{floor}/" in name}
-    return site
-
-
-def _as_usual(
-    there: Mapping[str, str], usual: Mapping[str, tuple[str, str]]
-) -> tuple[dict[str, str], dict[str, str]]:
-    """Names and types with the types spelled as by default, and by key how those are spelled here that ROS 2
-    spells otherwise."""
-    found, spelled = dict[str, str](), dict[str, str]()
-    for name, type_ in there.items():
-        if _is_sane(name, type_):
-            keys = [key for key, (_, known) in usual.items() if same_type(type_, known)]
-            found[name] = usual[keys[0]][1] if keys else plain_type(type_)
-            if keys and plain_type(type_) != found[name]:
-                spelled |= dict.fromkeys(keys, type_)
-    return found, spelled
-
-
-def _is_sane(name: str, type_: str) -> bool:
-    """Whether a name and its type can stand in a config: what comes from the wire may be anything."""
-    parts = name.split("/")
-    return not parts[0] and all(map(NAME.fullmatch, parts[1:])) and bool(NAME.fullmatch(type_ or "none"))
-
-
-def _natural(name: str) -> list[tuple[int, str]]:
-    """robot_2 before robot_10."""
-    return [(int(part or 0), "") if part.isdigit() else (0, part) for part in re.split(r"(\d+)", name)]
-
-
-def _robots(topics: Mapping[str, str]) -> list[str]:
-    """The namespaces in which a queue is published; without any, those with poses."""
-    for type_ in (QUEUE, POSE):
-        found = [name.strip("/").split("/") for name, other in topics.items() if other == type_]
-        found = [parts for parts in found if len(parts) > 1]
-        first = {parts[0] for parts in found}
-        # All of them under one roof, like /site/robot_1/queue: a robot's name may have a slash.
-        depth = (
-            2 if len(first) == 1 and len({tuple(parts[:2]) for parts in found if len(parts) > 2}) > 1 else 1
-        )
-        robots = {"/".join(parts[:depth]) for parts in found if len(parts) > depth}
-        if robots:
-            return sorted(robots, key=_natural)
-    return []
-
-
-def _below(robot: str, topics: Mapping[str, str], type_: str) -> Iterator[str]:
-    """The rest of the names in a robot's namespace of topics or services of a type."""
-    prefix = f"/{robot}/"
-    return (
-        name[len(prefix) :] for name, other in topics.items() if name.startswith(prefix) and other == type_
-    )
-
-
-def _floors(robot: str, topics: Mapping[str, str]) -> Iterator[str]:
-    """The floors for which a robot gives graphs, labels or maps."""
-    for key in ("graph", "labels", "map_metadata", "map"):
-        for rest in _below(robot, topics, TOPICS[key][1]):
-            if rest.count("/") == 1:
-                yield rest.partition("/")[0]
-
-
-def _templates(site: Site, key: str, topics: Mapping[str, str]) -> dict[str, int]:
-    """Every template by which topics of a key's type can be named, and how many robots name one so."""
-    found = dict[str, int]()
-    for robot, floors in site.robots.items():
-        rests = set[str]()
-        for rest in _below(robot, topics, TOPICS[key][1]):
-            floor = next((floor for floor in floors if rest.startswith(f"{floor}/")), "")
-            if bool(floor) == (key in FLOOR_TOPICS):
-                rests.add("{floor}" + rest[len(floor) :] if floor else rest)
-        for rest in rests:
-            found["/{robot}/" + rest] = found.get("/{robot}/" + rest, 0) + 1
-    return found
-
-
-def _topic(site: Site, key: str, topics: Mapping[str, str]) -> None:
-    found, (usual, type_) = _templates(site, key, topics), TOPICS[key]
-    if key == "paused":
-        if f"/{PAUSED}" in found:
-            site.topics[key] = f"/{PAUSED}"
-    elif usual not in found and not _alike(site, key, topics):
-        known = {TOPICS[other][0] for other in TOPICS} | set(site.topics.values()) | {f"/{PAUSED}"}
-        _choose(site, "topics", key, [one for one in found if one not in known], usual, type_)
-
-
-def _alike(site: Site, key: str, topics: Mapping[str, str]) -> bool:
-    """Whether it is there under its usual name with a type that is read alike."""
-    for robot, floors in site.robots.items():
-        for floor in floors if key in FLOOR_TOPICS else [""]:
-            there = topics.get(TOPICS[key][0].replace("{robot}", robot).replace("{floor}", floor))
-            if there in ALIKE.get(TOPICS[key][1], ()):
-                site.types[key] = str(there)
-                return True
-    return False
-
-
-def _choose(site: Site, table: str, key: str, candidates: Iterable[str], usual: str, type_: str) -> None:
-    """Take the one candidate there is, or the one that sounds like it; leave the rest to a person."""
-    candidates = sorted(candidates)
-    names = {template.rpartition("/")[2].lower(): template for template in candidates}
-    near = get_close_matches(usual.rpartition("/")[2].lower(), names, n=1, cutoff=0.5)
-    near = near or [name for name in names if key in name]
-    chosen = names[near[0]] if near else candidates[0] if len(candidates) == 1 else ""
-    notes = site.notes.setdefault(table, [])
-    if chosen:
-        (site.topics if table == "topics" else site.services)[key] = chosen
-        others = [one for one in candidates if one != chosen]
-        notes += [f"{key} could also be {', '.join(others)}"] if others else []
-    else:
-        choice = f", one of {', '.join(candidates)}?" if candidates else f": nothing of type {type_} is there"
-        notes.append(f'{key} = "..."{choice}')
-
-
-def _service(site: Site, key: str, services: Mapping[str, str]) -> None:
-    usual, type_ = SERVICES[key]
-    there = {services[name] for robot in site.robots if (name := usual.replace("{robot}", robot)) in services}
-    if there:
-        if type_ not in there and there != {""}:
-            notes = site.notes.setdefault("service_types", [])
-            notes.append(f'{key} = "{min(there)}"   # if its fields are the same')
-        return
-    found = {"/{robot}/" + rest for robot in site.robots for rest in _below(robot, services, type_)}
-    known = {template for template, _ in SERVICES.values()} | set(site.services.values())
-    _choose(site, "services", key, found - known, usual, type_)
+def discover(listed: Listed) -> Found:
+    """Return what was found, by kind; of no robots at all what the usual kind makes of it. A robot belongs to
+    the first kind that claims it, and guesses count only where nothing is certain."""
+    listed = listed.sane()
+    found = {name: kind.discover(listed) for name, kind in KINDS.items()}
+    certain = {name: one for name, one in found.items() if one.robots and not one.is_guess}
+    guesses = {name: one for name, one in found.items() if one.robots}
+    kinds, taken = certain or guesses, set[str]()
+    for one in kinds.values():
+        one.robots = {robot: floors for robot, floors in one.robots.items() if robot not in taken}
+        taken |= one.robots.keys()
+    return {name: one for name, one in kinds.items() if one.robots} or {DEFAULT_KIND: found[DEFAULT_KIND]}

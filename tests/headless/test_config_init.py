@@ -3,22 +3,31 @@
 import gzip
 import json
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.adapters.discovery import Discovery, Listed
+from fleet_tui.adapters.nav2.vocabulary import VOCABULARY as NAV2
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.config.load import read
 from fleet_tui.config.schema import Config, Link
-from fleet_tui.headless.config_init import render
-from fleet_tui.headless.site import site_of
+from fleet_tui.headless.config_text import render
+from fleet_tui.headless.site import discover
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.headless.plants import PLANTS, only_listened_to, renamed, retyped
 from tests.headless.running import Ended, run
 
 TOPICS, SERVICES = VOCABULARY.topics, VOCABULARY.services
+
+
+def site_of(topics: Mapping[str, str], services: Mapping[str, str]) -> Discovery:
+    """What is found where all is of one kind."""
+    (found,) = discover(Listed(topics, services)).values()
+    return found
 
 
 async def made(server: RosbridgeServer, folder: Path) -> Ended:
@@ -113,7 +122,9 @@ def test_what_a_real_bridge_of_ros_2_said() -> None:
     topics = dict(zip(listed["topics"], listed["types"], strict=True))
     order = "/robot_1/Application_layout/Execute_order"
     assert order in told["/rosapi/services"]["services"]
-    site = site_of(topics, {order: "oh_ressources/srv/ExecuteManualOrder"})
+    actions = tuple(told["/rosapi/action_servers"]["action_servers"])
+    found = discover(Listed(topics, {order: "oh_ressources/srv/ExecuteManualOrder"}, actions))
+    site = found["oh_ressources"]
     assert site.robots == {"robot_1": ["ground", "upper"], "robot_2": ["ground", "upper"]}
     assert (site.topics, site.service_types) == ({}, {"order": "oh_ressources/srv/ExecuteManualOrder"})
     assert site.types == {
@@ -121,6 +132,8 @@ def test_what_a_real_bridge_of_ros_2_said() -> None:
         "graph": "oh_ressources/msg/Graph",
         "labels": "oh_ressources/msg/LabeledVertices",
     }
+    nav2 = found["nav2"]
+    assert list(nav2.robots) == ["tb1", "tb2", "tb3"] and nav2.types == {}
 
 
 async def test_a_site_of_ros_2_needs_no_editing(ros_2: RosbridgeServer, tmp_path: Path) -> None:
@@ -153,24 +166,39 @@ def test_robots_under_one_roof_and_in_their_natural_order() -> None:
 
 def test_one_floor_takes_the_frame_of_the_poses() -> None:
     topics = {"/r/pose": TOPICS["pose"][1], "/r/ground/graph": TOPICS["graph"][1]}
-    text = render(Link(), site_of(topics, {}), {"r": "map"})
+    text = render(Link(), discover(Listed(topics, {})), {"r": "map"})
     assert tomllib.loads(text)["floors"] == [{"name": "ground", "frame_id": "map"}]
 
 
-TYPES = [type_ for _, type_ in (*TOPICS.values(), *SERVICES.values())]
-PART = st.sampled_from(["r1", "r2", "pose", "queue", "graph", "map", "f0", "map_metadata", "Pause", "paused"])
+TYPES = [type_ for _, type_ in (*TOPICS.values(), *SERVICES.values(), *NAV2.topics.values())]
+TYPES += [type_.replace("/", "/msg/") for _, type_ in NAV2.topics.values()]
+WORDS = "r1 r2 pose queue graph map f0 map_metadata Pause paused floor navigate_to_pose amcl_pose odom"
+PART = st.sampled_from([*WORDS.split(), "battery_state", "lifecycle_manager_navigation/is_active"])
 NAME = st.lists(PART | st.text(max_size=3), min_size=1, max_size=4).map(lambda parts: "/" + "/".join(parts))
 NAMES = st.dictionaries(NAME, st.sampled_from(TYPES) | st.text(max_size=5), max_size=12)
 
 
-@given(topics=NAMES, services=NAMES, frames=st.dictionaries(PART, st.text(max_size=5), max_size=3))
+def test_any_frame_can_be_written() -> None:
+    topics = {"/r/pose": TOPICS["pose"][1], "/r/ground/graph": TOPICS["graph"][1]}
+    frame = '\U00010000\x85\x7f\n"é'
+    text = render(Link(), discover(Listed(topics, {})), {"r": frame})
+    assert text.isascii() and tomllib.loads(text)["floors"] == [{"name": "ground", "frame_id": frame}]
+
+
+@given(
+    topics=NAMES,
+    services=NAMES,
+    actions=st.lists(NAME, max_size=4),
+    frames=st.dictionaries(PART, st.text(max_size=5), max_size=3),
+)
 def test_whatever_is_there_the_result_passes_the_check(
     tmp_path_factory: pytest.TempPathFactory,
     topics: dict[str, str],
     services: dict[str, str],
+    actions: list[str],
     frames: dict[str, str],
 ) -> None:
-    text = render(Link(), site_of(topics, services), frames)
+    text = render(Link(), discover(Listed(topics, services, tuple(actions))), frames)
     path = tmp_path_factory.getbasetemp() / "any.toml"
     path.write_text(text, encoding="utf-8")
     assert read(path)[1] == [], text

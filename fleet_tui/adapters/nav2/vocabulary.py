@@ -18,7 +18,11 @@ VOCABULARY = Vocabulary(
         "map": ("/map", "nav_msgs/OccupancyGrid"),
     },
     floor_topics=frozenset({"map"}),
-    services={"pause": ("", "std_srvs/Trigger"), "resume": ("", "std_srvs/Trigger")},
+    services={
+        "pause": ("", "std_srvs/Trigger"),
+        "resume": ("", "std_srvs/Trigger"),
+        "is_active": ("/{robot}/lifecycle_manager_navigation/is_active", "std_srvs/Trigger"),
+    },
     actions={
         "follow_waypoints": ("/{robot}/follow_waypoints", "nav2_msgs/action/FollowWaypoints"),
         "navigate_through_poses": (

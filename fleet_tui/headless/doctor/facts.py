@@ -17,15 +17,17 @@ def is_hidden(topic: str) -> bool:
 @dataclass(frozen=True, slots=True)
 class Rosapi:
     """The answers of rosapi: types by topic, types by service (None where it was not asked), nodes, by topic
-    the nodes that publish it, by service its node, and which ROS it is (0: not known). `problem` is why it
-    tells nothing."""
+    the nodes that publish it, by service its node, the names of action servers, and which ROS it is (0: not
+    known) in which distribution ("": not known). `problem` is why it tells nothing."""
 
     topics: Mapping[str, str] = field(default_factory=dict)
     services: Mapping[str, str | None] = field(default_factory=dict)
     nodes: tuple[str, ...] = ()
     publishers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     owners: Mapping[str, str] = field(default_factory=dict)
+    actions: tuple[str, ...] = ()
     ros: int = 0
+    distro: str = ""
     problem: str = ""
 
     @property

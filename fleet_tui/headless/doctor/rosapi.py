@@ -40,12 +40,21 @@ async def look_around(wire: Wire) -> Rosapi:
     if not isinstance(topics, dict):
         return Rosapi(problem=str(topics))
     types = dict(zip(_names(topics, "topics"), _names(topics, "types"), strict=False))
+    ros = _ros(version, types)
     return Rosapi(
         types,
         dict.fromkeys(_names(services, "services")),
         tuple(_names(nodes, "nodes")),
-        ros=_ros(version, types),
+        actions=await _actions(wire) if ros == 2 else (),
+        ros=ros,
+        distro=str(version.get("distro", "")) if isinstance(version, dict) else "",
     )
+
+
+async def _actions(wire: Wire) -> tuple[str, ...]:
+    """The names of action servers: neither topics nor services show them."""
+    answer = await _ask(wire, "action_servers", {}, "action_servers", time.monotonic() + ANSWER_WITHIN)
+    return tuple(map(str, answer)) if isinstance(answer, list) else ()
 
 
 def _ros(version: object, types: Mapping[str, str]) -> int:

@@ -1,0 +1,82 @@
+"""What a bridge lists, and what of it a kind recognised as its robots."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from typing import NamedTuple
+
+NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
+"""ROS graph names, and what is harmless beside them."""
+
+
+class Listed(NamedTuple):
+    """What a bridge lists: the types of topics that are published and of services by name, empty where not
+    known, and the names of action servers."""
+
+    topics: Mapping[str, str]
+    services: Mapping[str, str]
+    actions: tuple[str, ...] = ()
+
+    def sane(self) -> "Listed":
+        """Leave out names and types that can't stand in a config: what comes from the wire may be
+        anything."""
+        return Listed(
+            {name: type_ for name, type_ in self.topics.items() if _is_sane(name, type_)},
+            {name: type_ for name, type_ in self.services.items() if _is_sane(name, type_)},
+            tuple(name for name in self.actions if _is_sane(name, "")),
+        )
+
+
+@dataclass
+class Discovery:
+    """Robots of one kind with their floors, and where its profile must differ; `notes` is what a person must
+    decide, by the table it belongs to. `is_guess`: only topics speak for it that other kinds have, too."""
+
+    robots: dict[str, list[str]] = field(default_factory=dict)
+    topics: dict[str, str] = field(default_factory=dict)
+    types: dict[str, str] = field(default_factory=dict)
+    services: dict[str, str] = field(default_factory=dict)
+    service_types: dict[str, str] = field(default_factory=dict)
+    actions: dict[str, str] = field(default_factory=dict)
+    live_maps: set[str] = field(default_factory=set)
+    notes: dict[str, list[str]] = field(default_factory=dict)
+    is_guess: bool = False
+
+    @property
+    def floors(self) -> list[str]:
+        """Every floor of any robot."""
+        return list(dict.fromkeys(floor for floors in self.robots.values() for floor in floors))
+
+    def note(self, table: str, text: str) -> None:
+        """Leave something to a person."""
+        self.notes.setdefault(table, []).append(text)
+
+    def choose(self, table: str, key: str, candidates: Iterable[str], usual: str, type_: str) -> str:
+        """Return the one candidate there is, or the one that sounds like the usual one; leave the rest to a
+        person."""
+        candidates = sorted(candidates)
+        names = {template.rpartition("/")[2].lower(): template for template in candidates}
+        near = get_close_matches(usual.rpartition("/")[2].lower(), names, n=1, cutoff=0.5)
+        near = near or [name for name in names if key in name]
+        chosen = names[near[0]] if near else candidates[0] if len(candidates) == 1 else ""
+        if chosen:
+            others = [one for one in candidates if one != chosen]
+            if others:
+                self.note(table, f"{key} could also be {', '.join(others)}")
+        else:
+            choice = (
+                f", one of {', '.join(candidates)}?" if candidates else f": nothing of type {type_} is there"
+            )
+            self.note(table, f'{key} = "..."{choice}')
+        return chosen
+
+
+def natural(name: str) -> list[tuple[int, str]]:
+    """Return a sort key by which robot_2 comes before robot_10."""
+    return [(int(part or 0), "") if part.isdigit() else (0, part) for part in re.split(r"(\d+)", name)]
+
+
+def _is_sane(name: str, type_: str) -> bool:
+    parts = name.split("/")
+    return not parts[0] and all(map(NAME.fullmatch, parts[1:])) and bool(NAME.fullmatch(type_ or "none"))

@@ -1,0 +1,129 @@
+"""These robots and their floors, recognised by the names and types of topics and services."""
+
+from collections.abc import Iterator, Mapping
+
+from fleet_tui.adapters.discovery import Discovery, Listed, natural
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.adapters.ros.type_names import plain_type, same_type
+
+TOPICS, SERVICES, FLOOR_TOPICS = VOCABULARY.topics, VOCABULARY.services, VOCABULARY.floor_topics
+QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]
+PAUSED = "{robot}/paused"
+# Types whose one field is read alike.
+ALIKE = {"std_msgs/Float32": ("std_msgs/Float64",)}
+
+
+def discover(listed: Listed) -> Discovery:
+    """Recognise these robots among what a bridge lists."""
+    topics, other_types = _as_usual(listed.topics, TOPICS)
+    services, other_service_types = _as_usual(listed.services, SERVICES)
+    robots, is_guess = _robots(topics)
+    site = Discovery({robot: [] for robot in robots}, is_guess=is_guess)
+    site.types |= other_types
+    site.service_types |= other_service_types
+    for robot, floors in site.robots.items():
+        floors += dict.fromkeys(_floors(robot, topics))
+    for key in TOPICS:
+        _topic(site, key, topics)
+    for key in SERVICES:
+        _service(site, key, services)
+    for name, type_ in topics.items():
+        if type_ == TOPICS["map"][1]:
+            site.live_maps |= {floor for floor in site.floors if f"/{floor}/" in name}
+    return site
+
+
+def _as_usual(
+    there: Mapping[str, str], usual: Mapping[str, tuple[str, str]]
+) -> tuple[dict[str, str], dict[str, str]]:
+    """Names and types with the types spelled as by default, and by key how those are spelled here that ROS 2
+    spells otherwise."""
+    found, spelled = dict[str, str](), dict[str, str]()
+    for name, type_ in there.items():
+        keys = [key for key, (_, known) in usual.items() if same_type(type_, known)]
+        found[name] = usual[keys[0]][1] if keys else plain_type(type_)
+        if keys and plain_type(type_) != found[name]:
+            spelled |= dict.fromkeys(keys, type_)
+    return found, spelled
+
+
+def _robots(topics: Mapping[str, str]) -> tuple[list[str], bool]:
+    """The namespaces in which a queue is published; without any, as a guess, those with poses."""
+    for type_ in (QUEUE, POSE):
+        found = [name.strip("/").split("/") for name, other in topics.items() if other == type_]
+        found = [parts for parts in found if len(parts) > 1]
+        first = {parts[0] for parts in found}
+        # All of them under one roof, like /site/robot_1/queue: a robot's name may have a slash.
+        depth = (
+            2 if len(first) == 1 and len({tuple(parts[:2]) for parts in found if len(parts) > 2}) > 1 else 1
+        )
+        robots = {"/".join(parts[:depth]) for parts in found if len(parts) > depth}
+        if robots:
+            return sorted(robots, key=natural), type_ == POSE
+    return [], True
+
+
+def _below(robot: str, topics: Mapping[str, str], type_: str) -> Iterator[str]:
+    """The rest of the names in a robot's namespace of topics or services of a type."""
+    prefix = f"/{robot}/"
+    return (
+        name[len(prefix) :] for name, other in topics.items() if name.startswith(prefix) and other == type_
+    )
+
+
+def _floors(robot: str, topics: Mapping[str, str]) -> Iterator[str]:
+    """The floors for which a robot gives graphs, labels or maps."""
+    for key in ("graph", "labels", "map_metadata", "map"):
+        for rest in _below(robot, topics, TOPICS[key][1]):
+            if rest.count("/") == 1:
+                yield rest.partition("/")[0]
+
+
+def _templates(site: Discovery, key: str, topics: Mapping[str, str]) -> dict[str, int]:
+    """Every template by which topics of a key's type can be named, and how many robots name one so."""
+    found = dict[str, int]()
+    for robot, floors in site.robots.items():
+        rests = set[str]()
+        for rest in _below(robot, topics, TOPICS[key][1]):
+            floor = next((floor for floor in floors if rest.startswith(f"{floor}/")), "")
+            if bool(floor) == (key in FLOOR_TOPICS):
+                rests.add("{floor}" + rest[len(floor) :] if floor else rest)
+        for rest in rests:
+            found["/{robot}/" + rest] = found.get("/{robot}/" + rest, 0) + 1
+    return found
+
+
+def _topic(site: Discovery, key: str, topics: Mapping[str, str]) -> None:
+    found, (usual, type_) = _templates(site, key, topics), TOPICS[key]
+    if key == "paused":
+        if f"/{PAUSED}" in found:
+            site.topics[key] = f"/{PAUSED}"
+    elif usual not in found and not _alike(site, key, topics):
+        known = {TOPICS[other][0] for other in TOPICS} | set(site.topics.values()) | {f"/{PAUSED}"}
+        chosen = site.choose("topics", key, [one for one in found if one not in known], usual, type_)
+        if chosen:
+            site.topics[key] = chosen
+
+
+def _alike(site: Discovery, key: str, topics: Mapping[str, str]) -> bool:
+    """Whether it is there under its usual name with a type that is read alike."""
+    for robot, floors in site.robots.items():
+        for floor in floors if key in FLOOR_TOPICS else [""]:
+            there = topics.get(TOPICS[key][0].replace("{robot}", robot).replace("{floor}", floor))
+            if there in ALIKE.get(TOPICS[key][1], ()):
+                site.types[key] = str(there)
+                return True
+    return False
+
+
+def _service(site: Discovery, key: str, services: Mapping[str, str]) -> None:
+    usual, type_ = SERVICES[key]
+    there = {services[name] for robot in site.robots if (name := usual.replace("{robot}", robot)) in services}
+    if there:
+        if type_ not in there and there != {""}:
+            site.note("service_types", f'{key} = "{min(there)}"   # if its fields are the same')
+        return
+    found = {"/{robot}/" + rest for robot in site.robots for rest in _below(robot, services, type_)}
+    known = {template for template, _ in SERVICES.values()} | set(site.services.values())
+    if chosen := site.choose("services", key, found - known, usual, type_):
+        site.services[key] = chosen

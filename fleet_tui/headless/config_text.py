@@ -1,0 +1,103 @@
+"""A configuration as text: what was found behind a bridge, ready to edit. Pure."""
+
+import json
+from collections.abc import Iterator, Mapping
+
+from fleet_tui.adapters.discovery import NAME, Discovery
+from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS
+from fleet_tui.config.schema import Link
+from fleet_tui.headless.site import Found
+
+FIRST = [
+    "# fleet-tui: what was found behind this bridge. `fleet-tui check` says what is wrong with it.",
+    "",
+    "[rosbridge]",
+]
+NOBODY = "# No topic looks like a robot's. Give their names, and in [profile.topics] how theirs are named."
+
+
+def render(bridge: Link, found: Found, frames: Mapping[str, str]) -> str:
+    """Write a configuration. `frames`: of poses whose frame means a floor, by robot."""
+    lines = [*FIRST, *_differing(bridge), "", *_floors(found, frames)]
+    usual = next(iter(found))
+    for kind, one in found.items():
+        lines += _robots(one, "" if kind == usual else kind, _floors_of(found))
+    if not any(one.robots for one in found.values()):
+        return "\n".join([*lines, NOBODY, "[[robots]]", 'name = "robot_0"']) + "\n"
+    for kind, one in found.items():
+        lines += _profile(kind, one, "profile" if kind == usual else f"profiles.{kind}")
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def _floors_of(found: Found) -> list[str]:
+    return list(dict.fromkeys(floor for one in found.values() for floor in one.floors))
+
+
+def _robots(found: Discovery, profile: str, all_floors: list[str]) -> Iterator[str]:
+    for robot, floors in found.robots.items():
+        yield from ("[[robots]]", f"name = {_text(robot)}")
+        if profile:
+            yield f"profile = {_text(profile)}"
+        if floors and floors != all_floors:
+            yield f"floors = {_text(floors)}"
+        yield from ("# size = [0.9, 0.6]           # length, width in metres", "")
+
+
+def _profile(kind: str, found: Discovery, where: str) -> Iterator[str]:
+    """The tables in which a profile differs from what is usual for its kind."""
+    if kind != DEFAULT_KIND:
+        yield from (f"[{where}]", f"kind = {_text(kind)}", "")
+    for table in ("topics", "types", "services", "service_types", "actions"):
+        entries: dict[str, str] = getattr(found, table)
+        notes = found.notes.get(table, [])
+        if entries or notes:
+            yield f"[{where}.{table}]"
+            yield from (f"{key} = {_text(value)}" for key, value in entries.items())
+            yield from (f"# {note}" for note in notes)
+            yield ""
+
+
+def _text(value: object) -> str:
+    """A string or a list of them as TOML, in ASCII: JSON but for what it writes as half a surrogate pair."""
+    text = json.dumps(value, ensure_ascii=False)
+    return "".join(
+        letter if letter.isprintable() and letter < "\x7f" else f"\\U{ord(letter):08x}" for letter in text
+    )
+
+
+def _differing(bridge: Link) -> Iterator[str]:
+    """What of a bridge is not as by default, the address always."""
+    usual = Link()
+    for name in bridge.__struct_fields__:
+        value = getattr(bridge, name)
+        if name == "url" or value != getattr(usual, name):
+            yield f"{name} = {_text(value)}"
+
+
+def _floors(found: Found, frames: Mapping[str, str]) -> Iterator[str]:
+    """Each floor, with the frame in which poses on it come, as far as that can be told."""
+    floors = _floors_of(found)
+    live = {floor for one in found.values() for floor in one.live_maps}
+    needs_graph = {floor for kind, one in found.items() if _has_no_graph(kind) for floor in one.floors}
+    strange = sorted(set(frames.values()) - set(floors) - {""})
+    if not floors:
+        yield "# No topic is a floor's: these are named after the frames of the poses."
+        floors, strange = [one for one in strange if NAME.fullmatch(one)] or ["floor_0"], []
+    for floor in floors:
+        yield from ("[[floors]]", f"name = {_text(floor)}")
+        if len(floors) == 1 and len(strange) == 1:
+            yield f"frame_id = {_text(strange[0])}"
+        shown = "the live map is shown; a file is" if floor in live else "no live map is there:"
+        yield f'# map = "maps/{floor}.yaml"   # {shown} map_server YAML, or a plain PNG/PGM'
+        if floor in needs_graph:
+            yield f'# graph = "maps/{floor}.geojson"   # of Nav2 (GeoJSON): no robot publishes one'
+        yield ""
+    if strange and len(floors) > 1:
+        yield from (
+            f"# Poses come in frame {_text(one)} too: give it to its floor as frame_id." for one in strange
+        )
+        yield ""
+
+
+def _has_no_graph(kind: str) -> bool:
+    return "graph" not in KINDS[kind].vocabulary.topics
