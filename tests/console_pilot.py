@@ -13,6 +13,7 @@ from fleet_tui.backend import connect_live
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.console import recorded
+from fleet_tui.headless.session import missing
 from fleet_tui.journal.recordings import Recordings
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
@@ -70,9 +71,8 @@ class Console:
 
 def _ready(state: FleetState) -> bool:
     robots = state.robots.values()
-    known = all(robot.queue and robot.pose and robot.cargo and robot.knows_all_graphs() for robot in robots)
-    labelled = all(chart.labels for robot in robots for chart in robot.charts.values())
-    return known and labelled and all(link.command_path is CommandPath.ALIVE for link in state.links.values())
+    known = all(robot.pose and robot.knows_all_graphs() and not missing(robot) for robot in robots)
+    return known and all(link.command_path is CommandPath.ALIVE for link in state.links.values())
 
 
 @asynccontextmanager
