@@ -4,6 +4,9 @@ import math
 
 import pytest
 
+from fleet_tui.adapters.adapter import Site
+from fleet_tui.adapters.oh_ressources.adapter import OhRessources
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.headless.session import missing
 from fleet_tui.model import events
 from fleet_tui.model.checks import acceptable, problems, unaccepted
@@ -199,3 +202,13 @@ def test_a_robot_without_cargo_does_not_load() -> None:
             heard(kind), queue(T0 + 1, order, current=1), pose(T0 + 9), queue(T0 + 9, order, current=1)
         )
         assert name in names(told(driving, tick(T0 + 9)))
+
+
+def test_a_site_that_leaves_a_service_out_has_no_such_command() -> None:
+    profile = Profile(services={"pause": "", "order_with_cargo": ""})
+    kind = OhRessources(profile, Site(table="profiles.a")).kind
+    assert [found(heard(kind), command)[0][1] for command in (PauseRobot(R0), place_order(R0, 1))] == [
+        "robot_0: profiles.a.services.pause is empty: this site has no pause",
+        "robot_0: profiles.a.services.order_with_cargo is empty: this site has no order without a start",
+    ]
+    assert unaccepted(heard(kind), place_order(R0, 1, 2)) == ""
