@@ -71,7 +71,8 @@ class Console:
 
 def _ready(state: FleetState) -> bool:
     robots = state.robots.values()
-    known = all(robot.pose and robot.knows_all_graphs() and not missing(robot) for robot in robots)
+    waited_for = {"pose", "queue", "cargo", *(f"labels of {floor}" for floor in state.floors)}
+    known = all(robot.knows_all_graphs() and waited_for.isdisjoint(missing(robot)) for robot in robots)
     return known and all(link.command_path is CommandPath.ALIVE for link in state.links.values())
 
 
