@@ -87,7 +87,7 @@ async def console(
     """Run the console until all telemetry has come. With a `state_folder` it records, too."""
     store = WatchedStore(initial_state(config, time.monotonic()))
     recordings = Recordings(config, store, state_folder) if state_folder else None
-    opening = partial(recorded, recordings) if recordings else connect_live
+    opening = partial(recorded, recordings, None) if recordings else connect_live
     app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, opening)
     app.main.recordings = recordings
     async with AsyncExitStack() as stack:
