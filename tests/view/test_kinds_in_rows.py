@@ -6,6 +6,7 @@ import pytest
 
 from fleet_tui.headless.report import report
 from fleet_tui.keymap import keymap
+from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import CargoReported, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import CANCEL, ORDER, ORDER_TO, PAUSE, Kind
@@ -21,6 +22,7 @@ from tests.fleets import (
     R0,
     T0,
     battery,
+    commanded,
     fleet,
     graph,
     labels,
@@ -139,3 +141,15 @@ def test_json_has_no_key_for_what_a_kind_never_tells_and_null_for_what_has_not_c
     assert (full["cargo"], full["obstacle_s"], full["paused"]) == (None, 0.0, None)
     assert (bare["never_came"], late["never_came"]) == ([], ["battery"])
     assert [one["kind"] for one in (bare, late)] == ["bare", "late"]
+
+
+def test_a_pause_that_only_holds_a_goal_says_so() -> None:
+    holds = Kind(
+        "holds", ("pose", "queue"), (ORDER_TO, PAUSE), {"queue": math.inf}, keeps_goals=True, holds=True
+    )
+    paused = (*commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0), tick(T0))
+    state = told(heard(holds), queue(T0), *paused)
+    assert "stopped, no goal to keep" in rows(state)[0] and "paused" not in rows(state)[0]
+    kept = told(state, *commanded(2, place_order(R0, 1), Stage.WAITING, at=T0), tick(T0))
+    assert "stopped, goal kept here" in rows(kept)[0]
+    assert "paused (by us)" in rows(told(heard(FULL), queue(T0), *paused))[0]
