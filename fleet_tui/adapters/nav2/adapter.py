@@ -11,8 +11,10 @@ from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.nav2 import reading
 from fleet_tui.adapters.nav2.answers import judge_cancel, judge_goal
 from fleet_tui.adapters.nav2.goals import cancel_all, cancel_call, cancel_own, order_goal
+from fleet_tui.adapters.nav2.probes import probes
 from fleet_tui.adapters.nav2.settings import Settings
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
+from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.facts import read_map
 from fleet_tui.adapters.ros.names import Names
@@ -126,6 +128,10 @@ class Nav2:
         for key in ("pause", "resume"):
             if name := self.names.service(key, robot):
                 yield key, name, self.names.service_type(key)
+
+    def probes(self, robot: str) -> Iterable[Probe]:
+        """Return what decides whether such a robot can be driven."""
+        return probes(self.names, robot)
 
     def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Outgoing]:
         """Return what carries a command, in the order in which it must leave. Raises CommandError for one

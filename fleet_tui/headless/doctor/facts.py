@@ -41,6 +41,10 @@ class Rosapi:
         words = ("does not answer", "Unable to communicate with service", "Timeout exceeded")
         return any(word in self.problem for word in words)
 
+    def lists_action_of(self, topic: str) -> bool:
+        """Whether a hidden topic's action server is there."""
+        return topic.partition("/_action/")[0] in self.actions
+
     def has(self, topic: str) -> bool:
         """Whether a topic is there to be heard: every open console keeps the names of its own listed. The
         topics of actions never are."""
@@ -90,7 +94,7 @@ class BridgeFacts:
     """Everything about one bridge that answers. `round_trips` in seconds, `busy_trips` those while all topics
     came; `ahead`: by how many seconds its clock is ahead of ours, None where it does not say; `lost`: why the
     link ended meanwhile; `behind`: by how many seconds we ourselves were late at most; `adapters` by
-    robot."""
+    robot; `answers` of the services that probes ask, by name."""
 
     name: str
     rosapi: Rosapi
@@ -101,6 +105,7 @@ class BridgeFacts:
     busy_trips: tuple[float, ...] = ()
     behind: float = 0.0
     adapters: Mapping[str, Adapter] = field(default_factory=dict)
+    answers: Mapping[str, object] = field(default_factory=dict)
 
     def of(self, robot: str) -> list[TopicFacts]:
         """A robot's topics."""

@@ -23,19 +23,29 @@ def robot_findings(
     first = _robot(config, robot, topics, facts, causes)
     yield first
     for one in topics:
+        if one.wanted.robot != robot.name:  # several share it: it is told of the first
+            continue
         cause = next((cause for cause in causes if one.topic in cause.topics), None)
         if cause is not None:
             yield _finding(one, Verdict.SKIPPED, f"{cause.short}: see above")
         elif first.is_failure and (not one.wanted.floor or not is_there(robot.name, facts)):
             yield _finding(one, Verdict.SKIPPED, f"{first.measured.partition(':')[0]}: see above")
-        else:
+        elif one.count or one.complaint or not _is_of_no_action(one, facts.rosapi):
             yield _topic(config, one, facts)
+
+
+def _is_of_no_action(one: TopicFacts, rosapi: Rosapi) -> bool:
+    """Tell whether it belongs to an action that is not there: probes tell what of them is missed."""
+    return is_hidden(one.topic) and bool(rosapi.actions) and not rosapi.lists_action_of(one.topic)
 
 
 def is_there(robot: str, facts: BridgeFacts) -> bool:
     """Whether the bridge knows anything of a robot; true where it can't be asked."""
     rosapi = facts.rosapi
-    return bool(rosapi.problem) or any(one.count or rosapi.has(one.topic) for one in facts.of(robot))
+    return bool(rosapi.problem) or any(
+        one.count or (rosapi.lists_action_of if is_hidden(one.topic) else rosapi.has)(one.topic)
+        for one in facts.of(robot)
+    )
 
 
 def _robot(
@@ -192,8 +202,12 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
     key = facts.wanted.key
     if not facts.is_silent:
         return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
-    if is_hidden(facts.topic):
+    if is_hidden(facts.topic) and not facts.complaint:
+        if rosapi.lists_action_of(facts.topic):
+            return Verdict.OK, "its action server is there; nothing comes before the first goal", ""
         return Verdict.SKIPPED, "an action's: it is in no list, and nothing comes before the first goal", ""
+    if facts.wanted.silent and not facts.complaint:
+        return Verdict.OK, "nothing came, as long as nothing changes", ""
     nodes = rosapi.publishers.get(facts.topic)
     nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
     if facts.complaint:
@@ -215,7 +229,7 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
 
 def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Verdict, str, str]:
     fields = "correct [profile.fields], or the node that publishes it"
-    if facts.event is None:
+    if facts.event is None and facts.faults:
         return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
     if facts.faults:
         return Verdict.FAIL, f"{facts.faults} parts can't be read: {facts.problem}", fields
@@ -223,7 +237,7 @@ def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Ver
         return Verdict.OK, f"came {facts.first_after or 0.0:.2f} s after a late subscribe", ""
     age = f"last {facts.age or 0.0:.1f} s ago"
     measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
-    if facts.wanted.key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
+    if facts.wanted.fast and (facts.rate or 0.0) < SLOWEST_POSES:
         if falls_behind(bridge):
             return Verdict.SKIPPED, f"{measured}: the bridge falls behind, see its load above", ""
         slow = f"{measured}: poses should come with about 10 Hz"
