@@ -1,4 +1,4 @@
-"""The roof: owns the store, the link and the tick; theme, keymap, which screen."""
+"""The Textual app. Owns the store, the backend and the refresh timer."""
 
 import logging
 import time
@@ -8,8 +8,8 @@ from typing import ClassVar
 from textual.binding import BindingType
 from textual.theme import Theme
 
+from fleet_tui.backend import Backend, Connect, connect_live
 from fleet_tui.config.schema import Config
-from fleet_tui.door import Door, Opening, to_the_fleet
 from fleet_tui.keymap import keymap
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
@@ -34,7 +34,7 @@ def clock(wall: float) -> str:
 
 
 class FleetApp(SteadyApp, inherit_bindings=False):
-    """The console. Its door is opened last: importing a link takes longer than painting."""
+    """The console. Its backend is opened last: importing a link takes longer than painting."""
 
     TITLE = "fleet-tui"
     CSS_PATH = "fleet.tcss"
@@ -48,7 +48,7 @@ class FleetApp(SteadyApp, inherit_bindings=False):
         themes: dict[str, FleetTheme],
         drawing: Drawing,
         colour: bool = True,
-        opening: Opening = to_the_fleet,
+        opening: Connect = connect_live,
     ) -> None:
         # Without colour Textual must leave the terminal's own, or it sends greys.
         super().__init__(Theme(**themes[config.ui.theme].textual()), ansi_color=not colour)
@@ -56,7 +56,7 @@ class FleetApp(SteadyApp, inherit_bindings=False):
         self._drawing, self._colour = drawing, colour
         self.store = store
         self.opening = opening
-        self._door: Door | None = None
+        self._backend: Backend | None = None
         self._restore = terminal_restorer()
         keys, _ = keymap(config.keys)
         self.main = MainScreen(self.store, self.submit, self.tell, self._show_map, keys, clock)
@@ -90,31 +90,31 @@ class FleetApp(SteadyApp, inherit_bindings=False):
         self.main.tick()
 
     def _connect(self) -> None:
-        self.run_worker(self._open_door, thread=True, exit_on_error=False)
+        self.run_worker(self._open_backend, thread=True, exit_on_error=False)
 
-    def _open_door(self) -> None:
+    def _open_backend(self) -> None:
         try:
             self.opening(self._config, self.store, self._enter)
         except Exception as problem:
             LOG.exception("the link can't be opened")
             self.call_from_thread(self.main.say, f"the link can't be opened: {problem} (see the log file)")
 
-    def _enter(self, door: Door) -> None:
-        self._door = self.main.door = door
+    def _enter(self, backend: Backend) -> None:
+        self._backend = self.main.backend = backend
 
     def submit(self, command: Command) -> None:
         """Send a command now, or say why not."""
         if not self.main.armed:
             self.main.say("not sent: this console is not armed, : Arm lets commands leave")
-        elif self._door is None:
+        elif self._backend is None:
             self.main.say("not sent: the console is still starting")
         else:
-            self._door.submit(command)
+            self._backend.submit(command)
 
     def tell(self, event: Event) -> None:
         """Tell the store something that happened here."""
-        if self._door is not None:
-            self._door.tell(event)
+        if self._backend is not None:
+            self._backend.tell(event)
 
     def note(self, text: str) -> None:
         """Tell the operator, with the next tick."""
@@ -122,9 +122,9 @@ class FleetApp(SteadyApp, inherit_bindings=False):
 
     def _show_map(self, robot: str, floor: str) -> bool:
         """Ask for a live map; False while there is nobody to ask."""
-        if self._door is None:
+        if self._backend is None:
             return False
-        self._door.show_map(robot, floor)
+        self._backend.show_map(robot, floor)
         return True
 
     def use_theme(self, name: str) -> None:
@@ -144,5 +144,5 @@ class FleetApp(SteadyApp, inherit_bindings=False):
 
     def on_unmount(self) -> None:
         """Close the connections before the loop goes."""
-        if self._door is not None:
-            self._door.close()
+        if self._backend is not None:
+            self._backend.close()

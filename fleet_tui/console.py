@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from fleet_tui.app import FleetApp
+from fleet_tui.backend import Backend, connect_live
 from fleet_tui.config.access import access_problems, unsafe_places
 from fleet_tui.config.load import user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.door import Door, to_the_fleet
 from fleet_tui.errors import ConfigError, FleetError, did_you_mean
 from fleet_tui.log_file import log_to_file, state_folder
 from fleet_tui.store import Store
@@ -111,15 +111,17 @@ def recorded(
     folder: Path | None,
     config: Config,
     store: Store,
-    stands: Callable[[Door], None],
+    stands: Callable[[Backend], None],
 ) -> None:
-    """Open the door to the fleet; what goes through it is recorded. `folder` is where orders are kept."""
+    """Connect to the fleet; what goes through it is recorded. `folder` is where orders are kept."""
 
-    def keep(door: Door) -> None:
-        stands(door)
+    def keep(backend: Backend) -> None:
+        stands(backend)
         recordings.keep_recent()
 
-    to_the_fleet(config, store, keep, recordings.taps, folder)
+    from fleet_tui.journal.audit import operator_name
+
+    connect_live(config, store, keep, recordings.taps, folder, operator_name(config))
 
 
 def open_replay(config: Config, player: "Player", drawing: str | None, debug: bool) -> None:
@@ -131,9 +133,9 @@ def replaying(
     config: Config, player: "Player", themes: dict[str, FleetTheme], mode: Drawing, colour: bool = True
 ) -> FleetApp:
     """The app on a recording."""
-    from fleet_tui.playback.door import Wall
+    from fleet_tui.playback.backend import ReplayBackend
 
-    app = FleetApp(config, Store(player.state), themes, mode, colour, Wall(player).open)
+    app = FleetApp(config, Store(player.state), themes, mode, colour, ReplayBackend(player).open)
     app.main.player, app.main.read_only = player, True
     app.main.announce = lambda _state: None
     app.main.tell = lambda _event: app.main.say("nothing is acknowledged or shelved: this is a recording")

@@ -7,7 +7,8 @@ class Key(Struct, frozen=True):
     """`id` names it in the config; `keys` are the defaults; `action` is Textual's action string;
     `pane` is where it works: "map", "table", "console", "recording" (everywhere while one is played),
     "diagnostics" (that screen alone), or "anywhere", which reaches through text fields, forms and
-    modals; `hint` is the footer's word, empty to stay out of the footer."""
+    modals; `hint` is the footer's word, empty to stay out of the footer; `needs` is what a robot must
+    accept for it to be offered."""
 
     id: str
     keys: tuple[str, ...]
@@ -15,6 +16,7 @@ class Key(Struct, frozen=True):
     text: str
     pane: str = "console"
     hint: str = ""
+    needs: str = ""
 
     @property
     def section(self) -> str:
@@ -53,15 +55,41 @@ KEYS: tuple[Key, ...] = (
     *(Key(f"robot_{n}", (str(n),), f"robot({n})", f"Robot number {n} of the config") for n in range(1, 10)),
     Key("next_floor", ("}",), "step_floor(1)", "Next floor", hint="floor"),
     Key("previous_floor", ("{",), "step_floor(-1)", "Previous floor"),
-    Key("order", ("o",), "order", "Order form for the selected robot", hint="order"),
-    Key("simple", ("s",), "simple", "Simple interface on or off: robot, from, to, send", hint="simple"),
-    Key("why", ("w",), "why", "Why does the selected robot stand still: reasons and what helps", hint="why"),
-    Key("cancel", ("x",), "cancel", "Cancel the order under the queue's cursor (asks once)", hint="cancel"),
-    Key("clear", ("X",), "clear", "Clear all orders of the selected robot (asks once)", hint="clear"),
-    Key("pause", ("p",), "pause", "Pause the selected robot, at once", hint="pause"),
-    Key("resume", ("r",), "resume", "Resume the selected robot, at once", hint="resume"),
+    Key("order", ("o",), "order", "Order form for the selected robot", hint="order", needs="order"),
     Key(
-        "pause_all", ("P",), "pause_all", "Pause every robot, at once. Not a safety device", hint="pause all"
+        "simple",
+        ("s",),
+        "simple",
+        "Simple interface on or off: robot, from, to, send",
+        hint="simple",
+        needs="order",
+    ),
+    Key("why", ("w",), "why", "Why does the selected robot stand still: reasons and what helps", hint="why"),
+    Key(
+        "cancel",
+        ("x",),
+        "cancel",
+        "Cancel the order under the queue's cursor (asks once)",
+        hint="cancel",
+        needs="cancel",
+    ),
+    Key(
+        "clear",
+        ("X",),
+        "clear",
+        "Clear all orders of the selected robot (asks once)",
+        hint="clear",
+        needs="clear",
+    ),
+    Key("pause", ("p",), "pause", "Pause the selected robot, at once", hint="pause", needs="pause"),
+    Key("resume", ("r",), "resume", "Resume the selected robot, at once", hint="resume", needs="resume"),
+    Key(
+        "pause_all",
+        ("P",),
+        "pause_all",
+        "Pause every robot, at once. Not a safety device",
+        hint="pause all",
+        needs="pause",
     ),
     Key(
         "pause_all_anywhere",
@@ -70,6 +98,7 @@ KEYS: tuple[Key, ...] = (
         "Pause every robot, also while typing. Not a safety device",
         pane="anywhere",
         hint="pause all",
+        needs="pause",
     ),
     Key(
         "all_orders",

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, TypeVar
 
 import click
@@ -49,15 +50,15 @@ def _simulation(command: F) -> F:
     return speed(_faults(command))
 
 
-def _ros(default: str) -> Callable[[F], F]:
-    """The generation of ROS; empty: the one that is usual for the robots."""
+def _ros(command: F) -> F:
+    """The generation of ROS; without it the one that is usual for the robots."""
     return click.option(
         *("--ros", "ros"),
         type=click.Choice(["1", "2"]),
-        default=default or None,
-        show_default=default or "1; 2 for nav2",
+        default=None,
+        show_default="1; 2 for nav2",
         help="Generation of ROS.",
-    )
+    )(command)
 
 
 def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) -> str:
@@ -80,10 +81,28 @@ def simulated() -> None:
     """Holds the commands; the command line shows them as its own."""
 
 
-@simulated.command(epilog=FAULT_LIST)
+def _kind(command: F) -> F:
+    """The kind of the simulated robots."""
+    return click.option(
+        *("--kind", "kind"),
+        default=USUAL,
+        callback=_known_kind,
+        metavar="|".join(KINDS),
+        show_default=True,
+        help="What the robots are.",
+    )(command)
+
+
+def _check_ros(kind: str, ros: str | None) -> None:
+    if ros and ros not in KINDS[kind].ros:
+        raise click.UsageError(f"robots of kind {kind} run on ROS {' and '.join(KINDS[kind].ros)} only")
+
+
+@simulated.command(epilog=ALL_FAULTS)
+@_kind
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
-@_ros("1")
+@_ros
 @_simulation
 @screen
 @common
@@ -91,35 +110,34 @@ def simulated() -> None:
 def demo(
     config_file: str | None,
     debug: bool,
+    kind: str,
     robots: int,
     floors: int,
     fault: str,
     speed: float,
-    ros: str,
+    ros: str | None,
     read_only: bool,
     drawing: str | None,
 ) -> None:
     """Open the console on a simulated fleet. No ROS, no network."""
     from fleet_tui.demo import simulated as running
 
-    parse_faults(fault, [f"robot_{n}" for n in range(robots)])
-    with running(robots, floors, fault, speed, ros) as url:
+    _check_ros(kind, ros)
+    parse_faults(fault, [f"robot_{n}" for n in range(robots)], KINDS[kind].faults)
+    with (
+        TemporaryDirectory(prefix="fleet-tui-") as folder,
+        running(robots, floors, fault, speed, ros or "", kind) as url,
+    ):
         from fleet_tui.console import open_console
         from fleet_tui.demo import demo_config
 
-        config = demo_config(load(find(config_file)), url, robots, floors, ros)
+        found = load(find(config_file))
+        config = demo_config(found, url, robots, floors, ros or "", kind, Path(folder))
         open_console(config, read_only, drawing, debug, demo=True)
 
 
 @simulated.command(epilog=ALL_FAULTS)
-@click.option(
-    *("--kind", "kind"),
-    default=USUAL,
-    callback=_known_kind,
-    metavar="|".join(KINDS),
-    show_default=True,
-    help="What the robots are.",
-)
+@_kind
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
 @click.option(
@@ -139,7 +157,7 @@ def demo(
     type=click.Path(path_type=Path),
     help="Write the route graph for nav2 here: a GeoJSON file, with several floors a folder of them.",
 )
-@_ros("")
+@_ros
 @_simulation
 @common
 @merged
@@ -162,8 +180,7 @@ def sim(
     """Serve a simulated fleet to several consoles, until Ctrl-C."""
     from fleet_tui.simulator.run import run
 
-    if ros and ros not in KINDS[kind].ros:
-        raise click.UsageError(f"robots of kind {kind} run on ROS {' and '.join(KINDS[kind].ros)} only")
+    _check_ros(kind, ros)
     if graph_file:
         _write_graphs(kind, graph_file, floors)
     announce = partial(click.echo, nl=True)

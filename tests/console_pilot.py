@@ -9,10 +9,10 @@ from pathlib import Path
 from textual.pilot import Pilot
 
 from fleet_tui.app import FleetApp
+from fleet_tui.backend import connect_live
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.console import recorded
-from fleet_tui.door import to_the_fleet
 from fleet_tui.journal.recordings import Recordings
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
@@ -86,7 +86,7 @@ async def console(
     """Run the console until all telemetry has come. With a `state_folder` it records, too."""
     store = WatchedStore(initial_state(config, time.monotonic()))
     recordings = Recordings(config, store, state_folder) if state_folder else None
-    opening = partial(recorded, recordings) if recordings else to_the_fleet
+    opening = partial(recorded, recordings) if recordings else connect_live
     app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, opening)
     app.main.recordings = recordings
     async with AsyncExitStack() as stack:

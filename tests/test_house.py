@@ -3,10 +3,13 @@
 import ast
 from collections.abc import Iterator
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 from fleet_tui.adapters.registry import KINDS
+from fleet_tui.model.commands import Command
+from fleet_tui.model.events import Event
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "fleet_tui"
@@ -114,3 +117,29 @@ def test_every_exception_to_the_rules_has_its_reason() -> None:
             for mark in ("# type: " + "ignore", "# no" + "qa"):
                 if mark in line:
                     assert "  # " in line.split(mark, 1)[1], f"{path.name}:{number} gives no reason"
+
+
+def test_matches_over_commands_and_events_are_complete() -> None:
+    """Each ends in assert_never, so that the type checker names it where a command or an event is added."""
+    flat: set[type] = set(get_args(Command))
+    for kind in get_args(Event):
+        flat |= set(get_args(kind)) or {kind}
+    names = {kind.__name__ for kind in flat}
+    open_ended = [
+        f"{path.name}:{part.lineno}"
+        for path in FILES
+        for part in ast.walk(ast.parse(path.read_text()))
+        if isinstance(part, ast.Match) and _classes_of(part) & names and not _ends_in_assert_never(part)
+    ]
+    assert open_ended == []
+
+
+def _classes_of(match: ast.Match) -> set[str]:
+    """The classes that the cases themselves are, not those within them."""
+    patterns = [one for case in match.cases for one in [case.pattern, *getattr(case.pattern, "patterns", [])]]
+    classes = [ast.unparse(one.cls) for one in patterns if isinstance(one, ast.MatchClass)]
+    return {name.rpartition(".")[2] for name in classes}
+
+
+def _ends_in_assert_never(match: ast.Match) -> bool:
+    return ast.unparse(match.cases[-1].body[-1]).startswith("assert_never(")

@@ -38,7 +38,7 @@ class Sourcing:
         self._link, self._calls, self._reading, self._tell = link, calls, reading, tell
         self._types = types
         # On what speaks only when something changes, silence is no sign.
-        self._wanted = [one for one in wanted if not one.large and not one.silent]
+        self._wanted = [one for one in wanted if not (one.large or one.silent)]
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:

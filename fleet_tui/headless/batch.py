@@ -8,7 +8,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import CommandError
 from fleet_tui.headless.orders import Say, await_reports, forbidden, said, sending, unreachable
 from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, Outcome, exit_code, unsent
-from fleet_tui.headless.sending import How, Sending
+from fleet_tui.headless.sending import How, Sending, divide
 from fleet_tui.model.commands import Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import find_robot, parse, tokens
@@ -85,4 +85,6 @@ def _give_all(
 
 def _tried(given: Sending, wish: Wish) -> list[Outcome]:
     """What would become of a line, as the fleet is now."""
-    return given.check(wish) or [unsent(given.state, one, "", DONE, WOULD) for one in wish.commands]
+    wish, unable = divide(given.state, wish)
+    held = given.check(wish)
+    return [*unable, *(held or [unsent(given.state, one, "", DONE, WOULD) for one in wish.commands])]

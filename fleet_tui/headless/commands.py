@@ -46,6 +46,17 @@ def status(
 
 
 @headless.command()
+@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/commands.md tells the schema.")
+@common
+@merged
+def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
+    """The kinds of robots with what each reports and accepts."""
+    from fleet_tui.headless.kinds import kinds as run
+
+    run(as_json, click.echo)
+
+
+@headless.command()
 @click.option("--json", "as_json", is_flag=True, help="As JSON: docs/doctor.md tells the schema.")
 @click.option("--robot", metavar="ROBOT", default="", help="Only this one, its bridge and its floors.")
 @click.option("--bundle", is_flag=True, help="And pack it with recordings, log and audit log, for a ticket.")

@@ -129,7 +129,7 @@ def unreachable(state: FleetState, robots: Iterable[str]) -> str:
 
 def _has_labels(robot: Robot) -> bool:
     """Whether the labels of every floor have come."""
-    return all(chart.labels for chart in robot.charts.values())
+    return not robot.kind.expects("labels") or all(chart.labels for chart in robot.charts.values())
 
 
 def _tells_pause(robot: Robot) -> bool:

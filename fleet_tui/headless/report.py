@@ -3,9 +3,11 @@
 import math
 from typing import Any
 
+from fleet_tui.headless.navigation_report import navigation
 from fleet_tui.headless.session import missing
 from fleet_tui.model.conditions import behind, late
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
@@ -69,29 +71,39 @@ def _orders(robot: Robot) -> list[Values]:
             **_stop(robot, "end", order.end),
             "status": order.word,
             "status_text": order.state.value if order.state else None,
-            "current": order is robot.orders.current,
+            "current": robot.orders.is_current(order),
         }
         for position, order in enumerate(robot.orders.in_sequence())
     ]
 
 
 def _robot(state: FleetState, robot: Robot) -> Values:
-    return {
+    kind = robot.kind
+    values: Values = {
         "name": robot.name,
+        "kind": kind.name,
         "link": robot.link,
         "online": state.is_online(robot),
         "heard_s": _age(state, robot.heard),
-        "floor": robot.floor,
-        "frame_id": robot.frame_id or None,
-        "pose": _pose(robot, state),
-        "battery_percent": _value(robot.battery),
-        "cargo": _value(robot.cargo),
-        "obstacle_s": _value(robot.obstacle),
-        "paused": state.pause(robot),
-        "orders": _orders(robot) if robot.queue else None,
-        "bad_messages": robot.faults,
-        "never_came": missing(robot),
     }
+    if "pose" in kind.reports:
+        values |= {
+            "floor": robot.floor,
+            "frame_id": robot.frame_id or None,
+            "pose": _pose(robot, state),
+        }
+    told = {
+        "battery": ("battery_percent", _value(robot.battery)),
+        "cargo": ("cargo", _value(robot.cargo)),
+        "obstacle": ("obstacle_s", _value(robot.obstacle)),
+    }
+    values |= {name: value for reported, (name, value) in told.items() if reported in kind.reports}
+    if "paused" in kind.reports or kind.can(PAUSE):
+        values["paused"] = state.pause(robot)
+    if kind.lists_orders:
+        values["orders"] = _orders(robot) if robot.queue else None
+    values |= navigation(state, robot)
+    return values | {"bad_messages": robot.faults, "never_came": missing(robot)}
 
 
 def attention(state: FleetState) -> list[str]:
@@ -157,8 +169,9 @@ def changes(before: Values, after: Values) -> Values:
 
 
 def _ageless(entry: Values) -> Values:
-    ages = ("since_s", "last_message_s", "heard_s", "late_s")
+    ages = ("since_s", "last_message_s", "heard_s", "late_s", "blocked_s")
     kept = {name: value for name, value in entry.items() if name not in ages}
-    if kept.get("pose"):
-        kept["pose"] = {name: value for name, value in kept["pose"].items() if name != "age_s"}
+    for part, age in (("pose", "age_s"), ("progress", "elapsed_s")):
+        if kept.get(part):
+            kept[part] = {name: value for name, value in kept[part].items() if name != age}
     return kept

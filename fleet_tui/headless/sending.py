@@ -1,7 +1,7 @@
 """From a wish to the outcome of each of its commands: checked, sent, waited for."""
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -9,7 +9,7 @@ from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.headless.driving import follow_order
 from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, ended, unsent
 from fleet_tui.headless.session import WaitingStore
-from fleet_tui.model.checks import problems
+from fleet_tui.model.checks import acceptable, problems, unaccepted
 from fleet_tui.model.commands import ClearOrders, Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
@@ -38,8 +38,12 @@ class How:
 
 def unreported(robot: Robot) -> list[str]:
     """What an order or a cancel is checked and confirmed against, of what has not come."""
-    values: dict[str, object] = {"queue": robot.queue, "cargo": robot.cargo}
-    values |= {f"graph of {floor}": chart.graph for floor, chart in robot.charts.items()}
+    kind = robot.kind
+    values: dict[str, object] = {
+        name: getattr(robot, name) for name in ("queue", "cargo") if kind.expects(name)
+    }
+    if kind.expects("graph"):
+        values |= {f"graph of {floor}": chart.graph for floor, chart in robot.charts.items()}
     return [name for name, value in values.items() if value is None]
 
 
@@ -57,6 +61,16 @@ def _losses(state: FleetState, wish: Wish) -> Iterator[Problem]:
             count = len(robot.orders.open)
             text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
             yield Problem("losses", text, blocks=False)
+
+
+def divide(state: FleetState, wish: Wish) -> tuple[Wish, list[Outcome]]:
+    """Of a wish for several robots what their kinds accept, and what becomes of the rest."""
+    able = acceptable(state, wish)[0]
+    return able, _unable(state, (one for one in wish.commands if one not in able.commands))
+
+
+def _unable(state: FleetState, commands: Iterable[Command]) -> list[Outcome]:
+    return [unsent(state, command, unaccepted(state, command), NOT_DONE) for command in commands]
 
 
 class Sending:
@@ -103,6 +117,8 @@ class Sending:
     def give(self, wish: Wish) -> Iterator[Outcome]:
         """Check a wish, send it, and wait for the outcome of each command. To one robot they are sent one
         after the other, none after one that went wrong; to several, all at once."""
+        wish, unable = divide(self.state, wish)
+        yield from unable
         wrong = self._problems(wish)
         if wrong:
             yield from self._hold_back(wish.commands, wrong)
@@ -162,7 +178,9 @@ class Sending:
 
     def pause(self, robots: Sequence[str]) -> Iterator[Outcome]:
         """Pause robots, those of a bridge as soon as it can be reached, however slow the others are."""
-        ids, waiting = list[int](), list(robots)
+        unable = [name for name in robots if unaccepted(self.state, PauseRobot(name))]
+        yield from _unable(self.state, map(PauseRobot, unable))
+        ids, waiting = list[int](), [name for name in robots if name not in unable]
         until = time.monotonic() + min(LINK_WITHIN, self.left)
         while waiting:
             now = self._reached(waiting, until - time.monotonic())

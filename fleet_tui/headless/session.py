@@ -53,12 +53,15 @@ def session(
 
 
 def missing(robot: Robot) -> list[str]:
-    """What has not come from a robot yet, of what it always reports."""
-    values = {name: getattr(robot, name) for name in ("pose", "battery", "cargo", "obstacle", "queue")}
+    """What has not come from a robot yet, of what its kind always reports."""
+    expected = filter(robot.kind.expects, ("pose", "battery", "cargo", "obstacle", "queue"))
+    values = {name: getattr(robot, name) for name in expected}
     for floor, chart in robot.charts.items():
-        values[f"graph of {floor}"] = chart.graph
-        values[f"labels of {floor}"] = chart.labels or None
-    return [name for name, value in values.items() if value is None]
+        if robot.kind.expects("graph"):
+            values[f"graph of {floor}"] = chart.graph
+        if robot.kind.expects("labels"):
+            values[f"labels of {floor}"] = chart.labels or None
+    return [name for name, value in values.items() if value is None and name not in robot.unmeasured]
 
 
 def is_known(state: FleetState) -> bool:

@@ -19,6 +19,7 @@ from fleet_tui.model.commands import (
     Step,
 )
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Stop, pose_text
 from fleet_tui.model.robot import Robot
 
@@ -123,7 +124,8 @@ def _arguments(robot: Robot | None, command: Command) -> dict[str, Any]:
     match command:
         case PlaceOrder(_, stops):
             start = _stop("start", robot, stops[0]) if len(stops) > 1 else {}
-            return {"what": command.what, **start, **_stop("end", robot, stops[-1])}
+            what = command.what(robot.kind if robot else Kind())
+            return {"what": what, **start, **_stop("end", robot, stops[-1])}
         case CancelOrder(_, order_id):
             return {"what": "cancel", "order": order_id}
         case ClearOrders():

@@ -125,9 +125,9 @@ def _command_record(record: Fields) -> Fields:
     }
 
 
+# Those whose form changed; in JSON the ids that are keys were text before.
 _EVENTS: dict[str, Callable[[Fields], Fields]] = {
     "CommandIssued": lambda event: event | {"command": _command(event["command"])},
     "QueueReported": lambda event: event | {"queue": _queue(event["queue"])},
     "GraphReceived": lambda event: event | {"graph": _graph(event["graph"])},
-    "LabelsReceived": lambda event: event | {"labels": _by_id(event["labels"])},
 }

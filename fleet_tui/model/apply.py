@@ -20,6 +20,7 @@ from fleet_tui.model.floor_events import apply_to_floor
 from fleet_tui.model.keeping import with_held_queues
 from fleet_tui.model.lag import with_lags
 from fleet_tui.model.link_events import apply_to_link
+from fleet_tui.model.navigation_events import Navigation
 from fleet_tui.model.navigation_reports import apply_navigation
 from fleet_tui.model.reports import apply_chart, apply_report
 from fleet_tui.model.robot import Robot, with_fault
@@ -65,11 +66,11 @@ def _shared(state: FleetState, event: events.GraphReceived) -> events.GraphRecei
 
 def _apply_to_robot(
     state: FleetState,
-    event: events.Telemetry | navigation_events.Navigation | events.ChartReceived | events.MessageRejected,
+    event: events.Telemetry | Navigation | events.ChartReceived | events.MessageRejected,
 ) -> FleetState:
     if (robot := state.robots.get(event.robot)) is None:
         return state
-    if isinstance(event, navigation_events.Navigation):
+    if isinstance(event, Navigation):
         return _moved(state, apply_navigation(robot, event))
     match event:
         case events.MessageRejected():
@@ -126,6 +127,8 @@ def _after_operator(
 
 def apply(state: FleetState, event: events.Event) -> FleetState:
     """The state after one fact."""
+    if isinstance(event, events.Telemetry | Navigation | events.ChartReceived | events.MessageRejected):
+        return _apply_to_robot(state, event)
     match event:
         case events.TimePassed():
             return _pass_time(state, event)
@@ -150,5 +153,4 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
         case events.FloorMapLoaded() | events.FloorGraphLoaded():
             return apply_to_floor(state, event)
         case _:
-            # Does not type-check with a new kind of fact that is about no robot.
-            return _apply_to_robot(state, event)
+            assert_never(event)

@@ -4,9 +4,13 @@ The same for keys, menus, forms, typed lines and the command line. A pause is ne
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import assert_never
+
+from msgspec.structs import replace
 
 from fleet_tui.errors import did_you_mean
+from fleet_tui.model.bounds import some
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -17,6 +21,8 @@ from fleet_tui.model.commands import (
     Wish,
 )
 from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.keeping import all_orders
+from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
 from fleet_tui.model.problem import Problem, Rights
@@ -44,6 +50,31 @@ def rights(allowed: Rights) -> Iterator[Problem]:
         yield Problem("read-only", "this console is read-only")
     elif not allowed.armed:
         yield Problem("not armed", "this console is not armed, : Arm lets commands leave")
+
+
+def ability_for(command: Command) -> str:
+    """What a robot must accept to be asked this."""
+    match command:
+        case PlaceOrder():
+            return ORDER_TO if command.with_cargo else ORDER
+        case CancelOrder():
+            return CANCEL
+        case ClearOrders():
+            return CLEAR
+        case PauseRobot():
+            return PAUSE
+        case ResumeRobot():
+            return RESUME
+        case _:
+            assert_never(command)
+
+
+def unaccepted(state: FleetState, command: Command) -> str:
+    """Why robots of this kind can't be asked this, empty where they can."""
+    robot = state.robots.get(command.robot)
+    if robot is None or (ability := ability_for(command)) in robot.kind.accepts:
+        return ""
+    return robot.kind.lack(ability)
 
 
 def unknown_robot(state: FleetState, name: str) -> Problem:
@@ -82,7 +113,7 @@ def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator
     """What becomes of an order can be seen."""
     if not isinstance(command, PlaceOrder) or robot.heard is None or not state.is_online(robot):
         return
-    if robot.queue is None or state.is_old(robot.queue):
+    if robot.kind.expects("queue") and not state.is_fresh(robot, "queue"):
         since = "has not come" if robot.queue is None else f"is {age(state.now - robot.queue.at)} old"
         text = f"the queue of {robot.name} {since}: whether it takes the order can't be seen"
         yield Problem("queue unheard", text, blocks=False)
@@ -97,27 +128,29 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
         text = f"order id {command.order_id} would mean all orders to the robot: use clear for that"
         yield Problem("id means all", text)
         return
-    old = robot.queue is None or state.is_old(robot.queue)
-    order = next((order for order in robot.orders.orders if order.id == command.order_id), None)
-    if order is None:
+    old = not state.is_fresh(robot, "queue")
+    order = next((one for one in all_orders(state, robot) if one.id == command.order_id), None)
+    if order is None and robot.kind.lists_orders:
         text = f"order {command.order_id} is not in the queue of {robot.name}"
         yield Problem("not in the queue", text + (" as last heard" if old else ""), blocks=not old)
-    elif order.is_over:
+    elif order is not None and order.is_over:
         text = f"order {command.order_id} of {robot.name} is {order.state_text} already"
         yield Problem("not in the queue", text, blocks=not old)
 
 
 def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """There is an order to lose."""
-    if isinstance(command, ClearOrders) and not robot.orders.open:
-        old = robot.queue is None or state.is_old(robot.queue)
+    if isinstance(command, ClearOrders) and robot.kind.lists_orders:
+        if any(not order.is_over for order in all_orders(state, robot)):
+            return
+        old = not state.is_fresh(robot, "queue")
         text = f"{robot.name} had no orders when last heard" if old else f"{robot.name} has no orders"
         yield Problem("nothing to clear", text, blocks=not old)
 
 
 def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """With cargo on board and nothing to do there is only a destination; without cargo there is none."""
-    if not isinstance(command, PlaceOrder):
+    if not isinstance(command, PlaceOrder) or "cargo" not in robot.kind.reports:
         return
     waiting = sum(order.state in PENDING for order in robot.orders.orders)
     if not command.with_cargo:
@@ -125,7 +158,7 @@ def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem
             text = f"{robot.name} has cargo on board and no orders: it needs only a destination"
             yield Problem("cargo on board", text, blocks=False)
     elif not robot.has_cargo:
-        sure = robot.cargo is not None and not state.is_old(robot.cargo)
+        sure = state.is_fresh(robot, "cargo")
         text = f"{robot.name} has no cargo on board: an order needs From and To"
         yield Problem("no cargo", text if sure else f"{robot.name} does not say that it has cargo", sure)
     elif waiting:
@@ -149,8 +182,32 @@ FIRST: tuple[Check, ...] = (no_way_there, cargo)
 """What is asked only of the first command to a robot: the others come after it."""
 
 
+def not_accepted(state: FleetState, commands: Sequence[Command]) -> list[Problem]:
+    """What robots can't be asked because of their kind; robots of one reason are named together."""
+    robots: dict[str, list[str]] = {}
+    for command in commands:
+        if reason := unaccepted(state, command):
+            robots.setdefault(reason, []).append(command.robot)
+    return [
+        Problem("not accepted", f"{some(list(dict.fromkeys(names)))}: {reason}")
+        for reason, names in robots.items()
+    ]
+
+
+def acceptable(state: FleetState, wish: Wish) -> tuple[Wish, list[Problem]]:
+    """Of a wish for several robots what their kinds accept, and what is left out: the others don't wait for a
+    robot that can't. A wish that none can carry out is as it was: `problems` says why."""
+    able = tuple(command for command in wish.commands if not unaccepted(state, command))
+    if not able or len({command.robot for command in wish.commands}) == 1:
+        return wish, []
+    left_out = [command for command in wish.commands if command not in able]
+    return replace(wish, commands=able), not_accepted(state, left_out)
+
+
 def problems(state: FleetState, wish: Wish, allowed: Rights) -> list[Problem]:
     """All that speaks against a wish, errors first; the only place where it is asked."""
+    if impossible := not_accepted(state, wish.commands):
+        return impossible
     if all(isinstance(command, PauseRobot) for command in wish.commands):
         return []
     found = list(rights(allowed))

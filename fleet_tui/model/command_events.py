@@ -63,7 +63,7 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
 def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetState:
     """A command ends once: whatever else comes for it changes nothing."""
     found = next((record for record in state.commands if record.id == event.id), None)
-    if found is None:
+    if found is None or (event.stage is Stage.WAITING and not isinstance(found.command, PlaceOrder)):
         return state
     record = found.advanced(Step(_late_or(event.stage, state, found), event.at, brief(event.words)))
     if record is found:

@@ -7,11 +7,13 @@ from itertools import pairwise
 from msgspec import Struct, field
 from msgspec.structs import replace
 
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, Stop, at_vertices
 
 
 class PlaceOrder(Struct, frozen=True, tag=True):
-    """Carry from the first of the `stops` to the last. To a single one goes the cargo on board."""
+    """Carry from the first of the `stops` to the last. To a single one goes the cargo on board, or the robot
+    alone where it tells of no cargo."""
 
     robot: str
     stops: tuple[Stop, ...]
@@ -21,10 +23,15 @@ class PlaceOrder(Struct, frozen=True, tag=True):
         """Tell whether it brings what is on board already."""
         return len(self.stops) == 1
 
-    @property
-    def what(self) -> str:
-        """What is asked, in a word or two."""
-        return "bring cargo" if self.with_cargo else "order"
+    def what(self, kind: Kind) -> str:
+        """What is asked of a robot of this kind, in a word or two."""
+        return "bring cargo" if self.with_cargo and "cargo" in kind.reports else "order"
+
+    def text(self, kind: Kind, route: str) -> str:
+        """What is asked, with its stops; `route` are those in words."""
+        if self.with_cargo and "cargo" not in kind.reports:
+            return f"go to {route.removeprefix('-> ')}"
+        return f"{self.what(kind)} {route}"
 
 
 class CancelOrder(Struct, frozen=True, tag=True):

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Sequence
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import ALL, USAGE, Token, find_robot, tokens
+from fleet_tui.model.keeping import all_orders
 from fleet_tui.model.lookup import places, recent_ends
 from fleet_tui.model.robot import Robot
 
@@ -24,7 +25,8 @@ def complete(line: str, state: FleetState, selected: str = "") -> list[str]:
     if done and not done[-1].separates and not line[-1].isspace():
         start = done.pop().start
     if not done:
-        return _lines(line, start, [*USAGE, *state.robots]) if line else []
+        verbs = [verb for verb in USAGE if _able(state, verb)]
+        return _lines(line, start, [*verbs, *state.robots]) if line else []
     verb = done[0].text.casefold() if done[0].text.casefold() in USAGE else ""
     named = done[1:] if verb else done
     if verb in ("", "order"):
@@ -33,7 +35,13 @@ def complete(line: str, state: FleetState, selected: str = "") -> list[str]:
         return _cancel(line, named, start, state, selected)
     if named:
         return []
-    return _lines(line, start, state.robots if verb == "clear" else [ALL, *state.robots], last=True)
+    robots = _able(state, verb)
+    return _lines(line, start, robots if verb == "clear" or not robots else [ALL, *robots], last=True)
+
+
+def _able(state: FleetState, verb: str) -> list[str]:
+    """The robots that accept what a verb asks."""
+    return [name for name, robot in state.robots.items() if robot.kind.can(verb)]
 
 
 def _robot(token: Token, state: FleetState) -> Robot | None:
@@ -57,15 +65,17 @@ def _cancel(line: str, named: Sequence[Token], start: int, state: FleetState, se
     robot = _robot(named[0], state) if named else state.robots.get(selected)
     if len(named) > 1:
         return []
-    ids = [order.id for order in robot.orders.in_sequence()] if robot else []
+    ids = [order.id for order in all_orders(state, robot)] if robot and robot.kind.can("cancel") else []
     found = _lines(line, start, ids, last=True)
-    return found if named else [*found, *_lines(line, start, state.robots)]
+    return found if named else [*found, *_lines(line, start, _able(state, "cancel"))]
 
 
 def _order(line: str, named: Sequence[Token], start: int, verb: str, state: FleetState) -> list[str]:
     robot = _robot(named[0], state) if named else None
     if robot is None:
-        return [] if named else _lines(line, start, state.robots)
+        return [] if named else _lines(line, start, _able(state, "order"))
+    if not robot.kind.can("order"):
+        return []
     known = places(robot)
     rank = {vertex: place for place, vertex in enumerate(recent_ends(state, robot))}
     known.sort(key=lambda place: rank.get(place.vertex, len(rank)))

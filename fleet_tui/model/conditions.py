@@ -7,6 +7,7 @@ its dead band, and what was known before the link went goes on.
 from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.model.conditions_of_navigation import NAVIGATION_RULES
 from fleet_tui.model.failures import failed_commands
 from fleet_tui.model.fleet import FleetState, age, behind_text, obstacle_text
 from fleet_tui.model.floods import Held, is_held
@@ -28,7 +29,7 @@ def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
     """In contact for longer than the limit, by its last word."""
     if robot.obstacle is None or not state.was_obstructed(robot):
         return None
-    text = obstacle_text(state, robot.obstacle)
+    text = obstacle_text(state, robot, robot.obstacle)
     return Condition(robot.name, "obstacle", Priority.HIGH, text, "way is free again")
 
 
@@ -44,7 +45,7 @@ def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     critical = limits.battery_critical + (limits.battery_band if was_critical else 0.0)
     # Rounded down: 19.6 is below 20, and must not read 20.
     text = f"battery {int(reading.value)} %"
-    if state.is_old(reading):
+    if state.is_old(robot, "battery"):
         text += f", {age(state.now - reading.at)} ago"
     priority = Priority.MEDIUM if reading.value < critical else Priority.LOW
     return Condition(robot.name, "battery", priority, text, "battery is charged again")
@@ -71,7 +72,7 @@ def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     order, place = robot.orders.current, robot.place
     if order is None or place is None or state.is_paused(robot) or state.now - place.at < STILL:
         return None
-    known = robot.pose is not None and not state.is_old(robot.pose)
+    known = state.is_fresh(robot, "pose")
     explained = not known or state.was_obstructed(robot)
     if explained and not is_held(held, robot.name, robot.link, "stuck"):
         return None
@@ -158,7 +159,7 @@ def unsourced(state: FleetState, link: LinkState, _held: Held) -> Condition | No
     return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "the messages are there")
 
 
-ROBOT_RULES = (offline, obstacle, battery, pause, stuck, bad_data)
+ROBOT_RULES = (offline, obstacle, *NAVIGATION_RULES, battery, pause, stuck, bad_data)
 LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)
 
 

@@ -103,9 +103,12 @@ def _oldest(orders: list[Order]) -> Order | None:
 
 
 def is_given_again(state: FleetState, record: CommandRecord) -> bool:
-    """Tell whether the same command was given since and is not decided: what is seen now is that one."""
+    """Tell whether the same command was sent since and is not decided: what is seen now is that one."""
     return any(
-        other.command == record.command and other.issued_at > record.issued_at and not other.is_decided
+        other.command == record.command
+        and other.issued_at > record.issued_at
+        and not other.is_decided
+        and other.stage is not Stage.WAITING
         for other in state.commands
     )
 

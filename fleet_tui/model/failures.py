@@ -41,7 +41,7 @@ def has_failed(record: CommandRecord) -> bool:
 def _wish(robot: Robot, command: Command) -> str:
     match command:
         case PlaceOrder(_, stops):
-            return f"{command.what} {route_text(stops, lambda vertex: robot.name_of(vertex) or vertex)}"
+            return command.text(robot.kind, route_text(stops, lambda vertex: robot.name_of(vertex) or vertex))
         case CancelOrder(_, order_id):
             return f"cancel order {order_id}"
         case ClearOrders():

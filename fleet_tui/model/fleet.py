@@ -1,7 +1,6 @@
 """The one picture of the world."""
 
 from collections.abc import Mapping
-from typing import Any
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -78,22 +77,31 @@ class FleetState(Struct, frozen=True, eq=False):
 
     def is_obstructed(self, robot: Robot) -> bool:
         """The same, where that word is fresh."""
-        return self.was_obstructed(robot) and not (robot.obstacle and self.is_old(robot.obstacle))
+        return self.was_obstructed(robot) and self.is_fresh(robot, "obstacle")
 
     def pause(self, robot: Robot) -> bool | None:
         """Tell whether it is paused, None where nothing tells: the robot's own fresh word where it gives one,
         else our accepted pause."""
         if robot.paused is not None:
-            return None if self.is_old(robot.paused) else robot.paused.value
+            return robot.paused.value if self.is_fresh(robot, "paused") else None
         return True if robot.paused_by_us else None
 
     def is_paused(self, robot: Robot) -> bool:
         """Tell whether it is known to be paused."""
         return self.pause(robot) is True
 
-    def is_old(self, reading: Reading[Any]) -> bool:
-        """Whether a value is older than the silence after which a robot counts as offline."""
-        return self.now - reading.at > self.patience
+    def is_fresh(self, robot: Robot, value: str) -> bool:
+        """Tell whether a value, a field of Robot, has come and still holds: for as long as its kind allows,
+        and never of a robot that is offline."""
+        reading: Reading[object] | None = getattr(robot, value)
+        if reading is None or not self.is_online(robot):
+            return False
+        silence = robot.kind.silence_of(value, self.limits.offline_after)
+        return self.now - reading.at <= silence + self.behind
+
+    def is_old(self, robot: Robot, value: str) -> bool:
+        """Tell whether a value has come, and no longer holds."""
+        return getattr(robot, value) is not None and not self.is_fresh(robot, value)
 
     @property
     def unacknowledged(self) -> int:
@@ -113,9 +121,9 @@ def with_robot(state: FleetState, robot: Robot) -> FleetState:
     return replace(state, robots={**state.robots, robot.name: robot})
 
 
-def obstacle_text(state: FleetState, contact: Reading[float]) -> str:
+def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:
     """`obstacle 4.2 s` stands only while it is true; after that it is a thing of the past."""
-    if state.is_old(contact):
+    if state.is_old(robot, "obstacle"):
         return f"contact for {contact.value:.1f} s, {age(state.now - contact.at)} ago"
     return f"obstacle {contact.value:.1f} s"
 

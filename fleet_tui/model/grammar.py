@@ -1,7 +1,7 @@
 """The command language: what an operator types, in the palette, in a file or after `fleet-tui`.
 
     robot_0 Base > Consumidores          robot_0 Base > A > B: Base -> A, then A -> B
-    robot_0 > B                          the cargo on board to B
+    robot_0 > B                          the cargo on board to B; it alone where it tells of no cargo
     order robot_0 Base Consumidores      the same without `>`; labels with spaces in quotes
     cancel 12, cancel robot_0 12         clear robot_0
     pause robot_0, pause all             resume robot_0, resume all

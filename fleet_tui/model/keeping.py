@@ -35,6 +35,21 @@ def waiting(state: FleetState, robot: Robot) -> list[CommandRecord]:
     return [one for one in orders_of(state, robot) if one.stage is Stage.WAITING]
 
 
+def kept_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
+    """Return the orders that wait here, as a queue shows them."""
+    return tuple(
+        Order(one.order_id or "", one.command.stops, None, one.stage.value, 0)
+        for one in waiting(state, robot)
+        if isinstance(one.command, PlaceOrder)
+    )
+
+
+def all_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
+    """Return the orders of a robot as they will be driven: its own, then those that wait here."""
+    own = robot.orders.in_sequence()
+    return own + kept_orders(state, robot) if robot.kind.keeps_goals else own
+
+
 def next_id(state: FleetState, robot: Robot) -> str:
     """Return an id for an order that begins to wait."""
     taken = [one.order_id or "" for one in orders_of(state, robot)]

@@ -1,11 +1,14 @@
 """Kinds of robots: what of the model a robot ever reports and accepts."""
 
 from collections.abc import Mapping
+from math import inf
 
 from msgspec import Struct, field
 
 ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME = "order", "order to", "cancel", "clear", "pause", "resume"
 """What a robot may accept: an order from one place to another, one to a place alone, and so on."""
+
+_NOUNS = {ORDER: "order with a start", ORDER_TO: "order without a start"}
 
 
 class Kind(Struct, frozen=True):
@@ -24,3 +27,27 @@ class Kind(Struct, frozen=True):
     tells_ends: bool = False
     keeps_goals: bool = False
     holds: bool = False
+
+    def can(self, verb: str) -> bool:
+        """Tell whether it accepts what a verb asks; an order with or without a start."""
+        return verb in self.accepts or (verb == ORDER and ORDER_TO in self.accepts)
+
+    def lack(self, asked: str) -> str:
+        """Say that it can't be asked for something that it does not accept."""
+        noun = _NOUNS.get(asked, asked)
+        if asked in _NOUNS and not self.can(ORDER):
+            noun = "orders"
+        return f"this kind has no {noun}"
+
+    @property
+    def lists_orders(self) -> bool:
+        """Tell whether such a robot ever says what it is to do."""
+        return "queue" in self.reports
+
+    def silence_of(self, value: str, usual: float) -> float:
+        """Return after how many seconds a value is old."""
+        return self.silence.get(value, usual)
+
+    def expects(self, value: str) -> bool:
+        """Tell whether a value must come: it is reported, and not only when it changes."""
+        return value in self.reports and self.silence_of(value, 0.0) < inf

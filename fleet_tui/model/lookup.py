@@ -7,6 +7,7 @@ from msgspec import Struct
 
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import ORDER, ORDER_TO, Kind
 from fleet_tui.model.order import vertices_of
 from fleet_tui.model.robot import Robot
 
@@ -79,5 +80,13 @@ def called(robot: Robot, word: str) -> list[Place]:
 
 
 def destination_only(robot: Robot) -> bool:
-    """Whether an order needs no start: cargo on board and nothing to do with it."""
-    return robot.has_cargo and not robot.orders.orders
+    """Whether an order has no start: cargo on board and nothing to do with it, or a kind that takes none."""
+    accepts = robot.kind.accepts
+    idle_with_cargo = robot.has_cargo and not robot.orders.orders
+    return ORDER_TO in accepts and (ORDER not in accepts or idle_with_cargo)
+
+
+def may_skip_start(robot: Robot | None) -> bool:
+    """Whether an order may have a start or none: a robot that tells of no cargo then simply goes there."""
+    kind = robot.kind if robot else Kind()
+    return ORDER in kind.accepts and ORDER_TO in kind.accepts and "cargo" not in kind.reports

@@ -47,3 +47,10 @@ class Blocked(Struct, frozen=True):
     def is_stopped(self) -> bool:
         """Tell whether it stands because of it."""
         return self.action == "stop"
+
+
+def blocked_text(blocked: Blocked, now: float) -> str:
+    """Write that a robot is held back: how long is counted here, from the first message that told it."""
+    if blocked.is_stopped:
+        return f"blocked {now - blocked.since:.1f} s (seen)"
+    return f"slowed by its collision monitor ({blocked.action})"

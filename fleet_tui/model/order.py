@@ -40,10 +40,11 @@ class Stop(Struct, frozen=True):
     pose: Pose | None = None
 
 
-def natural(id_: str) -> list[tuple[bool, int, str]]:
+def natural(id_: str) -> list[tuple[int, str]]:
     """A key that sorts ids as a person does: 2 before 10."""
-    parts = (part.lstrip("0") if part.isdigit() else part for part in _DIGITS.split(id_))
-    return [(not part.isdigit(), len(part) if part.isdigit() else 0, part) for part in parts]
+    # Text and numbers take turns; of two numbers the longer one is the larger.
+    parts = enumerate(_DIGITS.split(id_))
+    return [(len(part.lstrip("0")), part.lstrip("0")) if n % 2 else (0, part) for n, part in parts]
 
 
 def at_vertices(*vertices: str) -> tuple[Stop, ...]:
@@ -116,9 +117,11 @@ class OrderQueue(Struct, frozen=True):
     @property
     def current(self) -> Order | None:
         """The order being driven."""
-        if not self.current_id:
-            return None
-        return next((order for order in self.orders if order.id == self.current_id), None)
+        return next((order for order in self.orders if self.is_current(order)), None)
+
+    def is_current(self, order: Order) -> bool:
+        """Tell whether this order is the one being driven."""
+        return order.id == self.current_id != ""
 
     @property
     def open(self) -> tuple[Order, ...]:

@@ -100,7 +100,7 @@ def trace_queue(
 
 
 def _traced(before: OrderTrace | None, order: Order, queue: OrderQueue) -> OrderTrace:
-    begun = order.state in BEGUN or order is queue.current
+    begun = order.state in BEGUN or queue.is_current(order)
     if before is None or not _is_same(before.order, order):
         is_newest = order.serial == queue.last_serial
         return OrderTrace(order, begun, request_id=queue.request_id if is_newest else 0)

@@ -28,7 +28,7 @@ def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
 def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
     """Whether it has reported one place since the command. A robot may stop so soon that it reports no
     further one."""
-    if robot.pose is None or robot.standing is None or state.is_old(robot.pose):
+    if robot.pose is None or robot.standing is None or state.is_old(robot, "pose"):
         return False
     return robot.pose.at - max(robot.standing.at, record.issued_at) >= STANDS_AFTER
 

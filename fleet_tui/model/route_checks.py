@@ -36,13 +36,23 @@ def ends_of(command: Command) -> tuple[str, ...]:
             assert_never(command)
 
 
+def _legs(command: Command) -> Iterator[tuple[str, str]]:
+    """The vertices of an order that follow each other."""
+    for one, other in pairwise(command.stops if isinstance(command, PlaceOrder) else ()):
+        if one.pose is None and other.pose is None:
+            yield one.vertex, other.vertex
+
+
 def unknown_vertex(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """The robot's graphs have the vertices. A graph that has not come proves nothing."""
     missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
     for vertex in ends_of(command):
         if robot.name_of(vertex) is not None:
             continue
-        if missing:
+        if missing and "graph" not in robot.kind.reports:
+            text = f"{robot.name} knows no vertex {vertex}: there is no graph of {', '.join(missing)}"
+            yield Problem("unknown vertex", text)
+        elif missing:
             waits = f"vertex {vertex} is unknown as long as the graph of {', '.join(missing)} has not come"
             yield Problem("unknown vertex", f"{robot.name}: {waits}", blocks=False)
         else:
@@ -53,7 +63,7 @@ def unknown_vertex(state: FleetState, robot: Robot, command: Command) -> Iterato
 
 def same_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """There is a way to drive."""
-    for start, end in pairwise(ends_of(command)):
+    for start, end in _legs(command):
         if start == end:
             yield Problem("same place", f"From and To are the same place: {_name(robot, end)}")
 
@@ -89,7 +99,7 @@ def no_path(state: FleetState, robot: Robot, command: Command) -> Iterator[Probl
     """The graph leads from one to the other."""
     if not robot.knows_all_graphs():
         return
-    for start, end in pairwise(ends_of(command)):
+    for start, end in _legs(command):
         starts, ends = _floors(robot, start), _floors(robot, end)
         unknown = not starts or not ends or (not starts & ends and _lack_lifts(robot, starts | ends))
         if not unknown and not _are_joined(_graphs(robot), start, end):

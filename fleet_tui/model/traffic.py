@@ -8,6 +8,7 @@ from msgspec import Struct
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role, RouteGraph
+from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Chart, Robot
 
 AT_VERTEX = 0.5
@@ -33,14 +34,35 @@ class InTheWay(Struct, frozen=True, eq=False):
     vertex: str
 
 
-def next_stop(robot: Robot) -> str | None:
-    """The vertex that its current order leads to now: the end with the cargo on board or where there is no
-    other stop, else the start. None also where it leads to a pose."""
-    order = robot.orders.current
-    if order is None:
+def stops_left(robot: Robot, order: Order) -> tuple[Stop, ...]:
+    """The stops that an order still leads to, as far as is known: of the current one the last with the cargo
+    on board, else those from the one that its progress names."""
+    if not robot.orders.is_current(order):
+        return order.stops
+    if robot.has_cargo:
+        return order.stops[-1:]
+    return order.stops[_stop_driven_to(robot, order) or 0 :]
+
+
+def _stop_driven_to(robot: Robot, order: Order) -> int | None:
+    """Which of its stops an order leads to now, by its progress."""
+    progress = robot.progress.value if robot.progress else None
+    if progress is None or progress.goal != order.id or progress.stop is None:
         return None
-    stop = order.end if robot.has_cargo else order.start or order.end
-    return stop.vertex if stop is not None and stop.pose is None else None
+    return min(progress.stop, len(order.stops) - 1)
+
+
+def next_stop(robot: Robot) -> str | None:
+    """The vertex that its current order leads to now, None also where it leads to a pose, and where neither
+    cargo nor progress tells which of several stops it is."""
+    order = robot.orders.current
+    stops = stops_left(robot, order) if order is not None else ()
+    if order is None or not stops:
+        return None
+    tells = "cargo" in robot.kind.reports or _stop_driven_to(robot, order) is not None
+    if len(stops) > 1 and not tells:
+        return None
+    return stops[0].vertex if stops[0].pose is None else None
 
 
 def graph_here(robot: Robot) -> RouteGraph | None:
@@ -91,7 +113,7 @@ def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
 
 def _same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
     """Positions are compared only where both are on one floor and their maps lie alike in the world."""
-    if other.floor is None or other.floor != one.floor or other.pose is None or state.is_old(other.pose):
+    if other.floor is None or other.floor != one.floor or not state.is_fresh(other, "pose"):
         return False
     frames = [robot.charts.get(one.floor, Chart()).frame for robot in (one, other)]
     return None in frames or frames[0] == frames[1]

@@ -16,6 +16,7 @@ from msgspec.structs import replace
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.reason import Reason, Rule, Strength
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.why_navigation import NAVIGATION_REASONS
 from fleet_tui.model.why_orders import (
     at_stop,
     cargo,
@@ -44,6 +45,7 @@ DEAF: tuple[Rule, ...] = (no_link, unheard)
 RULES: tuple[Rule, ...] = (
     paused,
     obstacle,
+    *NAVIGATION_REASONS,
     own_late_pause,
     stale_pose,
     jumps,

@@ -33,15 +33,19 @@ def cargo(state: FleetState, robot: Robot) -> Reason | None:
     """Loaded, and nobody said where to."""
     if not robot.has_cargo or robot.queue is None or robot.orders.open:
         return None
-    strength = Strength.POSSIBLE if state.is_old(robot.queue) else Strength.CERTAIN
+    strength = Strength.POSSIBLE if state.is_old(robot, "queue") else Strength.CERTAIN
     evidence = "it carries cargo and has no order: say where to bring it"
     return Reason("cargo without destination", evidence, strength, seen=robot.queue.at, keys=("order",))
 
 
 def no_orders(state: FleetState, robot: Robot) -> Reason | None:
     """Nothing to drive."""
+    if not robot.kind.lists_orders:
+        return None
     if robot.queue is None:
-        return Reason("queue unknown", "its queue has not been heard", Strength.POSSIBLE)
+        if robot.kind.expects("queue"):
+            return Reason("queue unknown", "its queue has not been heard", Strength.POSSIBLE)
+        return Reason("no orders", "it has told of none so far", Strength.POSSIBLE, keys=("order",))
     if robot.orders.open or robot.has_cargo:
         return None
     record = last_command(state, robot, PlaceOrder, ClearOrders, CancelOrder)
@@ -49,7 +53,7 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
     evidence = "its queue is empty: it waits for one"
     if record is not None and taken and record.stage is Stage.CONFIRMED:
         evidence = f"they were taken out of its queue here {age(state.now - record.at)} ago"
-    strength = Strength.POSSIBLE if state.is_old(robot.queue) else Strength.CERTAIN
+    strength = Strength.POSSIBLE if state.is_old(robot, "queue") else Strength.CERTAIN
     return Reason("no orders", evidence, strength, seen=robot.queue.at, keys=("order",))
 
 
@@ -58,7 +62,7 @@ def at_stop(state: FleetState, robot: Robot) -> Reason | None:
     order, here, since = robot.orders.current, vertex_here(robot), stands_since(robot)
     if order is None or since is None or here is None or here != next_stop(robot):
         return None
-    does = "unloading" if robot.has_cargo else "loading"
+    does = "stops" if "cargo" not in robot.kind.reports else "unloading" if robot.has_cargo else "loading"
     strength = Strength.LIKELY if state.now - since < RECENT else Strength.POSSIBLE
     return Reason(f"{does} at {name_of(robot, here)}", f"for {mission(robot, order)}", strength, since)
 
@@ -93,10 +97,13 @@ def none_current(_state: FleetState, robot: Robot) -> Reason | None:
 
 def unexplained(state: FleetState, robot: Robot) -> Reason | None:
     """It should drive, and nothing tells why it doesn't."""
-    order = robot.orders.current
+    order, since = robot.orders.current, stands_since(robot)
+    if order is None and not robot.kind.lists_orders:
+        return Reason(
+            "no reason is reported", "such robots don't tell what they are to do", Strength.POSSIBLE, since
+        )
     if order is None:
         return None
-    since = stands_since(robot)
     evidence = f"nothing tells why it does not drive {mission(robot, order)}"
     keys = ("centre", "clear")
     return Reason("no reason is reported", evidence, Strength.POSSIBLE, since, keys=keys)

@@ -26,7 +26,9 @@ _UNRESOLVED = frozenset(
 def moves(state: FleetState, robot: Robot) -> Reason | None:
     """It does not stand still at all."""
     since = stands_since(robot)
-    if robot.pose is None or since is None or state.is_old(robot.pose) or state.now - since >= STANDS_AFTER:
+    if robot.pose is None or since is None or state.is_old(robot, "pose"):
+        return None
+    if state.now - since >= STANDS_AFTER:
         return None
     return Reason("it moves", "its pose has just changed", seen=robot.pose.at)
 
@@ -78,15 +80,15 @@ def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
 
 def obstacle(state: FleetState, robot: Robot) -> Reason | None:
     """Something touches it; a short contact may be a passing one."""
-    contact = robot.obstacle
-    if contact is None or contact.value <= 0.0 or (state.is_old(contact) and not state.was_obstructed(robot)):
+    contact, is_old = robot.obstacle, state.is_old(robot, "obstacle")
+    if contact is None or contact.value <= 0.0 or (is_old and not state.was_obstructed(robot)):
         return None
     strength = Strength.CERTAIN if state.is_obstructed(robot) else Strength.LIKELY
     evidence = "it is in contact with something: its way must be cleared there"
     return Reason(
-        obstacle_text(state, contact),
-        evidence if not state.is_old(contact) else "by its last word; none has come since",
-        strength if not state.is_old(contact) else Strength.POSSIBLE,
+        obstacle_text(state, robot, contact),
+        evidence if not is_old else "by its last word; none has come since",
+        strength if not is_old else Strength.POSSIBLE,
         since=contact.at - contact.value,
         seen=contact.at,
         keys=("centre",),
@@ -95,12 +97,13 @@ def obstacle(state: FleetState, robot: Robot) -> Reason | None:
 
 def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     """Its place is old while the rest of it is fresh: it may not stand at all."""
-    if not state.is_online(robot) or (robot.pose is not None and not state.is_old(robot.pose)):
+    if not state.is_online(robot) or state.is_fresh(robot, "pose") or "pose" not in robot.kind.reports:
         return None
     if robot.pose is None:
         return Reason("no pose", "no pose has come, though other reports do: nobody knows where it is")
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
-    if clock is not None and state.now - clock.at <= state.patience:
+    silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
+    if clock is not None and state.now - clock.at <= silence:
         return Reason(name, "poses come, but late: its stamps lag behind", seen=robot.pose.at)
     return Reason(name, "other reports come: it may have moved since", since=robot.pose.at)
 
@@ -132,7 +135,7 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     charge, limits = robot.battery, state.limits
     if charge is None or charge.value >= max(limits.battery_low, limits.battery_critical):
         return None
-    critical = charge.value < limits.battery_critical and not state.is_old(charge)
+    critical = charge.value < limits.battery_critical and not state.is_old(robot, "battery")
     limit = limits.battery_critical if critical else limits.battery_low
     strength = Strength.LIKELY if critical else Strength.POSSIBLE
     evidence = f"below {limit:.0f} %: it may keep what is left for the way to a charger"

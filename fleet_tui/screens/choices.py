@@ -40,6 +40,12 @@ def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Wish:
     return Wish(chain(robot.name, [place.vertex for place in visited], only_to), floors)
 
 
+def wanted_now(robot: Robot, only_to: bool) -> str:
+    """What a robot needs since its cargo or its orders changed."""
+    alone = "carries cargo and has no orders now: only To" if robot.has_cargo else "takes only a To"
+    return f"{robot.name} {alone if only_to else 'needs a From now'}. Enter sends"
+
+
 def missing(field: str, typed: str = "") -> str:
     """What a field still needs."""
     if typed.strip():

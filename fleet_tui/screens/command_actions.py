@@ -1,8 +1,10 @@
 """The commands of the main screen: from a key or a button to a Command."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
+from fleet_tui.model import kind
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Wish
 from fleet_tui.model.events import Event
 from fleet_tui.screens.order_actions import OrderActions
@@ -45,14 +47,18 @@ class CommandActions(OrderActions):
 
     def robot_menu(self, robot: str) -> None:
         """What can be done with a robot."""
-        fault = self.state.robots[robot].last_fault
+        known = self.state.robots[robot]
+        fault = known.last_fault
+        asked = (
+            ("Order", kind.ORDER, self.action_order),
+            ("Pause", kind.PAUSE, self.action_pause),
+            ("Resume", kind.RESUME, self.action_resume),
+            ("Clear all orders", kind.CLEAR, self.action_clear),
+        )
         self.menu.show(
             f"{robot}: {visible(fault)}" if fault else robot,
             [
-                ("Order", lambda: self._for(robot, self.action_order)),
-                ("Pause", lambda: self._for(robot, self.action_pause)),
-                ("Resume", lambda: self._for(robot, self.action_resume)),
-                ("Clear all orders", lambda: self._for(robot, self.action_clear)),
+                *((text, partial(self._for, robot, do)) for text, verb, do in asked if known.kind.can(verb)),
                 ("Show on the map", lambda: self.find_robot(robot)),
                 ("Why does it stand still?", lambda: self._for(robot, self.action_why)),
             ],

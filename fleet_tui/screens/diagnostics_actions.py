@@ -10,9 +10,9 @@ if TYPE_CHECKING:
 
 
 class DiagnosticsActions:
-    """`door` is None as long as the console starts."""
+    """`backend` is None as long as the console starts."""
 
-    door: "Wire | None" = None
+    backend: "Wire | None" = None
     diagnostics: "Diagnostics"
     selection: Selection
 

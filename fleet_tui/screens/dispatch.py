@@ -50,6 +50,16 @@ class Dispatch(Part):
         """Send a wish, after asking where something is lost or was warned of; `sent` is called when it
         has left, or waits for the first connection. Returns why it is not sent, empty where it is or where
         that is asked."""
+        # Here, not above: the first paint does without them.
+        from fleet_tui.model.checks import acceptable
+
+        wish, left_out = acceptable(self.state, wish)
+        problem = self._give_able(wish, sent)
+        if left_out and not problem:
+            self.note(f"not sent to {'; '.join(visible(one.text) for one in left_out)}")
+        return problem
+
+    def _give_able(self, wish: Wish, sent: Callable[[], None]) -> str:
         may_send = self.armed and not self.read_only
         ready = self._held.hold(self.state, wish, time.monotonic()) if may_send else wish
         if ready != wish:

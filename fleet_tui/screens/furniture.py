@@ -33,8 +33,8 @@ async def furnish(screen: "MainScreen", drawing: Drawing) -> None:
     )
     screen.why = Why(lambda: (screen.state, screen.selection.robot), screen.keys)
     screen.audit_log = AuditLog(lambda: screen.audit)
-    pages = Pages(lambda: screen.state, lambda: screen.door, screen.clock)
-    screen.diagnostics = Diagnostics(pages, lambda: screen.door, screen.keys)
+    pages = Pages(lambda: screen.state, lambda: screen.backend, screen.clock)
+    screen.diagnostics = Diagnostics(pages, lambda: screen.backend, screen.keys)
     opens = (screen.order_form, screen.confirm, screen.menu, screen.key_help, screen.palette, screen.why)
     with screen.app.batch_update():
         await screen.query_one("#map").remove()

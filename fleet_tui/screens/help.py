@@ -9,6 +9,7 @@ from textual.containers import VerticalScroll
 from textual.widgets import Input, Static
 
 from fleet_tui.keys import KEYS, Key
+from fleet_tui.model.kind import ORDER, Kind
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.widgets.field import Field, Keys
 
@@ -21,18 +22,32 @@ SECTIONS = {
     "anywhere": "Everywhere, also while typing",
 }
 
-NOTES = """\
+ORDER_FORM = """\
 Order form: typing filters the labels, Enter takes the marked one and goes on; Enter in To sends; > after \
 a label adds a leg (A > B > C). Where the robot was sent last comes first in To.
-Typed commands (: then Tab completes, Enter sends): robot_0 Base > Store, robot_0 A > B > C, robot_0 > B \
-(cargo on board to B), order robot_0 Base Store, cancel 12, cancel robot_0 12, clear robot_0, pause all, \
-pause robot_0, resume robot_0, resume all. A robot is its name or number, a place its label or id; \
-id=7 is always the id.
+"""
+TYPED = {
+    "order": "robot_0 Base > Store, robot_0 A > B > C, robot_0 > B ({alone} to B), order robot_0 Base Store",
+    "cancel": "cancel 12, cancel robot_0 12",
+    "clear": "clear robot_0",
+    "pause": "pause all, pause robot_0",
+    "resume": "resume robot_0, resume all",
+}
+NOTES = """\
+A robot is its name or number, a place its label or id; id=7 is always the id.
 Enter on an order: again, return trip, who gave it. The same order again within 1 s is not sent.
 Questions: y does it; n, Esc and Enter don't.
 Mouse: wheel zooms at the pointer, drag pans, click picks; buttons click. To select text with the \
 terminal, hold Shift.
 Pausing from here is not a safety device: use the robot's own stop where people are near."""
+
+
+def notes(kind: Kind) -> str:
+    """What else there is to know for robots of a kind."""
+    typed = ", ".join(text for verb, text in TYPED.items() if kind.can(verb))
+    typed = typed.format(alone="cargo on board" if "cargo" in kind.reports else "it alone")
+    form = ORDER_FORM if kind.can(ORDER) else ""
+    return f"{form}Typed commands (: then Tab completes, Enter sends): {typed or 'none'}. {NOTES}"
 
 
 class Help(Overlay):
@@ -41,7 +56,7 @@ class Help(Overlay):
     def __init__(self, keys: Mapping[str, tuple[str, ...]]) -> None:
         super().__init__(id="help")
         self._keys = keys
-        self._pane = "console"
+        self._pane, self._hidden, self._kind = "console", set[str](), Kind()
 
     def compose(self) -> ComposeResult:
         """A search field above the list."""
@@ -56,9 +71,10 @@ class Help(Overlay):
         with VerticalScroll(can_focus=False):
             yield Static(id="keys", markup=False)
 
-    def show(self, pane: str, detail: str) -> None:
-        """Open on the keys of a pane; `detail` says what the terminal can do."""
-        self._pane, self._detail = pane, detail
+    def show(self, pane: str, detail: str, kind: Kind, hidden: set[str]) -> None:
+        """Open on the keys of a pane, but for those `hidden`, for robots of a kind; `detail` says what the
+        terminal can do."""
+        self._pane, self._detail, self._kind, self._hidden = pane, detail, kind, hidden
         search = self.query_one("#search", Input)
         search.value = ""
         self._list("")
@@ -75,13 +91,12 @@ class Help(Overlay):
         for section in sorted(SECTIONS, key=lambda name: name != self._pane):
             if section == "recording" != self._pane:
                 continue  # none is played
-            found = [
-                self._line(key) for key in KEYS if key.section == section and self._is_wanted(wanted, key)
-            ]
+            shown = (key for key in KEYS if key.section == section and key.id not in self._hidden)
+            found = [self._line(key) for key in shown if self._is_wanted(wanted, key)]
             if found:
                 lines += [SECTIONS[section], *found, ""]
         if not wanted:
-            lines += [NOTES, "", self._detail]
+            lines += [notes(self._kind), "", self._detail]
         self.query_one("#keys", Static).update("\n".join(lines) or f"no key for {wanted!r}")
         self.query_one(VerticalScroll).scroll_home(animate=False)
 

@@ -15,7 +15,7 @@ from fleet_tui.store import Store
 from fleet_tui.view.command_line import message_line
 from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.fleet_rows import fleet_table
-from fleet_tui.view.hints import hints
+from fleet_tui.view.hints import hidden_keys, hints
 from fleet_tui.view.queue_rows import queue_table
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.selection import first_selection
@@ -107,7 +107,8 @@ class MainScreen(Navigation):
         self.show_status(state)
         self.message.show(message_line(state, self.said, self._said_at, self.message.size.width))
         pane = "anywhere" if self.in_overlay else self._focused_pane()
-        self.hints.show(*hints(self.keys, pane, can_command=not self.read_only))
+        hidden = hidden_keys(state, self.selection.robot)
+        self.hints.show(*hints(self.keys, pane, not self.read_only, hidden))
         self.announce(state)
         if self.simple is not None and self.simple.children:  # none while the console ends
             self.simple.show()
@@ -138,7 +139,9 @@ class MainScreen(Navigation):
 
     def action_help(self) -> None:
         """Every key there is."""
-        self.key_help.show(self._focused_pane(), self.terminal)
+        hidden = hidden_keys(self.state, self.selection.robot)
+        kind = self.state.robots[self.selection.robot].kind
+        self.key_help.show(self._focused_pane(), self.terminal, kind, hidden)
 
     def action_arm(self) -> None:
         """Let commands leave this console, or no longer."""

@@ -15,6 +15,7 @@ from fleet_tui.screens.diagnostics_actions import DiagnosticsActions
 from fleet_tui.screens.incident_actions import IncidentActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.playback_actions import PlaybackActions
+from fleet_tui.view.hints import hidden_keys
 from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -82,6 +83,8 @@ class Navigation(
         from fleet_tui.screens.simple import Simple
 
         panes = self.query_one("#panes")
+        if not panes.has_class("-simple") and not self.may_order():
+            return
         if self.simple is None:
             simple = Simple(lambda: self.state, lambda: self.selection.robot, self.select, self.give)
             await panes.mount(simple, before=self.map)
@@ -108,8 +111,9 @@ class Navigation(
 
     def wishes(self) -> "Iterator[Entry]":
         """Everything the palette offers."""
+        hidden = NOT_WISHED | hidden_keys(self.state, self.selection.robot)
         for key in KEYS:
-            if key.pane in (*self.panes, "anywhere") and key.id not in NOT_WISHED:
+            if key.pane in (*self.panes, "anywhere") and key.id not in hidden:
                 yield key.text, partial(self.call_later, self.run_action, key.action)
         for name in self.state.robots:
             yield f"Go to robot {name}", partial(self.find_robot, name)

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Wish
 from fleet_tui.model.lookup import Place
 from fleet_tui.screens.dispatch import Dispatch
@@ -27,10 +28,20 @@ class OrderActions(Dispatch):
 
     def action_order(self) -> None:
         """Open the order form for the selected robot."""
-        self.order_form.start(self.selection.robot)
+        if self.may_order():
+            self.order_form.start(self.selection.robot)
+
+    def may_order(self) -> bool:
+        """Tell whether the selected robot takes orders; say so where it does not."""
+        robot = self.state.robots[self.selection.robot]
+        if not robot.kind.can(kind.ORDER):
+            self.say(f"{robot.name}: {robot.kind.lack(kind.ORDER)}")
+        return robot.kind.can(kind.ORDER)
 
     def order_at(self, vertex: str, floor: str) -> None:
         """Open the order form for a vertex chosen on the map, if it is one of the robot's own graph."""
+        if not self.may_order():
+            return
         robot = self.state.robots[self.selection.robot]
         chart = robot.charts.get(floor)
         name = chart.name_of(vertex) if chart else None
@@ -45,7 +56,10 @@ class OrderActions(Dispatch):
             case (str(robot), str(order_id), _):
                 self.ask_cancel(robot, order_id)
             case _:
-                self.say("there is no order to cancel")
+                asked = self.state.robots[self.selection.robot]
+                lacks = not asked.kind.can(kind.CANCEL)
+                lack = f"{asked.name}: {asked.kind.lack(kind.CANCEL)}"
+                self.say(lack if lacks else "there is no order to cancel")
 
     def ask_cancel(self, robot: str, order_id: str) -> None:
         """Cancel one order, after asking."""
@@ -63,16 +77,17 @@ class OrderActions(Dispatch):
             self.say(f"order {visible(order_id)} is gone already")
             return
         back = order.stops[::-1]
-        entries: list[Entry] = [("Cancel this order", lambda: self.ask_cancel(name, order_id))]
-        if order.stops:
+        entries: list[Entry] = []
+        if robot.kind.can(kind.CANCEL):
+            entries.append(("Cancel this order", lambda: self.ask_cancel(name, order_id)))
+        if order.stops and robot.kind.can(kind.ORDER):
             again = Wish((PlaceOrder(name, order.stops),))
             entries.append((f"Again: {way(robot, order.stops)}", lambda: self.do(again)))
-        if len(back) > 1:
+        if len(back) > 1 and kind.ORDER in robot.kind.accepts:
             returning = Wish((PlaceOrder(name, back),))
             entries.append((f"Return trip: {way(robot, back)}", lambda: self.do(returning)))
-        entries += [
-            (f"Clear all orders of {name}", lambda: self.do(Wish((ClearOrders(name),)))),
-        ]
+        if robot.kind.can(kind.CLEAR):
+            entries.append((f"Clear all orders of {name}", lambda: self.do(Wish((ClearOrders(name),)))))
         from fleet_tui.view.order_story import origin  # the first paint does without it
 
         told = origin(self.state, name, order, self.clock)

@@ -12,9 +12,9 @@ from textual.widgets import Button, Input, Static
 
 from fleet_tui.model.commands import Wish
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.lookup import Place, destination_only
+from fleet_tui.model.lookup import Place, destination_only, may_skip_start
 from fleet_tui.model.robot import Robot
-from fleet_tui.screens.choices import Choices, choices, is_in_label, line, missing, order
+from fleet_tui.screens.choices import Choices, choices, is_in_label, line, missing, order, wanted_now
 from fleet_tui.screens.legs import SIGN, LegField, Legs
 from fleet_tui.screens.overlay import MouseButton, Overlay
 from fleet_tui.view.text import visible
@@ -68,14 +68,14 @@ class OrderForm(Overlay):
     def start(self, robot: str, picked: Place | None = None) -> None:
         """Open with the robot chosen and the cursor in the first field to fill.
 
-        A vertex `picked` on the map is where the order starts, or where the cargo on board goes.
+        A vertex `picked` on the map is where the order starts; where it ends if it needs no start.
         """
         self._chosen, self._picked, self._whose = {}, picked, robot
         for field in FIELDS:
             self._input(field).put(robot if field == "robot" else "", Legs())
         self._say("")
         self._arrange()
-        to_fill = "from" if self._input("from").display and "from" not in self._chosen else "to"
+        to_fill = "from" if self._input("from").display and not self._chosen else "to"
         self.open(self._input(to_fill))
         self._list()
 
@@ -89,18 +89,17 @@ class OrderForm(Overlay):
 
     def _arrange(self) -> None:
         """With cargo on board and no orders there is only a destination."""
-        robot = self._robot()
-        has_start = robot is None or not destination_only(robot)
+        has_start = (robot := self._robot()) is None or not destination_only(robot)
         box = self._input("from")
         box.display = has_start
         if isinstance(box.parent, Widget):
             box.parent.display = has_start
         if self._picked is not None:
-            place, field = self._picked, "from" if has_start else "to"
-            self._picked = None
-            self._chosen[field] = place
+            place, field = self._picked, "from" if has_start and not may_skip_start(robot) else "to"
+            self._chosen[field], self._picked = place, None
             self._input(field).put(visible(place.name))
-        self.border_title = "Order" if has_start else "Come here: cargo is on board"
+        loaded = robot is not None and robot.has_cargo
+        self.border_title = "Come here: cargo is on board" if loaded and not has_start else "Order"
 
     def _say(self, text: str, field: str = "") -> None:
         """Say what is wrong, and go to the field where it is."""
@@ -185,6 +184,9 @@ class OrderForm(Overlay):
         typed = self._input(field).typed.strip()
         if found and (typed or marked is not None):
             return found[marked or 0]
+        if field == "from" and not typed and may_skip_start(self._robot()):
+            self.action_step(1)
+            return None
         self._say(f"{field.capitalize()}: nothing is called {typed!r}" if typed else missing(field))
         return None
 
@@ -211,15 +213,14 @@ class OrderForm(Overlay):
         only_to = destination_only(robot)
         if only_to == self._input("from").display:
             self._arrange()
-            now = "carries cargo and has no orders now: only To" if only_to else "needs a From now"
-            self._say(f"{robot.name} {now}. Enter sends", "to" if only_to else "from")
+            self._say(wanted_now(robot, only_to), "to" if only_to else "from")
             return
+        only_to = only_to or (may_skip_start(robot) and not self._input("from").value.strip())
         for field in ("to",) if only_to else ("from", "to"):
             if field not in self._chosen:
                 self._say(missing(field, self._input(field).typed), field)
                 return
-        visited = [*self._input("to").legs.places, self._chosen["to"]]
-        if not only_to:
-            visited.insert(0, self._chosen["from"])
+        first = [] if only_to else [self._chosen["from"]]
+        visited = [*first, *self._input("to").legs.places, self._chosen["to"]]
         if problem := self._give(order(robot, visited, only_to), self.action_close):
             self._say(problem, "to")

@@ -11,7 +11,7 @@ from textual.widgets import Button, OptionList, Static
 
 from fleet_tui.model.commands import Wish
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.lookup import Place, destination_only, places
+from fleet_tui.model.lookup import Place, destination_only, may_skip_start, places
 from fleet_tui.model.robot import Robot
 from fleet_tui.screens.choices import order
 from fleet_tui.view.text import visible
@@ -86,15 +86,16 @@ class Simple(Vertical):
             self._chosen.clear()
             self._leave()
         only_to = destination_only(robot)
+        to = "Come here with the cargo: " if only_to and robot.has_cargo else "To: "
+        start = "from where it is" if may_skip_start(robot) else "choose ..."
         shown = (robot.name, only_to, self._choosing, *self._chosen.items())
         if shown == self._shown:
             return
         self._shown = shown
         names = {field: visible(place.name) for field, place in self._chosen.items()}
-        to = "Come here with the cargo: " if only_to else "To: "
         # As Content: a label from the wire is text, whatever markup it looks like.
         self._button("robot").label = Content(f"Robot: {visible(robot.name)}")
-        self._button("from").label = Content(f"From: {names.get('from', 'choose ...')}")
+        self._button("from").label = Content(f"From: {names.get('from', start)}")
         self._button("to").label = Content(to + names.get("to", "choose ..."))
         for field in ("robot", "from", "to", "send"):
             self._button(field).display = not self._choosing and (field != "from" or not only_to)
@@ -122,7 +123,8 @@ class Simple(Vertical):
 
     def _missing(self) -> str:
         """The first field that has not been chosen, empty when all have."""
-        fields = ("to",) if destination_only(self._robot()) else ("from", "to")
+        robot = self._robot()
+        fields = ("to",) if destination_only(robot) or may_skip_start(robot) else ("from", "to")
         return next((field for field in fields if field not in self._chosen), "")
 
     def _go_on(self) -> None:
@@ -180,7 +182,7 @@ class Simple(Vertical):
             self._say(f"{missing.capitalize()} is missing: choose where {_PURPOSE[missing]}")
             self.screen.set_focus(self._button(missing))
             return
-        only_to = destination_only(robot)
+        only_to = destination_only(robot) or (may_skip_start(robot) and "from" not in self._chosen)
         visited = [self._chosen[field] for field in (("to",) if only_to else ("from", "to"))]
         self._say(self._give(order(robot, visited, only_to), self._sent))
 

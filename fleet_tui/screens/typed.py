@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from fleet_tui.errors import CommandError
+from fleet_tui.model.checks import acceptable, not_accepted
 from fleet_tui.model.commands import Wish
 from fleet_tui.model.completion import complete, is_command
 from fleet_tui.model.fleet import FleetState
@@ -38,4 +39,6 @@ def typed(line: str, state: FleetState, selected: str, do: Callable[[Wish], None
         wish = parse(line, state, selected)
     except CommandError as problem:
         return Typed(completed=completed, problem=visible(str(problem)))
+    if impossible := not_accepted(state, acceptable(state, wish)[0].commands):
+        return Typed(completed=completed, problem=visible(impossible[0].text))
     return Typed([(wish_text(state, wish), partial(do, wish))], completed)

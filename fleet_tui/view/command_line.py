@@ -37,7 +37,7 @@ def command_text(state: FleetState, command: Command) -> str:
     robot = state.robots[command.robot]
     match command:
         case PlaceOrder(name, stops):
-            return f"{name} {command.what} {way(robot, stops)}"
+            return f"{name} {command.text(robot.kind, way(robot, stops))}"
         case CancelOrder(name, order_id):
             return f"{name} cancel order {visible(order_id)}"
         case ClearOrders(name):
@@ -78,7 +78,8 @@ def _worth_saying(state: FleetState) -> list[CommandRecord]:
         record
         for record in state.commands
         if last.issued_at - record.issued_at < TOGETHER
-        or not record.is_decided
+        # What waits here stands in the queue.
+        or not (record.is_decided or record.stage is Stage.WAITING)
         or (record.stage in TROUBLE and state.now - record.at < REMEMBERED)
         or (record.stage in (Stage.DONE, Stage.CANCELLED) and state.now - record.at < ENDED_WELL)
     ]

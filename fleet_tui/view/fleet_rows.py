@@ -2,12 +2,17 @@
 
 from collections.abc import Iterator
 from functools import partial
+from typing import NamedTuple
 
 from fleet_tui.model.conditions import is_news
+from fleet_tui.model.conditions_of_navigation import LOST_ABOVE
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
+from fleet_tui.model.keeping import foreign
+from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, route_text
 from fleet_tui.model.reason import own_pause
 from fleet_tui.model.robot import Robot
+from fleet_tui.view.progress import progress_text
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Run, Table, column, width_of
 from fleet_tui.view.text import fit, visible
@@ -26,6 +31,12 @@ def mission(robot: Robot, order: Order) -> str:
     return way(robot, order.stops)
 
 
+def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
+    """The same, and whether another client gave it, where robots keep no orders of their own."""
+    ours = not robot.kind.keeps_goals or order.is_over or order not in foreign(state, robot)
+    return mission(robot, order) + ("" if ours else " (not ours)")
+
+
 def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
     """Stops by their labels."""
     return route_text(stops, partial(place, robot))
@@ -34,7 +45,7 @@ def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
 def floor_text(state: FleetState, robot: Robot) -> str:
     """The floor a robot is on, as far as its pose tells."""
     if robot.pose is None:
-        return "-"
+        return "-" if "pose" in robot.kind.reports else ""
     return robot.floor or "unknown floor"
 
 
@@ -46,10 +57,11 @@ def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
         "queue": robot.queue,
         "cargo": robot.cargo,
         "obstacle": robot.obstacle,
-        "pause": robot.paused,
+        "paused": robot.paused,
     }
-    for name, reading in readings.items():
-        if reading is not None and state.is_old(reading):
+    for value, reading in readings.items():
+        if reading is not None and state.is_old(robot, value):
+            name = "pause" if value == "paused" else value
             yield f"{name} {age(state.now - reading.at)} old", Ink.WARN
 
 
@@ -67,12 +79,17 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     elif not online:
         yield f"offline {age(state.now - robot.heard)}", Ink.ALARM
     contact = robot.obstacle if state.was_obstructed(robot) else None
-    if contact is not None and not state.is_old(contact):
-        yield obstacle_text(state, contact), Ink.ALARM
+    is_old = state.is_old(robot, "obstacle")
+    if contact is not None and not is_old:
+        yield obstacle_text(state, robot, contact), Ink.ALARM
+    if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
+        yield blocked_text(robot.blocked.value, state.now), Ink.ALARM
+    if robot.variance is not None and robot.variance.value > LOST_ABOVE:
+        yield "not sure where", Ink.WARN
     if state.is_paused(robot):
         yield _paused(state, robot), Ink.WARN
-    if contact is not None and state.is_old(contact):
-        yield obstacle_text(state, contact), Ink.DIM
+    if contact is not None and is_old:
+        yield obstacle_text(state, robot, contact), Ink.DIM
     if online:
         yield from _old(state, robot)
     if is_news(state, robot.fault_at):
@@ -81,7 +98,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
 
 def _battery(state: FleetState, robot: Robot) -> Run:
     if robot.battery is None:
-        return "  - %", Ink.DIM
+        return "  - %" if "battery" in robot.kind.reports else " " * 5, Ink.DIM
     percent = robot.battery.value
     if not state.is_online(robot):
         ink = Ink.DIM
@@ -91,39 +108,61 @@ def _battery(state: FleetState, robot: Robot) -> Run:
     return f"{int(percent):3d} %", ink
 
 
-def _head(state: FleetState, robot: Robot, selected: bool, numbers: int, names: int) -> list[Run]:
+class _Columns(NamedTuple):
+    """Widths in cells, 0 for a column that no robot of the fleet has a value for."""
+
+    numbers: int
+    names: int
+    battery: bool
+    floors: int
+    cargo: int
+
+    @classmethod
+    def of(cls, state: FleetState) -> "_Columns":
+        robots = state.robots.values()
+        reported = {value for robot in robots for value in robot.kind.reports}
+        return cls(
+            len(str(len(robots))),
+            column((robot.name for robot in robots), 6, 14),
+            "battery" in reported,
+            column({floor_text(state, robot) for robot in robots}, 5, 13) if "pose" in reported else 0,
+            3 if "cargo" in reported else 1,
+        )
+
+
+def _head(state: FleetState, robot: Robot, selected: bool, columns: _Columns) -> list[Run]:
     """What every row begins with: whether it is there, which one it is, its battery."""
     online = state.is_online(robot)
     ink = Ink.TEXT if online else Ink.DIM
     dot: Run = ("●", Ink.GOOD) if online else ("○", Ink.DIM if robot.heard is None else Ink.ALARM)
     return [
         dot,
-        (f" {robot.number:{numbers}d} ", Ink.DIM),
-        (fit(robot.name, names), Ink.ACCENT if selected else ink),
+        (f" {robot.number:{columns.numbers}d} ", Ink.DIM),
+        (fit(robot.name, columns.names), Ink.ACCENT if selected else ink),
         (" ", ink),
-        _battery(state, robot),
-        (" ", ink),
+        *([_battery(state, robot), (" ", ink)] if columns.battery else []),
     ]
 
 
 def _doing(state: FleetState, robot: Robot, ink: Ink) -> Run:
     current = robot.orders.current
     if current is not None:
-        return mission(robot, current), ink
-    if not state.is_online(robot):
+        progress = progress_text(state, robot, current)
+        return whose_mission(state, robot, current) + (f"  {progress}" if progress else ""), ink
+    if not state.is_online(robot) or not robot.kind.lists_orders:
         return "", Ink.DIM
     if robot.queue is None:
-        return "queue missing", Ink.DIM
+        return "queue missing" if robot.kind.expects("queue") else "-", Ink.DIM
     waiting = len(robot.orders.open)
     return f"{waiting} waiting" if waiting else "idle", Ink.DIM
 
 
-def _row(state: FleetState, robot: Robot, head: list[Run], floors: int, width: int) -> Row:
+def _row(state: FleetState, robot: Robot, head: list[Run], columns: _Columns, width: int) -> Row:
     ink = Ink.TEXT if state.is_online(robot) else Ink.DIM
     told: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", ink))]
     floor: list[Run] = [
-        (fit(floor_text(state, robot), floors), ink),
-        (f" {CARGO} " if robot.has_cargo else "   ", ink),
+        (fit(floor_text(state, robot), columns.floors), ink),
+        (f" {CARGO} " if robot.has_cargo else " " * columns.cargo, ink),
     ]
     # News must not be cut: where both don't fit, the floor gives way.
     fits = width_of([*head, *floor, *told]) <= width + 1
@@ -135,14 +174,12 @@ def fleet_table(state: FleetState, selected: str, width: int) -> Table:
     """The whole fleet, in the order of the config, for a pane of `width` cells."""
     robots = list(state.robots.values())
     online = sum(state.is_online(robot) for robot in robots)
-    numbers = len(str(len(robots)))
-    names = column((robot.name for robot in robots), 6, 14)
-    floors = column({floor_text(state, robot) for robot in robots}, 5, 13)
+    columns = _Columns.of(state)
 
     def row(place: int) -> Row:
         robot = robots[place]
-        head = _head(state, robot, robot.name == selected, numbers, names)
-        return _row(state, robot, head, floors, width)
+        head = _head(state, robot, robot.name == selected, columns)
+        return _row(state, robot, head, columns, width)
 
     rows = LateRows(list(state.robots), row)
     return Table((("Fleet", Ink.TITLE), (f" {online} of {len(rows)} online", Ink.DIM)), rows)

@@ -120,7 +120,7 @@ def _robot(
         pose=pose,
         cargo=robot.has_cargo,
         selected=robot.name == selection.robot,
-        online=state.is_online(robot) and not state.is_old(robot.pose),
+        online=state.is_fresh(robot, "pose"),
         paused=state.is_paused(robot),
         obstacle=state.is_obstructed(robot),
         other_map=other_map,
@@ -132,6 +132,8 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
     """Where the selected robot is, if not here."""
     robot = state.robots[selection.robot]
     actual = robot.floor
+    if "pose" not in robot.kind.reports:
+        return f"{robot.name} does not tell where it is"
     if robot.pose is None:
         return f"{robot.name} has no pose yet"
     if actual is None:

@@ -12,6 +12,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.model.traffic import stops_left
 from fleet_tui.view.scene import Line, Mission
 
 ORDERS_SHOWN = 8
@@ -131,9 +132,8 @@ def _legs(
 
 
 def _stops(robot: Robot, order: Order) -> tuple[str, ...]:
-    """The vertices an order still leads to: with the cargo on board only the last stop is left."""
-    loaded = order is robot.orders.current and robot.has_cargo
-    return vertices_of(order.stops[-1:] if loaded else order.stops)
+    """The vertices an order still leads to."""
+    return vertices_of(stops_left(robot, order))
 
 
 def _whereabouts(robot: Robot, floor: str, routes: _Routes) -> tuple[Place, ...]:

@@ -7,7 +7,7 @@ from fleet_tui.model.confirmation import could_be
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order
 
-NEVER_THERE = frozenset({Stage.CHECKED, Stage.NOT_SENT, Stage.REFUSED})
+NEVER_THERE = frozenset({Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT, Stage.REFUSED})
 
 
 def _told(record: CommandRecord) -> str:

@@ -2,13 +2,16 @@
 
 from collections.abc import Iterable, Mapping
 
+from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.confirmation import find_order
 from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.keeping import all_orders, kept_orders
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.command_line import stage_text
-from fleet_tui.view.fleet_rows import mission
+from fleet_tui.view.fleet_rows import whose_mission
+from fleet_tui.view.progress import progress_text
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 from fleet_tui.view.text import cell_width, fit, visible
@@ -24,7 +27,7 @@ def listed(state: FleetState, selected: str, all_robots: bool) -> list[Listed]:
     return [
         (robot, position, order)
         for robot in robots
-        for position, order in enumerate(robot.orders.in_sequence())
+        for position, order in enumerate(all_orders(state, robot))
     ]
 
 
@@ -63,36 +66,46 @@ def _status(order: Order, room: int) -> str:
     return word if cell_width(text) > room >= cell_width(word) > 0 else text
 
 
-def _row(entry: Listed, columns: tuple[int, int, int, int], width: int, leaving: str) -> Row:
+def _row(
+    state: FleetState, entry: Listed, columns: tuple[int, int, int, int], width: int, leaving: str
+) -> Row:
     names, places, ids, missions = columns
     robot, position, order = entry
-    current = order is robot.orders.current
+    current = robot.orders.is_current(order)
     ink = Ink.TEXT if current else Ink.DIM
     unknown = robot.knows_all_graphs() and None in map(robot.name_of, vertices_of(order.stops))
     runs: list[Run] = [
         (fit(robot.name, names) + " " if names else "", Ink.TEXT),
         (f"{position:{places}d} {fit(order.id, ids, right=True)} ", Ink.DIM),
-        (fit(mission(robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
+        (fit(whose_mission(state, robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
     ]
-    room = width - 1 - (0 if order.is_over else len(CANCEL))
+    has_button = robot.kind.can(kind.CANCEL) and not order.is_over
+    room = width - 1 - (len(CANCEL) if has_button else 0)
     runs.append((_status(order, room - width_of(runs)), ink))
+    if progress := progress_text(state, robot, order):
+        runs.append((f"  {progress}", Ink.DIM))
     runs.append((f"  cancel {leaving}" if leaving else "", Ink.WARN))
     runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
     key = (robot.name, order.id, position)
-    if order.is_over:
+    if not has_button:
         return Row(key, tuple(cut(runs, room)))
     button = Button(room, room + len(CANCEL), "cancel")
     return Row(key, (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
 
 
 def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:
-    runs: list[Run] = [("Queue ", Ink.TITLE), ("all robots" if all_robots else robot.name, Ink.TITLE)]
-    runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
+    ours = not all_robots and robot.kind.keeps_goals
+    runs: list[Run] = [("Queue of this console " if ours else "Queue ", Ink.TITLE)]
+    runs.append(("all robots" if all_robots else robot.name, Ink.TITLE))
+    if all_robots or robot.kind.lists_orders:
+        runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
+    if ours and robot.held and kept_orders(state, robot):
+        runs.append((f" held: {robot.held}", Ink.WARN))
     if placed:
         runs.append((f" +{placed} not seen here yet", Ink.WARN))
     if not all_robots and robot.has_cargo:
         runs.append((" cargo on board", Ink.CARGO))
-    if not all_robots and robot.queue is not None and state.is_old(robot.queue):
+    if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
         runs.append((f" {age(state.now - robot.queue.at)} old", Ink.WARN))
     return runs
 
@@ -109,13 +122,13 @@ def _rows(
         column((entry[0].name for entry in entries), 6, 12) if all_robots else 0,
         column((str(entry[1]) for entry in entries), 1, 4),
         column((entry[2].id for entry in entries), 1, 11),
-        column((mission(entry[0], entry[2]) for entry in entries), 10, 40),
+        column((whose_mission(state, entry[0], entry[2]) for entry in entries), 10, 40),
     )
 
     def row(place: int) -> Row:
         robot, _, order = entries[place]
         stage = leaving.get((robot.name, order.id)) or leaving.get((robot.name, ""), "")
-        return _row(entries[place], columns, width, stage)
+        return _row(state, entries[place], columns, width, stage)
 
     return LateRows([(robot.name, order.id, position) for robot, position, order in entries], row)
 
@@ -127,10 +140,19 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
     robot = state.robots[selected]
     rows = _rows(state, entries, under_way, width, all_robots)
     title = _title(robot, state, len(entries), _awaited(state, under_way), all_robots)
+    listing = any(one.kind.lists_orders for one in state.robots.values())
     buttons: tuple[Button, ...] = ()
-    if not all_robots and rows:
+    if not all_robots and rows and robot.kind.can(kind.CLEAR):
         start = width - len(CLEAR) - 1
         title = [*cut(title, max(0, start - 1)), (" " + CLEAR, Ink.KEY)] if start > width_of(title) else title
         buttons = (Button(start, start + len(CLEAR), "clear"),) if title[-1][0].endswith(CLEAR) else ()
-    empty = "no orders: o places one" if robot.queue is not None else "the queue has not been heard yet"
-    return Table(tuple(title), rows, "no orders" if all_robots else empty, buttons)
+    return Table(tuple(title), rows, "no orders" if all_robots and listing else _empty(robot), buttons)
+
+
+def _empty(robot: Robot) -> str:
+    """What stands where no order does."""
+    if not robot.kind.lists_orders:
+        return "this kind has no queue"
+    if robot.queue is not None:
+        return "no orders" + ": o places one" * robot.kind.can(kind.ORDER)
+    return "the queue has not been heard yet" if robot.kind.expects("queue") else "none has been heard of yet"

@@ -2,10 +2,11 @@
 
 import json
 import math
+import re
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fleet_tui.adapters.adapter import Call
@@ -17,12 +18,14 @@ from fleet_tui.model.commands import (
     ClearOrders,
     Command,
     PauseRobot,
+    PlaceOrder,
     ResumeRobot,
     Stage,
 )
 from fleet_tui.model.events import Event, FrameReceived, GraphReceived, LabelsReceived, QueueReported
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Role, Vertex
-from fleet_tui.model.order import Stop
+from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.robot import Robot
 from tests.adapting import adapter_of, event_of
 from tests.fleets import WIRE, place_order, recording
@@ -90,6 +93,54 @@ def test_what_does_not_fit_the_robots_ids_is_refused(beyond: int) -> None:
         call(CancelOrder("r1", str(beyond)))
     with pytest.raises(CommandError):
         call(place_order("r1", 1, 2), request_id=beyond)
+
+
+@given(st.text(max_size=12).filter(lambda id_: not re.fullmatch(r"-?[0-9]{1,100}", id_, re.ASCII)))
+@example("dock A")
+@example("٣")
+@example("3f2a77")
+@example("1_0")
+@example("1" * 5000)
+def test_an_id_that_is_no_number_never_leaves_for_these_robots(id_: str) -> None:
+    for command in (place_order("r1", id_, 1), place_order("r1", 1, id_), place_order("r1", id_)):
+        with pytest.raises(CommandError, match="is no number"):
+            call(command)
+    with pytest.raises(CommandError, match="is no number"):
+        call(CancelOrder("r1", id_))
+
+
+def test_what_these_robots_can_not_drive_never_leaves() -> None:
+    with pytest.raises(CommandError, match="to vertices, not to poses"):
+        call(PlaceOrder("r1", (Stop(pose=Pose(1.0, 2.0)),)))
+    for stops, count in (((), 0), (at_vertices("1", "2", "3"), 3)):
+        with pytest.raises(CommandError, match=f"one stop or two, not {count}"):
+            call(PlaceOrder("r1", stops))
+
+
+def test_letters_are_states_and_the_word_stays() -> None:
+    orders = [{"id": n, "start": 1, "end": 2, "status": letter} for n, letter in enumerate("QWDCX")]
+    got = event("queue", {"last_order_id": 4, "current_order_id": 1, "orders": orders})
+    assert isinstance(got, QueueReported)
+    states = [None if one.state is None else one.state.value for one in got.queue.orders]
+    assert states == ["queued", "in process", "done", "cancelled", None]
+    assert [one.state_text for one in got.queue.orders][-1] == "X"
+    assert [(one.id, one.serial, one.word) for one in got.queue.orders][1] == ("1", 1, "W")
+    assert got.queue.current is got.queue.orders[1]
+
+
+def test_a_current_order_that_is_not_listed_is_none() -> None:
+    for current in (-1, 0, 7):
+        got = event("queue", {"last_order_id": 4, "current_order_id": current, "orders": []})
+        assert isinstance(got, QueueReported) and got.queue.current_id == ""
+
+
+def test_a_vertex_keeps_the_type_of_the_wire() -> None:
+    kinds = ["way", "", "\x1b[2J", "z" * 5000]
+    vertices = [{"id": n, "x": 0.0, "y": 0.0, "type": kind} for n, kind in enumerate(kinds)]
+    got = event("graph", {"vertices": vertices, "edges": []})
+    assert isinstance(got, GraphReceived)
+    types = [vertex.type for vertex in got.graph.vertices.values()]
+    assert types[:3] == kinds[:3] and len(types[3]) < 300
 
 
 @given(INT32, INT32, st.integers(1, 2**31 - 1))

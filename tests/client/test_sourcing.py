@@ -60,9 +60,9 @@ async def test_a_node_that_was_only_slow_is_no_longer_suspected_when_it_speaks(
 async def test_robots_that_speak_only_on_change_are_not_suspected(monkeypatch: pytest.MonkeyPatch) -> None:
     """Collision monitors, of which nothing comes while nothing is in the way."""
     monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
-    server = RosbridgeServer(Nav2Fleet(3, 1, seed=1, quiet=True), dialect=ROS2)
+    server = RosbridgeServer(Nav2Fleet(2, 1, seed=1, quiet=True), dialect=ROS2)
     await server.start()
-    config = replace(config_of(server.url, 3), profile=Profile(kind="nav2"))
+    config = replace(config_of(server.url, 2), profile=Profile(kind="nav2"))
     async with linked(config) as (_, store):
         await store.until(lambda _: store.told(MessagesUnsourced))
         assert not store.state.links["rosbridge"].unsourced

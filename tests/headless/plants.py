@@ -337,6 +337,7 @@ def _without_graph(server: RosbridgeServer, config: Config) -> Config:
 NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 the bridge of Humble": _with_fault("humble"),
     "with Nav2 messages the bridge was started without": _with_fault("unsourced"),
+    "with Nav2 a robot's name with a slip": in_the_config(robots=[RobotEntry("robot_00")]),
     "with Nav2 no odometry": _with_fault("no-odom"),
     "with Nav2 a silent robot": _with_fault("silent"),
     "with Nav2 an action server that is not there": on_the_server(_no_waypoints),

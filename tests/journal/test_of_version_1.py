@@ -10,6 +10,7 @@ and the lines and the CSV of the audit log.
 import gzip
 import io
 import json
+import math
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -25,15 +26,17 @@ from fleet_tui.journal.audit_file import FILE_NAME
 from fleet_tui.journal.export import write_csv
 from fleet_tui.journal.indexing import open_recording
 from fleet_tui.journal.reader import Reading
-from fleet_tui.journal.records import RecordingError, decode
+from fleet_tui.journal.records import RecordingError, Told, decode
 from fleet_tui.journal.search import search_of
 from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.events import GraphReceived, LabelsReceived, QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import written
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.playback.playhead import Playhead
 from fleet_tui.view.audit_rows import line_text
 from fleet_tui.view.queue_rows import queue_table
-from tests.fleets import text_of
+from tests.fleets import order, order_queue, text_of
 
 FILES = Path(__file__).parent / "of_version_1"
 RECORDING = FILES / "recording.jsonl.gz"
@@ -76,6 +79,38 @@ def test_a_recording_plays_as_it_did() -> None:
     for moment, meant in zip(recording.keyframes, MEANING["keyframes"], strict=True):
         head.seek(moment.at)
         assert shown(head.state) == expected(meant)
+
+
+def test_facts_of_an_old_recording_that_no_frame_brought_are_read() -> None:
+    """A converted bag has none; a program of that version could have told them."""
+    orders = [{"id": 4, "start": 1, "end": 2, "status": "W"}, {"id": -5, "start": 2, "end": 1, "status": "?"}]
+    listed = (order(4, 1, 2, "W"), order(-5, 2, 1, "?"))
+    queue = {"last_order_id": 5, "current_order_id": 4, "orders": orders, "request_id": 9}
+    vertices = {"1": {"id": 1, "x": 0.0, "y": "inf", "role": "docking"}}
+    routes = {"vertices": vertices, "edges": [{"id": 7, "start": 1, "end": 1}], "directed": True}
+    about = {"robot": "r", "floor": "f", "faults": 0, "fault": ""}
+    for event, meant in (
+        (
+            {"type": "QueueReported", "robot": "r", "at": 1.0, "queue": queue, "fault": ""},
+            QueueReported("r", 1.0, order_queue(5, 4, *listed, request_id=9)),
+        ),
+        (
+            {"type": "GraphReceived", "graph": routes, **about},
+            GraphReceived(
+                "r",
+                "f",
+                RouteGraph(
+                    {"1": Vertex("1", 0.0, math.inf, Role.DOCKING)}, (Edge("7", "1", "1"),), directed=True
+                ),
+            ),
+        ),
+        (
+            {"type": "LabelsReceived", "labels": {"1": "Base"}, **about},
+            LabelsReceived("r", "f", {"1": "Base"}),
+        ),
+    ):
+        record = decode(msgspec.json.encode({"kind": "told", "at": 1.0, "wall": 1.0, "event": event}), 1)
+        assert isinstance(record, Told) and record.event == meant
 
 
 def test_the_marks_of_a_recording_read_as_they_did() -> None:

@@ -19,9 +19,10 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.events import CargoReported, CommandPathChanged, Event, GraphReceived, PausedReported
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath
-from fleet_tui.model.order import vertices_of
+from fleet_tui.model.order import Stop, vertices_of
 from fleet_tui.model.problem import Rights
 from tests.fleets import (
     F0,
@@ -133,6 +134,15 @@ def test_floors_are_joined_by_elevators_that_the_graphs_name() -> None:
     assert found(none_named, up) == [("floor mismatch", False)]
     not_yet = ready(floors=2)
     assert found(not_yet, up) == [("unknown vertex", False)]
+
+
+def test_a_pose_between_two_vertices_is_a_way_of_its_own() -> None:
+    there = Stop(pose=Pose(1.0, 2.0))
+    apart = ready(floor(1, 2, 3, joined=False))
+    for stops in ((Stop("1"), there, Stop("1")), (Stop("1"), there, Stop("3")), (there,), (Stop("1"), there)):
+        named = {problem for problem, blocks in found(apart, PlaceOrder(R0, stops)) if blocks}
+        assert not named & {"same place", "no path", "unknown vertex"}
+    assert ("no path", True) in found(apart, place_order(R0, 1, 2, 3))
 
 
 def test_a_start_that_is_not_reached_from_where_the_robot_is_is_warned_of() -> None:

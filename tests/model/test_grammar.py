@@ -13,8 +13,10 @@ from fleet_tui.model.commands import (
     ResumeRobot,
 )
 from fleet_tui.model.completion import complete, is_command
+from fleet_tui.model.events import QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import parse, parse_words, written
+from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
 from tests.fleets import R0, fleet, graph, labels, place_order, queue, told
 
 NAMED = {1: "Base", 2: "Consumidores", 3: "Dock 7", 4: "Lab > base", 5: "Joe's", 6: "x-"}
@@ -128,6 +130,45 @@ any_labels = st.dictionaries(st.integers(1, 9), st.one_of(hard_words, odd_words)
 def test_a_written_command_is_read_back(command: Command, named: dict[int, str]) -> None:
     state = known(named)
     assert parse(written(command, state), state).commands == (command,)
+
+
+text_ids = st.text('abB7=d- >"', min_size=1, max_size=5).filter(lambda id_: '"' not in id_ or " " not in id_)
+
+
+@given(
+    st.lists(text_ids, min_size=2, max_size=5, unique=True),
+    any_labels.map(lambda named: list(named.values())),
+)
+@example(["dock A", "id=7", "7"], ["7"])
+@example(["A", "B"], ["B", "A"])
+def test_a_command_with_ids_of_text_is_read_back(ids: list[str], names: list[str]) -> None:
+    """Every id that can be written; a label may be the id of another vertex."""
+    named = dict(zip(ids, names, strict=False))
+    orders = [Order(id_, at_vertices(*ids[:2]), None, "", n) for n, id_ in enumerate(ids)]
+    reported = QueueReported(R0, 1000.0, OrderQueue(9, ids[0], tuple(orders)))
+    state = told(fleet(), graph(*ids), labels(named), reported)
+    for command in (place_order(R0, *ids[:2]), place_order(R0, ids[0]), CancelOrder(R0, ids[-1])):
+        assert parse(written(command, state), state).commands == (command,)
+
+
+def test_ids_of_text_are_typed_like_numbers() -> None:
+    orders = (Order("3f2a-77", at_vertices("dock A"), OrderState.IN_PROCESS, "2", 1),)
+    reported = QueueReported(R0, 1000.0, OrderQueue(1, "3f2a-77", orders))
+    state = told(fleet(), graph("dock A", "b2", "b10"), labels({"b2": "Store", "b10": "Store"}), reported)
+    assert parse("cancel 3f2a-77", state, R0).commands == (CancelOrder(R0, "3f2a-77"),)
+    assert parse("robot_0 dock A > b10", state).commands == (place_order(R0, "dock A", "b10"),)
+    assert complete("cancel ", state, R0)[0] == "cancel 3f2a-77"
+    with pytest.raises(CommandError, match="write id=b2 or id=b10"):
+        parse("robot_0 dock A > Store", state)
+    with pytest.raises(CommandError, match="'3f2a' is no order id: write it as the queue shows it"):
+        parse("cancel robot_0 3f2a", state)
+
+
+def test_a_number_with_zeros_before_it_is_that_number_unless_an_id_is_written_so() -> None:
+    assert parse("cancel 012", known(), R0).commands == (CancelOrder(R0, "12"),)
+    assert parse("robot_0 01 > 002", known()).commands == (place_order(R0, 1, 2),)
+    both = told(fleet(), graph("7", "007"))
+    assert parse("robot_0 007 > 7", both).commands == (place_order(R0, "007", "7"),)
 
 
 pieces = [*"'\"> ", "->", R0, "order", "cancel", "pause", "all", "Base", "Dock 7", "9" * 5000]

@@ -35,8 +35,7 @@ def test_what_waits_here_to_be_read_is_this_consoles_doing() -> None:
     assert state.links[LINK].late == 0.0 and round(state.behind, 1) == 9.0
     assert kinds(state) == {"behind"}  # and the robot is neither offline nor is its pose old
     assert state.is_online(state.robots[R0]) and state.robots[R0].pose is not None
-    last = state.robots[R0].pose
-    assert last is not None and not state.is_old(last)
+    assert not state.is_old(state.robots[R0], "pose")
 
 
 def test_a_moment_is_no_lag() -> None:

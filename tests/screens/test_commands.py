@@ -24,9 +24,10 @@ def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:
     ]
 
 
-def vertex(it: Console, label: str, robot: str = "robot_0") -> str:
+def vertex(it: Console, label: str, robot: str = "robot_0") -> int:
+    """The id of a vertex as it is on the wire."""
     charts = it.store.state.robots[robot].charts.values()
-    return next(id_ for chart in charts for id_, name in chart.labels.items() if name == label)
+    return next(int(id_) for chart in charts for id_, name in chart.labels.items() if name == label)
 
 
 async def place(it: Console) -> None:
@@ -337,14 +338,14 @@ async def test_the_same_label_on_two_floors_stays_what_was_picked(server: Rosbri
     async with console(config_of(server.url, 1, 2)) as it:
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         charts = it.store.state.robots["robot_0"].charts
-        labels = [{"label": "Lift", "vertex_id": id_} for id_ in charts["floor_1"].labels]
+        labels = [{"label": "Lift", "vertex_id": int(id_)} for id_ in charts["floor_1"].labels]
         server.publish_raw("/robot_0/floor_1/labeled_vertices", {"vertices": labels})
         await it.until(
             lambda state: set(state.robots["robot_0"].charts["floor_1"].labels.values()) == {"Lift"}
         )
         wanted = labels[3]["vertex_id"]
         assert isinstance(wanted, int)
-        it.app.main.order_at(wanted, "floor_1")
+        it.app.main.order_at(str(wanted), "floor_1")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert sent(server)[0][1]["end_point"] == wanted

@@ -69,7 +69,7 @@ async def test_a_lost_link_is_said_on_every_page(server: RosbridgeServer) -> Non
     async with console(config_of(server.url, 2, 2)) as it:
         await open_page(it, 4, "Log of the robots")
         await listens(it, server)
-        await it.until(lambda _: it.app._door and it.app._door.counters["rosbridge"].health)
+        await it.until(lambda _: it.app._backend and it.app._backend.counters["rosbridge"].health)
         await server.stop()
         await it.shows("no link", "diagnostics-rows")
         for page in "125":
@@ -115,7 +115,7 @@ async def test_a_message_stays_while_it_is_frozen(server: RosbridgeServer) -> No
         await it.shows("frozen 0 s ago")
         await it.shows("Raw /robot_0/pose")
         (stamp,) = re.findall(r'"seq": (\d+)', pane(it))
-        frames = it.app._door.counters["rosbridge"].topics["/robot_0/pose"] if it.app._door else None
+        frames = it.app._backend.counters["rosbridge"].topics["/robot_0/pose"] if it.app._backend else None
         assert frames is not None
         seen = frames.count
         await it.shows("frozen 2 s ago")
@@ -285,7 +285,7 @@ async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
 async def test_before_there_is_a_link_it_says_that_the_console_starts(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2), wait=False) as it:
         await it.pilot.pause()
-        it.app.main.door = None
+        it.app.main.backend = None
         it.app.main.action_diagnostics()
         await it.shows("the console is still starting")
 

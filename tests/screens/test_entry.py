@@ -25,7 +25,9 @@ def trips(server: RosbridgeServer, it: Console) -> list[str]:
     for name, args in sent(server):
         assert name == "Execute_order"
         robot = it.store.state.robots["robot_0"]
-        found.append(f"{robot.name_of(args['initial_point'])} -> {robot.name_of(args['end_point'])}")
+        found.append(
+            f"{robot.name_of(str(args['initial_point']))} -> {robot.name_of(str(args['end_point']))}"
+        )
     return found
 
 

@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
+from fleet_tui.backend import Backend, connect_live
 from fleet_tui.config.schema import Config
-from fleet_tui.door import Door, to_the_fleet
 from fleet_tui.screens import held
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.store import Store
@@ -20,11 +20,11 @@ def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
     """The console connects when this is set."""
     opened = threading.Event()
 
-    def opening(config: Config, store: Store, stands: Callable[[Door], None]) -> None:
+    def opening(config: Config, store: Store, stands: Callable[[Backend], None]) -> None:
         opened.wait(20)
-        to_the_fleet(config, store, stands)
+        connect_live(config, store, stands)
 
-    monkeypatch.setattr(console_pilot, "to_the_fleet", opening)
+    monkeypatch.setattr(console_pilot, "connect_live", opening)
     yield opened
     opened.set()
 

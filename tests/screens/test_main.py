@@ -136,7 +136,7 @@ async def test_hostile_text_from_the_wire_stays_text(server: RosbridgeServer) ->
     evil = "\x1b[31m[bold]x[/bold]\x07‮\u200b"
     async with console(config_of(server.url, 1)) as it:
         vertices = it.store.state.robots["robot_0"].charts["floor_0"].labels
-        labels = [{"label": label + evil, "vertex_id": id_} for id_, label in vertices.items()]
+        labels = [{"label": label + evil, "vertex_id": int(id_)} for id_, label in vertices.items()]
         server.publish_raw("/robot_0/floor_0/labeled_vertices", {"vertices": labels})
         orders = [{"id": 1, "start": 0, "end": 1, "status": evil}]
         server.muted.add("/robot_0/queue")

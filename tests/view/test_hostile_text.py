@@ -8,9 +8,11 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fleet_tui.model import events
-from fleet_tui.model.commands import CancelOrder, Stage
+from fleet_tui.model.commands import CancelOrder, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.link import CommandPath
+from fleet_tui.model.order import Order, OrderQueue, Stop, at_vertices
 from fleet_tui.view.alarm_rows import alarm_table
 from fleet_tui.view.command_line import message_line
 from fleet_tui.view.fleet_rows import fleet_table
@@ -70,6 +72,20 @@ def facts(text: str) -> list[events.Event]:
         events.CommandIssued(2, CancelOrder(R0, "4"), T0, WALL),
         events.CommandAdvanced(1, Stage.SENT, T0),
         events.CommandAdvanced(1, Stage.REFUSED, T0, text),
+        *other_ids(text),
+    ]
+
+
+def other_ids(text: str) -> list[events.Event]:
+    """A robot of another stack, whose ids are text and whose orders go anywhere."""
+    stops = at_vertices(text, "99"), (Stop(pose=Pose(1.0, 2.0)),), ()
+    orders = tuple(Order(text + str(n), one, None, text, n) for n, one in enumerate(stops))
+    return [
+        graph(text, "2", robot="robot_1"),
+        events.QueueReported("robot_1", T0, OrderQueue(3, text + "1", orders)),
+        events.CommandIssued(3, PlaceOrder("robot_1", stops[0]), T0, WALL),
+        events.CommandIssued(4, PlaceOrder("robot_1", stops[1]), T0, WALL),
+        events.CommandIssued(5, CancelOrder("robot_1", text), T0, WALL),
     ]
 
 

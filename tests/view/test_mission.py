@@ -7,7 +7,9 @@ from msgspec import structs
 
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
 from fleet_tui.view.floor_scene import floor_scene
 from fleet_tui.view.scene import Mission, Scene
 from fleet_tui.view.selection import Selection
@@ -163,6 +165,14 @@ def test_whatever_comes_makes_a_scene(facts: tuple[events.Event, ...]) -> None:
         R0, F0, RouteGraph({"1": Vertex("1", 0.0, 0.0), "3": Vertex("3", 1.0, 0.0)})
     )
     assert mission(told(fleet(), lonely, *facts)).current == ()
+
+
+def test_an_order_to_a_pose_or_to_nowhere_known_has_no_way_along_the_graph() -> None:
+    for stops in ((), (Stop(pose=Pose(3.0, 0.0)),)):
+        orders = (Order("a", stops, OrderState.IN_PROCESS, "", 1),)
+        reported = events.QueueReported(R0, T0, OrderQueue(1, "a", orders))
+        found = scene(told(fleet(), ROW, pose(T0), reported))
+        assert found.mission == Mission((), ()) and found.target_vertices == ()
 
 
 def test_one_way_edges_are_those_without_a_way_back() -> None:

@@ -6,6 +6,8 @@ from fleet_tui.model import events
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop, at_vertices
 from fleet_tui.view.queue_rows import CANCEL, CLEAR, queue_table
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Button, Run, width_of
@@ -58,6 +60,18 @@ def test_missions_by_label_and_status_in_words() -> None:
 def test_a_status_is_never_dropped(letter: str, word: str) -> None:
     (line,) = lines(told(fleet(), queue(T0, (1, 1, 2, letter))))
     assert word in line and "1 -> 2" in line.replace("?", "")
+
+
+def test_an_order_is_written_by_its_stops_whatever_they_are() -> None:
+    """Also without any, and with an id that no column is wide enough for."""
+    stops = (at_vertices("1", "2", "3"), at_vertices("2"), (Stop(pose=Pose(1.24, -3.4)),), ())
+    orders = tuple(Order(f"3f2a-77-{n}-000000", one, OrderState.PAUSED, "", n) for n, one in enumerate(stops))
+    reported = events.QueueReported(R0, T0, OrderQueue(3, "3f2a-77-0-000000", orders))
+    found = lines(told(state(), reported))
+    for line, way in zip(
+        found, ("Base -> Consumidores -> 3", "-> Consumidores", "-> (1.2, -3.4)", "-> ?"), strict=True
+    ):
+        assert way in line and "3f2a-77-" in line and "paused" in line and "unknown" not in line
 
 
 def test_a_vertex_is_not_called_unknown_before_the_graphs_have_come() -> None:

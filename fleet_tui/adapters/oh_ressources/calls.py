@@ -61,7 +61,7 @@ def _vertex(stop: Stop) -> int:
 
 def _int32(id_: str, what: str) -> int:
     """The number that an id is on the wire. Raises CommandError where it is none."""
-    if not re.fullmatch(r"-?[0-9]{1,10}", id_, re.ASCII):
+    if not re.fullmatch(r"-?[0-9]{1,100}", id_, re.ASCII):
         raise CommandError(f"{what} {id_!r} is no number: these robots have no other ids")
     return int(id_)
 

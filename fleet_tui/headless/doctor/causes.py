@@ -96,7 +96,7 @@ def _silent_nodes(facts: BridgeFacts, explained: Collection[str]) -> Iterator[Ca
     awake = {one.wanted.robot for one in live if one.count}
     of_node: dict[str, list[TopicFacts]] = {}
     for one in facts.topics:
-        if (one.count or _is_missed(one)) and one.topic not in explained:
+        if (one.count or one.is_silent) and one.topic not in explained:
             for node in facts.rosapi.publishers.get(one.topic, ()):
                 of_node.setdefault(node, []).append(one)
     for node, topics in of_node.items():
@@ -129,14 +129,14 @@ def _silent_node(facts: BridgeFacts, node: str, topics: list[TopicFacts], robots
 
 def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:
     rosapi = facts.rosapi
-    listened = [one for one in facts.topics if one.count or _is_missed(one)]
+    listened = [one for one in facts.topics if one.count or one.is_silent]
     package = unsourced_package(
         Listening(one.wanted.robot, _type(facts, one), _publishers(facts, one), bool(one.count))
         for one in listened
     )
     if package is None:
         return
-    silent = [one for one in listened if _is_missed(one) and _type(facts, one).startswith(f"{package}/")]
+    silent = [one for one in listened if one.is_silent and _type(facts, one).startswith(f"{package}/")]
     names = frozenset(one.topic for one in silent)
     nodes = sorted({node for name in names for node in rosapi.publishers.get(name, ())})
     by = f", published by {listed(nodes)}" if nodes else ""
@@ -157,11 +157,6 @@ def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:
         f"the bridge does not know {package}",
         names,
     )
-
-
-def _is_missed(one: TopicFacts) -> bool:
-    """Tell whether its silence is a sign: of what speaks only on change only if the bridge says so."""
-    return one.is_silent and (not one.wanted.silent or bool(one.complaint))
 
 
 def _type(facts: BridgeFacts, one: TopicFacts) -> str:

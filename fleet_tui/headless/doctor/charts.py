@@ -2,9 +2,17 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import assert_never
 
 from fleet_tui.headless.doctor.facts import TopicFacts
-from fleet_tui.model.events import FrameReceived, GraphReceived, GridReceived, LabelsReceived
+from fleet_tui.model.events import (
+    ChartReceived,
+    Event,
+    FrameReceived,
+    GraphReceived,
+    GridReceived,
+    LabelsReceived,
+)
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
@@ -33,14 +41,7 @@ def charts_of(floor: str, topics: list[TopicFacts]) -> list[tuple[Chart, list[st
         if facts.wanted.floor != floor:
             continue
         chart = found.get(facts.wanted.robot, Chart())
-        match facts.event:
-            case GraphReceived():
-                chart = replace(chart, graph=facts.event.graph)
-            case LabelsReceived():
-                chart = replace(chart, labels=facts.event.labels)
-            case FrameReceived():
-                chart = replace(chart, frame=facts.event.frame)
-        found[facts.wanted.robot] = chart
+        found[facts.wanted.robot] = _with(chart, facts.event)
     charts = list[tuple[Chart, list[str]]]()
     for robot, chart in found.items():
         owners = next((robots for other, robots in charts if other == chart), None)
@@ -49,6 +50,22 @@ def charts_of(floor: str, topics: list[TopicFacts]) -> list[tuple[Chart, list[st
         else:
             owners.append(robot)
     return charts
+
+
+def _with(chart: Chart, event: Event | None) -> Chart:
+    if not isinstance(event, ChartReceived):
+        return chart
+    match event:
+        case GraphReceived():
+            return replace(chart, graph=event.graph)
+        case LabelsReceived():
+            return replace(chart, labels=event.labels)
+        case FrameReceived():
+            return replace(chart, frame=event.frame)
+        case GridReceived():
+            return chart
+        case _:
+            assert_never(event)
 
 
 def live_grid(floor: str, topics: list[TopicFacts]) -> OccupancyGrid | None:

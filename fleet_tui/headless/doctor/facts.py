@@ -43,7 +43,7 @@ class Rosapi:
 
     def lists_action_of(self, topic: str) -> bool:
         """Whether a hidden topic's action server is there."""
-        return topic.partition("/_action/")[0] in self.actions
+        return is_hidden(topic) and topic.partition("/_action/")[0] in self.actions
 
     def has(self, topic: str) -> bool:
         """Whether a topic is there to be heard: every open console keeps the names of its own listed. The
@@ -85,8 +85,10 @@ class TopicFacts:
 
     @property
     def is_silent(self) -> bool:
-        """Tell whether nothing came in a time that means anything."""
-        return not self.count and self.waited >= LONG_ENOUGH
+        """Tell whether nothing came in a time that means anything. Of what speaks only on change that is so
+        where the bridge complains."""
+        means = not self.wanted.silent or bool(self.complaint)
+        return not self.count and self.waited >= LONG_ENOUGH and means
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ from typing import assert_never
 
 from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, HeardProbe, QueryProbe
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.headless.doctor.facts import BridgeFacts
+from fleet_tui.headless.doctor.facts import LONG_ENOUGH, BridgeFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, nearest
 from fleet_tui.headless.doctor.topics import is_there
 
@@ -76,7 +76,7 @@ def _heard(robot: str, probe: HeardProbe, facts: BridgeFacts) -> Iterator[Findin
     """Judge what came, of a robot that speaks; what can't be read is told as a topic."""
     topics = facts.of(robot)
     for one in topics if any(one.count for one in topics) else ():
-        fits = one.wanted.key == probe.key and (one.count or one.is_silent)
+        fits = one.wanted.key == probe.key and (one.count or one.waited >= LONG_ENOUGH)
         if fits and not (one.faults and one.event is None):
             diagnosis = probe.judge(one.count, one.event)
             if diagnosis is not None:

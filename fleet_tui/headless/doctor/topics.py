@@ -6,7 +6,7 @@ from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.headless.doctor.causes import Cause
 from fleet_tui.headless.doctor.clocks import falls_behind
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts, is_hidden
+from fleet_tui.headless.doctor.facts import LONG_ENOUGH, BridgeFacts, Rosapi, TopicFacts, is_hidden
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.headless.doctor.names import near_topic, robots_on
 from fleet_tui.headless.doctor.tools import LATCHED, LOOK_FOR_NODE, named
@@ -45,6 +45,7 @@ def is_there(robot: str, facts: BridgeFacts) -> bool:
     return bool(rosapi.problem) or any(
         one.count or (rosapi.lists_action_of if is_hidden(one.topic) else rosapi.has)(one.topic)
         for one in facts.of(robot)
+        if not one.wanted.is_shared
     )
 
 
@@ -132,7 +133,11 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
         return _finding(facts, Verdict.WARN, measured, remedy)
     if key == "map_metadata" and (floor is None or not floor.map or floor.map.endswith((".yaml", ".yml"))):
         return _finding(facts, Verdict.WARN, measured, remedy)
-    start = "start the node that publishes it, or correct [profile.topics] " + key
+    table = bridge.adapters[wanted.robot].names.table
+    if wanted.silent:
+        none = f'start the node that publishes it, or [{table}.topics] {key} = "" where there is none'
+        return _finding(facts, Verdict.WARN, measured, remedy or none)
+    start = f"start the node that publishes it, or correct [{table}.topics] {key}"
     return _finding(facts, Verdict.FAIL, measured, remedy or start)
 
 
@@ -200,14 +205,15 @@ def _asked_again(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
 
 def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
     key = facts.wanted.key
+    had_time = facts.waited >= LONG_ENOUGH and not facts.complaint
+    if had_time and rosapi.lists_action_of(facts.topic):
+        return Verdict.OK, "its action server is there; nothing comes before the first goal", ""
+    if had_time and is_hidden(facts.topic):
+        return Verdict.SKIPPED, "an action's: it is in no list, and nothing comes before the first goal", ""
+    if had_time and facts.wanted.silent:
+        return Verdict.OK, f"nothing came in {facts.waited:.1f} s: it comes only when it changes", ""
     if not facts.is_silent:
         return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
-    if is_hidden(facts.topic) and not facts.complaint:
-        if rosapi.lists_action_of(facts.topic):
-            return Verdict.OK, "its action server is there; nothing comes before the first goal", ""
-        return Verdict.SKIPPED, "an action's: it is in no list, and nothing comes before the first goal", ""
-    if facts.wanted.silent and not facts.complaint:
-        return Verdict.OK, "nothing came, as long as nothing changes", ""
     nodes = rosapi.publishers.get(facts.topic)
     nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
     if facts.complaint:
@@ -242,6 +248,11 @@ def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Ver
             return Verdict.SKIPPED, f"{measured}: the bridge falls behind, see its load above", ""
         slow = f"{measured}: poses should come with about 10 Hz"
         return Verdict.WARN, slow, "is the network or the robot's computer overloaded?"
-    if facts.rate is not None and 1 / facts.rate > config.alarms.offline_after:
-        return Verdict.WARN, f"{measured}: rarer than offline_after", "raise alarms.offline_after"
+    adapter, usual = bridge.adapters[facts.wanted.robot], config.alarms.offline_after
+    silence = adapter.kind.silence_of(facts.wanted.key, usual)
+    if facts.rate is not None and 1 / facts.rate > silence:
+        if silence == usual:
+            return Verdict.WARN, f"{measured}: rarer than offline_after", "raise alarms.offline_after"
+        table = f"{adapter.names.table}.silence"
+        return Verdict.WARN, f"{measured}: it is old after {silence:g} s", f"raise {table}.{facts.wanted.key}"
     return Verdict.OK, measured, ""

@@ -1,4 +1,4 @@
-"""The door: what the console talks to, the fleet or a recording of one. Typing it costs no import."""
+"""The backend: what the console talks to, a live fleet or a recording of one. Typing it costs no import."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from fleet_tui.model.counters import LinkCounter
 
 
-class Door(Protocol):
+class Backend(Protocol):
     """Feeds the store, and takes what the operator wants. Any thread may call."""
 
     @property
@@ -37,16 +37,17 @@ class Door(Protocol):
         """Let nothing more through."""
 
 
-Opening = Callable[[Config, Store, Callable[[Door], None]], None]
-"""Opens a door, in a thread of its own, and hands it over as soon as it stands."""
+Connect = Callable[[Config, Store, Callable[[Backend], None]], None]
+"""Opens a backend, in a thread of its own, and hands it over as soon as commands can be given to it."""
 
 
-def to_the_fleet(
+def connect_live(
     config: Config,
     store: Store,
-    stands: Callable[[Door], None],
+    stands: Callable[[Backend], None],
     tap: "Tap | None" = None,
     folder: Path | None = None,
+    owner: str = "",
 ) -> None:
     """Connect to every bridge, then load the floors' files. `folder` is where orders are kept for robots that
     have no queue; without one they are for as long as this process lives. Importing the link takes longer
@@ -54,7 +55,7 @@ def to_the_fleet(
     from fleet_tui.client.fleet_link import FleetLink
     from fleet_tui.client.queue_file import QueueFile
 
-    link = FleetLink(config, store, tap, QueueFile(folder, config.operator.name or "operator"))
+    link = FleetLink(config, store, tap, QueueFile(folder, owner))
     link.open()
     stands(link)
     from fleet_tui.maps.floor_files import load_floors

@@ -1,4 +1,4 @@
-"""The door of a console that shows a recording: it is a wall."""
+"""The backend of a console that shows a recording: nothing goes anywhere."""
 
 from collections.abc import Callable, Mapping
 
@@ -10,13 +10,13 @@ from fleet_tui.playback.player import Player
 from fleet_tui.store import Store
 
 
-class Wall:
+class ReplayBackend:
     """Takes nothing and has no connection; behind it a player changes the picture."""
 
     def __init__(self, player: Player) -> None:
         self._player = player
 
-    def open(self, _config: Config, store: Store, stands: "Callable[[Wall], None]") -> None:
+    def open(self, _config: Config, store: Store, stands: "Callable[[ReplayBackend], None]") -> None:
         """Begin to play."""
         stands(self)
         self._player.start(store)

@@ -1,0 +1,62 @@
+"""`fleet-tui kinds`: what each kind of robots reports and accepts."""
+
+import json
+import math
+from collections.abc import Callable
+
+from fleet_tui.adapters.adapter import Site
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS, Registered
+from fleet_tui.model.kind import Kind
+from fleet_tui.model.robot import Robot
+
+VERSION = 1
+
+
+def _of(registered: Registered) -> tuple[Kind, Kind]:
+    """A kind as it is without a profile, and with a name for every topic that it has none for."""
+    unnamed = {
+        key: f"/{{robot}}/{key}" for key, (name, _) in registered.vocabulary.topics.items() if not name
+    }
+    usual, whole = Profile(), Profile(topics=unnamed)
+    return registered.adapter(usual, Site()).kind, registered.adapter(whole, Site()).kind
+
+
+def _silence(kind: Kind, offline_after: float) -> dict[str, float | None]:
+    """By value the seconds after which it is old, None where it comes only when it changes. Maps and graphs
+    never are."""
+    values = [value for value in kind.reports if value in Robot.__struct_fields__]
+    found = {value: kind.silence_of(value, offline_after) for value in values}
+    return {value: None if math.isinf(seconds) else seconds for value, seconds in found.items()}
+
+
+def kinds(as_json: bool, say: Callable[[str], None]) -> None:
+    """Say what each kind reports and accepts, in the order of the registry."""
+    described = {name: _of(registered) for name, registered in KINDS.items()}
+    if as_json:
+        found = [
+            {
+                "name": name,
+                "default": name == DEFAULT_KIND,
+                "reports": list(usual.reports),
+                "can_report": [value for value in whole.reports if value not in usual.reports],
+                "accepts": list(usual.accepts),
+                "queue_kept_here": usual.keeps_goals,
+                "pause_holds": usual.holds,
+                "silence_s": _silence(usual, Site().offline_after),
+            }
+            for name, (usual, whole) in described.items()
+        ]
+        say(json.dumps({"version": VERSION, "kinds": found}))
+        return
+    for name, (usual, whole) in described.items():
+        more = [value for value in whole.reports if value not in usual.reports]
+        say(f"{name} (default)" if name == DEFAULT_KIND else name)
+        say(f"  reports  {', '.join(usual.reports)}")
+        if more:
+            say(f"           with [profile.topics]: {', '.join(more)}")
+        say(f"  accepts  {', '.join(usual.accepts)}")
+        if usual.keeps_goals:
+            say("  queue    kept by the console that gave the orders")
+        if usual.holds:
+            say("  pause    cancels the goal; the console keeps it, and resume gives it again")

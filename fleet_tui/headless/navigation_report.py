@@ -1,0 +1,44 @@
+"""Values of navigating robots for `status --json`."""
+
+from typing import Any
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.keeping import foreign, kept_orders
+from fleet_tui.model.order import route_text
+from fleet_tui.model.robot import Robot
+
+
+def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
+    """Return what such a robot tells beyond all others; nothing for a kind that tells none of it."""
+    found: dict[str, Any] = {}
+    if "progress" in robot.kind.reports:
+        found["progress"] = _progress(state, robot)
+    if "blocked" in robot.kind.reports:
+        blocked = robot.blocked.value if robot.blocked else None
+        found["blocked"] = blocked.action or None if blocked else None
+        stopped = blocked is not None and blocked.is_stopped
+        found["blocked_s"] = round(state.now - blocked.since, 1) if blocked and stopped else None
+    if "odometry" in robot.kind.reports:
+        found["position_variance_m2"] = round(robot.variance.value, 3) if robot.variance else None
+    if robot.kind.keeps_goals:
+        found["kept_here"] = [_kept(robot, order.id, order.stops) for order in kept_orders(state, robot)]
+        found["held"] = robot.held or None
+        found["not_ours"] = [order.id for order in foreign(state, robot)]
+    return found
+
+
+def _kept(robot: Robot, id_: str, stops: Any) -> dict[str, Any]:
+    return {"id": id_, "mission": route_text(stops, lambda vertex: robot.name_of(vertex) or vertex)}
+
+
+def _progress(state: FleetState, robot: Robot) -> dict[str, Any] | None:
+    if robot.progress is None or robot.orders.current is None or not state.is_fresh(robot, "progress"):
+        return None
+    told = robot.progress.value
+    return {
+        "metres": told.metres,
+        "seconds": told.seconds,
+        "elapsed_s": told.elapsed,
+        "recoveries": told.recoveries,
+        "stop": told.stop,
+    }

@@ -1,0 +1,48 @@
+"""Alarm rules for navigating robots: blocked, lost on its map, orders that wait for the operator."""
+
+from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.floods import Held
+from fleet_tui.model.keeping import SOMEBODY_ELSE, waiting
+from fleet_tui.model.navigation import blocked_text
+from fleet_tui.model.robot import Robot
+
+LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
+"""Variance of x and y in square metres above which a robot does not know where it is, and below which it
+does again."""
+
+
+def blocked(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
+    """Stopped by its collision monitor for longer than the limit, by its last word."""
+    if robot.blocked is None or not robot.blocked.value.is_stopped:
+        return None
+    held_back = robot.blocked.value
+    due = held_back.since + state.limits.obstacle_after
+    text = blocked_text(held_back, state.now)
+    return Condition(robot.name, "blocked", Priority.HIGH, text, "way is free again", due)
+
+
+def not_sure_where(state: FleetState, robot: Robot, held: Held) -> Condition | None:
+    """Its localisation is too uncertain to drive by."""
+    if robot.variance is None:
+        return None
+    limit = FOUND_BELOW if (robot.name, "localisation") in held else LOST_ABOVE
+    if robot.variance.value <= limit:
+        return None
+    text = f"not sure where it is: within {2 * robot.variance.value**0.5:.1f} m"
+    return Condition(robot.name, "localisation", Priority.MEDIUM, text, "it knows where it is again")
+
+
+def held_orders(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
+    """Orders wait here, and the operator has to say that they go on."""
+    if not robot.held:
+        return None
+    kept = len(waiting(state, robot))
+    if not kept:
+        return None
+    text = f"{robot.held}: {kept} order{'s wait' if kept > 1 else ' waits'} here, resume lets them go on"
+    priority = Priority.MEDIUM if robot.held == SOMEBODY_ELSE else Priority.LOW
+    return Condition(robot.name, "held", priority, text, "the orders go on")
+
+
+NAVIGATION_RULES = (blocked, not_sure_where, held_orders)

@@ -1,0 +1,66 @@
+"""Reasons to stand still of navigating robots: blocked, lost, recovering, orders held here."""
+
+from fleet_tui.model.conditions_of_navigation import LOST_ABOVE
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.keeping import foreign, waiting
+from fleet_tui.model.navigation import blocked_text
+from fleet_tui.model.reason import Reason, Strength, mission
+from fleet_tui.model.robot import Robot
+
+
+def blocked(state: FleetState, robot: Robot) -> Reason | None:
+    """Its collision monitor holds it back."""
+    if robot.blocked is None or not robot.blocked.value.action:
+        return None
+    found, fresh = robot.blocked.value, state.is_fresh(robot, "blocked")
+    zone = f" in {found.polygon}" if found.polygon else ""
+    strength = Strength.CERTAIN if fresh and found.is_stopped else Strength.POSSIBLE
+    return Reason(
+        blocked_text(found, state.now),
+        f"its collision monitor sees something{zone}: clear the path there",
+        strength,
+        since=found.since,
+        seen=robot.blocked.at,
+        keys=("centre",),
+    )
+
+
+def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
+    """It does not know where it is."""
+    if robot.variance is None or robot.variance.value <= LOST_ABOVE:
+        return None
+    evidence = f"its localisation is good to {2 * robot.variance.value**0.5:.1f} m only: set its pose"
+    return Reason("not sure where it is", evidence, Strength.LIKELY, seen=robot.variance.at, keys=("centre",))
+
+
+def recovering(state: FleetState, robot: Robot) -> Reason | None:
+    """Its navigation tries again and again to find a way on."""
+    current = robot.orders.current
+    if robot.progress is None or current is None or not robot.progress.value.recoveries:
+        return None
+    count = robot.progress.value.recoveries
+    evidence = f"{count} recover{'ies' if count > 1 else 'y'} so far on {mission(robot, current)}"
+    return Reason("recovering", evidence, Strength.LIKELY, seen=robot.progress.at, keys=("centre",))
+
+
+def held(state: FleetState, robot: Robot) -> Reason | None:
+    """Orders wait here for the operator."""
+    kept = waiting(state, robot)
+    if not kept or not robot.held:
+        return None
+    evidence = f"{len(kept)} order{'s wait' if len(kept) > 1 else ' waits'} here: resume lets them go on"
+    return Reason(f"held: {robot.held}", evidence, Strength.CERTAIN, keys=("resume",))
+
+
+def somebody_else(state: FleetState, robot: Robot) -> Reason | None:
+    """Another client's goal is under way."""
+    if not robot.kind.keeps_goals:
+        return None
+    orders = foreign(state, robot)
+    if not orders:
+        return None
+    evidence = f"{mission(robot, orders[0])} was not given by this console"
+    return Reason("someone else drives it", evidence, Strength.POSSIBLE, keys=("cancel",))
+
+
+NAVIGATION_REASONS = (blocked, held, not_sure_where, recovering, somebody_else)
