@@ -45,6 +45,10 @@ class Rosapi:
         """Whether a hidden topic's action server is there."""
         return is_hidden(topic) and topic.partition("/_action/")[0] in self.actions
 
+    def lacks_action_of(self, topic: str) -> bool:
+        """Whether a hidden topic's action server is known not to be there."""
+        return is_hidden(topic) and bool(self.actions) and not self.lists_action_of(topic)
+
     def has(self, topic: str) -> bool:
         """Whether a topic is there to be heard: every open console keeps the names of its own listed. The
         topics of actions never are."""
@@ -112,3 +116,13 @@ class BridgeFacts:
     def of(self, robot: str) -> list[TopicFacts]:
         """A robot's topics."""
         return [facts for facts in self.topics if robot in facts.wanted.robots]
+
+    def knows(self, robot: str) -> bool:
+        """Whether the bridge knows anything of a robot; true where it can't be asked."""
+        own = [one for one in self.of(robot) if not one.wanted.is_shared]
+        return bool(self.rosapi.problem) or any(
+            one.count or self.rosapi.lists_action_of(one.topic) or self._has(one.topic) for one in own
+        )
+
+    def _has(self, topic: str) -> bool:
+        return self.rosapi.has(topic) and not is_hidden(topic)

@@ -76,10 +76,9 @@ def _worth_hearing(
     floors, types = set(drawn), rosapi.topics
     for one in wanted:
         topic, type_ = one.address, one.type
-        if is_hidden(topic):
-            if rosapi.actions and not rosapi.lists_action_of(topic):
-                continue
-        elif types and not same_type(types.get(topic, ""), type_):
+        if rosapi.lacks_action_of(topic):
+            continue
+        if types and not is_hidden(topic) and not same_type(types.get(topic, ""), type_):
             continue
         if one.large:
             if one.floor in floors:

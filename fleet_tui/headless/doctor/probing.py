@@ -7,7 +7,6 @@ from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, Heard
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.headless.doctor.facts import LONG_ENOUGH, BridgeFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, nearest
-from fleet_tui.headless.doctor.topics import is_there
 
 VERDICTS = {"ok": Verdict.OK, "warn": Verdict.WARN, "fail": Verdict.FAIL}
 
@@ -23,7 +22,7 @@ def bridge_probes(facts: BridgeFacts) -> Iterator[Finding]:
 
 def probe_findings(robot: str, facts: BridgeFacts) -> Iterator[Finding]:
     """Judge what a robot's kind wants looked at, of a robot that is there."""
-    if not is_there(robot, facts):
+    if not facts.knows(robot):
         return
     for probe in facts.adapters[robot].probes(robot):
         match probe:

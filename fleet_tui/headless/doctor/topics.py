@@ -28,31 +28,16 @@ def robot_findings(
         cause = next((cause for cause in causes if one.topic in cause.topics), None)
         if cause is not None:
             yield _finding(one, Verdict.SKIPPED, f"{cause.short}: see above")
-        elif first.is_failure and (not one.wanted.floor or not is_there(robot.name, facts)):
+        elif first.is_failure and (not one.wanted.floor or not facts.knows(robot.name)):
             yield _finding(one, Verdict.SKIPPED, f"{first.measured.partition(':')[0]}: see above")
-        elif one.count or one.complaint or not _is_of_no_action(one, facts.rosapi):
+        elif one.count or one.complaint or not facts.rosapi.lacks_action_of(one.topic):
             yield _topic(config, one, facts)
-
-
-def _is_of_no_action(one: TopicFacts, rosapi: Rosapi) -> bool:
-    """Tell whether it belongs to an action that is not there: probes tell what of them is missed."""
-    return is_hidden(one.topic) and bool(rosapi.actions) and not rosapi.lists_action_of(one.topic)
-
-
-def is_there(robot: str, facts: BridgeFacts) -> bool:
-    """Whether the bridge knows anything of a robot; true where it can't be asked."""
-    rosapi = facts.rosapi
-    return bool(rosapi.problem) or any(
-        one.count or (rosapi.lists_action_of if is_hidden(one.topic) else rosapi.has)(one.topic)
-        for one in facts.of(robot)
-        if not one.wanted.is_shared
-    )
 
 
 def _robot(
     config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts, causes: Sequence[Cause]
 ) -> Finding:
-    if not is_there(robot.name, facts):
+    if not facts.knows(robot.name):
         known = {other.name for other in config.robots}
         others = nearest(robot.name, robots_on(facts.adapters[robot.name].names, facts.rosapi) - known)
         remedy = f"did you mean {listed(others)}? Correct its name" if others else "correct its name"
