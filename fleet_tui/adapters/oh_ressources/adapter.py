@@ -9,6 +9,7 @@ from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.oh_ressources.calls import call_of
 from fleet_tui.adapters.oh_ressources.reading import read_graph, read_labels, read_queue
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.facts import (
     Translate,
@@ -86,6 +87,10 @@ class OhRessources:
         keys = sorted(VOCABULARY.services, key=lambda key: key != "pause")
         named = ((key, self.names.service(key, robot), self.names.service_type(key)) for key in keys)
         return (service for service in named if service[1])
+
+    def probes(self, robot: str) -> Iterable[Probe]:
+        """Topics and services tell everything."""
+        return ()
 
     def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Call]:
         """Return the call of a command. Raises CommandError for one that must not leave."""
