@@ -2,7 +2,7 @@
 
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import waiting
+from fleet_tui.model.keeping import orders_of, waiting
 from fleet_tui.model.robot import Robot
 
 STANDS_AFTER = 1.0
@@ -46,7 +46,7 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
     if is_overtaken(state, record):
         return taken
     if robot.kind.holds and record.stage is Stage.ACCEPTED:
-        return _held(state, robot, wanted)
+        return _held(state, robot, record, wanted)
     sent = record.time_of(Stage.SENT) or record.issued_at
     if robot.paused is not None:
         if robot.paused.at > sent and robot.paused.value is wanted:
@@ -58,14 +58,19 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
     return None if robot.says_paused else taken
 
 
-def _held(state: FleetState, robot: Robot, wanted: bool) -> Step | None:
+def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
     """A pause that cancels goals is seen when none is under way any more."""
     if not wanted:
         return Step(Stage.CONFIRMED, state.now, "the orders that wait here go on")
     if robot.orders.open:
         return None
     kept = any(one.order_id for one in waiting(state, robot))
-    return Step(Stage.CONFIRMED, state.now, "stopped, goal kept here" if kept else "stopped, no goal to keep")
+    words = "stopped, goal kept here" if kept else "stopped, no goal to keep"
+    ours = {one.order_id for one in orders_of(state, robot)}
+    stopped = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
+    if not kept and any(gone.order.id not in ours for gone in stopped):
+        words = "stopped, and someone else's goal with it, which can't be resumed from here"
+    return Step(Stage.CONFIRMED, state.now, words)
 
 
 def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
