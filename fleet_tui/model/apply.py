@@ -55,6 +55,17 @@ def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
     return replace(state, robots=robots)
 
 
+def _with_live_map(state: FleetState, event: events.GridReceived) -> FleetState:
+    """One map serves all robots of a floor. That of another floor is asked for again when it is looked at."""
+    if event.floor not in state.floors:
+        return state
+    floors = {
+        name: replace(floor, live=event.grid if name == event.floor else None)
+        for name, floor in state.floors.items()
+    }
+    return replace(state, floors=floors)
+
+
 def _shared(state: FleetState, event: events.GraphReceived) -> events.GraphReceived:
     """With the graph that another robot has, if it is the same: one serves all, and what is made of it."""
     for robot in state.robots.values():
@@ -127,6 +138,8 @@ def _after_operator(
 
 def apply(state: FleetState, event: events.Event) -> FleetState:
     """The state after one fact."""
+    if isinstance(event, events.GridReceived) and not event.robot:
+        return _with_live_map(state, event)
     if isinstance(event, events.Telemetry | Navigation | events.ChartReceived | events.MessageRejected):
         return _apply_to_robot(state, event)
     match event:
