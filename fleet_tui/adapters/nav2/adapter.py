@@ -32,6 +32,8 @@ from fleet_tui.model.robot import Robot
 
 GOALS = ("queue", "progress")
 """Values that come from the actions."""
+PLAN_MS = 1000
+"""Milliseconds between two paths, each of which may be long: only its end counts."""
 BATTERY_SILENCE = 60.0
 """Seconds after which a battery's word is old: some drivers publish it every ten seconds."""
 STATUS_TYPE = "action_msgs/GoalStatusArray"
@@ -98,6 +100,7 @@ class Nav2:
         yield from self._feed("battery", robot, slow)
         yield from self._feed("blocked", robot, slow._replace(rate_ms=0, silent=True))
         yield from self._feed("floor", robot, latched)
+        yield from self._feed("plan", robot, slow._replace(rate_ms=PLAN_MS, silent=True, on_demand=True))
         topic = self.names.profile.topics.get("map", VOCABULARY.topics["map"][0])
         of_map = latched._replace(silent=False, on_demand=True, large=True, is_shared="{robot}" not in topic)
         for floor in floors:
