@@ -93,12 +93,25 @@ def queue_of(goals: Goals, at: float, offset: float | None) -> OrderQueue:
     return OrderQueue(last, begun[-1] if begun else "", orders)
 
 
-def with_stops(goals: Goals, id_: str, stops: tuple[Stop, ...]) -> Goals:
-    """Return the goals, one of them with where it leads to."""
+def with_stops(goals: Goals, id_: str, stops: tuple[Stop, ...], is_ours: bool) -> Goals:
+    """Return the goals, one of them with where it leads to and whether this console gave it."""
     return {
-        action: tuple(replace(goal, stops=stops) if goal.id == id_ else goal for goal in listed)
+        action: tuple(
+            replace(goal, stops=stops, is_ours=is_ours) if goal.id == id_ else goal for goal in listed
+        )
         for action, listed in goals.items()
     }
+
+
+def is_given_as(goals: Goals, id_: str, stops: Sequence[Stop]) -> bool:
+    """Tell whether a goal is of the action by which an order with these stops is given."""
+    leads = any(goal.id == id_ for goal in goals.get(LEADING, ()))
+    return leads == (len(stops) > 1)
+
+
+def own_ids(goals: Goals) -> frozenset[str]:
+    """Return the ids of the goals that this console gave."""
+    return frozenset(goal.id for listed in goals.values() for goal in listed if goal.is_ours)
 
 
 def active(goals: Goals) -> list[Goal]:

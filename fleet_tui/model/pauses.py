@@ -2,7 +2,7 @@
 
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import waiting
+from fleet_tui.model.keeping import orders_of, waiting
 from fleet_tui.model.robot import Robot
 
 STANDS_AFTER = 1.0
@@ -38,8 +38,8 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
     taken = Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
     if is_overtaken(state, record):
         return taken
-    if robot.kind.holds and record.stage is Stage.ACCEPTED:
-        return _held(state, robot, wanted)
+    if robot.kind.holds:
+        return _held(state, robot, record, wanted)
     sent = record.time_of(Stage.SENT) or record.issued_at
     if robot.paused is not None:
         if robot.paused.at > sent and robot.paused.value is wanted:
@@ -51,11 +51,16 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
     return None if robot.says_paused else taken
 
 
-def _held(state: FleetState, robot: Robot, wanted: bool) -> Step | None:
-    """A pause that cancels goals is seen when none is under way any more."""
+def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
+    """A pause that cancels goals is seen when none is under way any more; one that nothing answered to, when
+    a goal was cancelled since."""
     if not wanted:
         return Step(Stage.CONFIRMED, state.now, "the orders that wait here go on")
-    if robot.orders.open:
+    if record.stage is not Stage.ACCEPTED and not any(
+        one.stage is Stage.CANCELLED and one.at >= record.issued_at for one in robot.gone
+    ):
+        return None
+    if robot.orders.open or any(one.has_open_order for one in orders_of(state, robot)):
         return None
     kept = any(one.order_id for one in waiting(state, robot))
     return Step(Stage.CONFIRMED, state.now, "stopped, goal kept here" if kept else "stopped, no goal to keep")
@@ -64,6 +69,9 @@ def _held(state: FleetState, robot: Robot, wanted: bool) -> Step | None:
 def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
     """What telemetry showed where a pause or resume can't be seen to have been carried out."""
     wanted = isinstance(record.command, PauseRobot)
+    if robot.kind.holds:
+        going = [f"order {order.id} is {order.state_text}" for order in robot.orders.open]
+        return ", ".join(going[:3]) or "nothing shows it"
     if robot.paused is not None:
         return "it reported no pause" if wanted else "it reported a pause"
     if robot.says_paused:
