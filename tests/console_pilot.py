@@ -70,7 +70,9 @@ class Console:
 
 def _ready(state: FleetState) -> bool:
     robots = state.robots.values()
-    known = all(robot.queue and robot.pose and robot.cargo and robot.knows_all_graphs() for robot in robots)
+    expected = [(robot, value) for robot in robots for value in ("queue", "pose", "cargo")]
+    known = all(getattr(robot, value) for robot, value in expected if robot.kind.expects(value))
+    known = known and all(robot.knows_all_graphs() for robot in robots)
     labelled = all(chart.labels for robot in robots for chart in robot.charts.values())
     return known and labelled and all(link.command_path is CommandPath.ALIVE for link in state.links.values())
 
