@@ -13,6 +13,7 @@ from fleet_tui.backend import connect_live
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.console import recorded
+from fleet_tui.headless.session import missing
 from fleet_tui.journal.recordings import Recordings
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
@@ -70,11 +71,9 @@ class Console:
 
 def _ready(state: FleetState) -> bool:
     robots = state.robots.values()
-    expected = [(robot, value) for robot in robots for value in ("queue", "pose", "cargo")]
-    known = all(getattr(robot, value) for robot, value in expected if robot.kind.expects(value))
-    known = known and all(robot.knows_all_graphs() for robot in robots)
-    labelled = all(chart.labels for robot in robots for chart in robot.charts.values())
-    return known and labelled and all(link.command_path is CommandPath.ALIVE for link in state.links.values())
+    waited_for = {"pose", "queue", "cargo", *(f"labels of {floor}" for floor in state.floors)}
+    known = all(robot.knows_all_graphs() and waited_for.isdisjoint(missing(robot)) for robot in robots)
+    return known and all(link.command_path is CommandPath.ALIVE for link in state.links.values())
 
 
 @asynccontextmanager
@@ -88,7 +87,7 @@ async def console(
     """Run the console until all telemetry has come. With a `state_folder` it records, too."""
     store = WatchedStore(initial_state(config, time.monotonic()))
     recordings = Recordings(config, store, state_folder) if state_folder else None
-    opening = partial(recorded, recordings) if recordings else connect_live
+    opening = partial(recorded, recordings, None) if recordings else connect_live
     app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, opening)
     app.main.recordings = recordings
     async with AsyncExitStack() as stack:

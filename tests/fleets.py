@@ -30,6 +30,7 @@ from fleet_tui.model.events import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import Order, OrderQueue, at_vertices
 from fleet_tui.view.table import Run
@@ -125,3 +126,10 @@ def recording(name: str) -> list[dict[str, Any]]:
 def text_of(runs: Iterable[Run]) -> str:
     """What runs read as."""
     return "".join(text for text, _ in runs)
+
+
+def of_kinds(state: FleetState, *kinds: Kind) -> FleetState:
+    """The same fleet, its robots in their sequence of these kinds."""
+    names = zip(state.robots.items(), kinds, strict=True)
+    robots = {name: msgspec.structs.replace(robot, kind=kind) for (name, robot), kind in names}
+    return msgspec.structs.replace(state, robots=robots)

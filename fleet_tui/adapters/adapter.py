@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
+from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import Event
@@ -95,6 +96,9 @@ class Adapter(Protocol):
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service that is called, the most urgent first."""
+
+    def probes(self, robot: str) -> Iterable[Probe]:
+        """Return what a doctor looks at beside topics and services."""
 
     def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Outgoing]:
         """Return what carries a command, in the order in which it must leave. Raises CommandError for one

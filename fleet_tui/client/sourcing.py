@@ -37,7 +37,8 @@ class Sourcing:
         """`types` gives the type of each topic as the bridge spells it."""
         self._link, self._calls, self._reading, self._tell = link, calls, reading, tell
         self._types = types
-        self._wanted = [one for one in wanted if not one.large]
+        # On what speaks only when something changes, silence is no sign.
+        self._wanted = [one for one in wanted if not (one.large or one.silent)]
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:

@@ -56,6 +56,7 @@ class Subscriber:
         """Maps that never came as CBOR."""
         self._plainly: asyncio.TimerHandle | None = None
         self._map: Feed | None = None
+        self._watched: frozenset[Feed] = frozenset()
         self.overhearing = Overhearing(connection, self._ask_types)
         self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
         self._asked: dict[str, float] = {}
@@ -137,7 +138,8 @@ class Subscriber:
         return [
             one
             for one in self._feeds
-            if any(robot in robots for robot in one.robots) and (not one.on_demand or one is self._map)
+            if any(robot in robots for robot in one.robots)
+            and (not one.on_demand or one is self._map or one in self._watched)
         ]
 
     def _subscribe_to(self, robots: Set[str]) -> None:
@@ -198,6 +200,16 @@ class Subscriber:
             self._connection.send(operations.unsubscribe(wanted.address))
         except LinkError:
             return
+
+    def watch(self, feeds: Iterable[Feed]) -> None:
+        """Ask for these feeds, which come on demand, and no longer for those before."""
+        wanted, before = frozenset(feeds), self._watched
+        self._watched = wanted
+        if self._connection.is_connected:
+            for feed in before - wanted:
+                self._unsubscribe(feed)
+            for feed in wanted - before:
+                self._subscribe(feed)
 
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for one robot's live map of a floor, and no longer for the one before; "" for none."""

@@ -61,7 +61,7 @@ def missing(robot: Robot) -> list[str]:
             values[f"graph of {floor}"] = chart.graph
         if robot.kind.expects("labels"):
             values[f"labels of {floor}"] = chart.labels or None
-    return [name for name, value in values.items() if value is None]
+    return [name for name, value in values.items() if value is None and name not in robot.unmeasured]
 
 
 def is_known(state: FleetState) -> bool:

@@ -127,9 +127,12 @@ class Recording:
         )
         if not fits:
             raise RecordingError(f"{self.path}: a keyframe does not fit its configuration: record anew")
-        # By today's adapters, which also read the frames: older recordings know no kinds.
+        # Recordings of version 1 know no kinds.
         adapters = adapters_of(config)
-        robots = {name: replace(one, kind=adapters[name].kind) for name, one in state.robots.items()}
+        robots = {
+            name: one if one.kind.name else replace(one, kind=adapters[name].kind)
+            for name, one in state.robots.items()
+        }
         return replace(state, robots=robots)
 
 

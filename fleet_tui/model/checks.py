@@ -25,6 +25,7 @@ from fleet_tui.model.keeping import all_orders
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
+from fleet_tui.model.pauses import own_pause_text
 from fleet_tui.model.problem import Problem, Rights
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.route_checks import (
@@ -105,8 +106,8 @@ def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
 def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """An order would be driven now."""
     if isinstance(command, PlaceOrder) and state.is_paused(robot):
-        ours = "" if robot.paused is not None else " (by us)"
-        yield Problem("paused", f"{robot.name} is paused{ours}", blocks=False)
+        how = "paused" if robot.paused is not None else own_pause_text(state, robot)
+        yield Problem("paused", f"{robot.name} is {how}", blocks=False)
 
 
 def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -131,7 +132,8 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
     old = not state.is_fresh(robot, "queue")
     order = next((one for one in all_orders(state, robot) if one.id == command.order_id), None)
     if order is None and robot.kind.lists_orders:
-        text = f"order {command.order_id} is not in the queue of {robot.name}"
+        its = f"is none of {robot.name}" if robot.kind.keeps_goals else f"is not in the queue of {robot.name}"
+        text = f"order {command.order_id} {its}"
         yield Problem("not in the queue", text + (" as last heard" if old else ""), blocks=not old)
     elif order is not None and order.is_over:
         text = f"order {command.order_id} of {robot.name} is {order.state_text} already"

@@ -100,16 +100,33 @@ class BadMessage(Struct, frozen=True):
 
 class TopicCounter(Flow):
     """One topic. `robot` and `kind` say whose and what, both empty for the robots' log and health;
-    `once`: it comes once, `on_demand`: only while its floor is shown."""
+    `once`: it comes once, `on_demand`: only while its floor is shown, `on_change`: only then."""
 
-    __slots__ = ("bad", "errors", "kind", "last", "not_subscribed", "on_demand", "once", "robot", "topic")
+    __slots__ = (
+        "bad",
+        "errors",
+        "kind",
+        "last",
+        "not_subscribed",
+        "on_change",
+        "on_demand",
+        "once",
+        "robot",
+        "topic",
+    )
 
     def __init__(
-        self, topic: str, robot: str = "", kind: str = "", once: bool = False, on_demand: bool = False
+        self,
+        topic: str,
+        robot: str = "",
+        kind: str = "",
+        once: bool = False,
+        on_demand: bool = False,
+        on_change: bool = False,
     ) -> None:
         super().__init__()
         self.topic, self.robot, self.kind = topic, robot, kind
-        self.once, self.on_demand = once, on_demand
+        self.once, self.on_demand, self.on_change = once, on_demand, on_change
         self.errors = 0
         self.last: Raw | None = None
         self.bad: BadMessage | None = None

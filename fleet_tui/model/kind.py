@@ -15,14 +15,16 @@ class Kind(Struct, frozen=True):
     """Capabilities of a robot by its kind and profile. `reports` are the values that ever come of it, by the
     names of Robot's fields; `accepts` what can be asked of it. `silence`: seconds after which a value that
     stays away is old, infinite where it comes only when it changes; for others `FleetState.patience`
-    counts. `frames_are_floors`: the frame of its poses names the floor. `tells_ends`: it lists how an order
-    ended. `keeps_goals`: it drives one goal at a time and keeps no queue: this console does.
-    `holds`: to pause it is to cancel its goal, which this console keeps and gives again."""
+    counts. `unset`: by what is not accepted the key of the profile that is empty for it.
+    `frames_are_floors`: the frame of its poses names the floor. `tells_ends`: it lists how an order ended.
+    `keeps_goals`: it drives one goal at a time and keeps no queue: this console does. `holds`: to pause it is
+    to cancel its goal, which this console keeps and gives again."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
     accepts: tuple[str, ...] = ()
     silence: Mapping[str, float] = field(default_factory=dict)
+    unset: Mapping[str, str] = field(default_factory=dict)
     frames_are_floors: bool = True
     tells_ends: bool = False
     keeps_goals: bool = False
@@ -34,6 +36,8 @@ class Kind(Struct, frozen=True):
 
     def lack(self, asked: str) -> str:
         """Say that it can't be asked for something that it does not accept."""
+        if asked in self.unset:
+            return f"{self.unset[asked]} is empty: this site has no {_NOUNS.get(asked, asked)}"
         noun = _NOUNS.get(asked, asked)
         if asked in _NOUNS and not self.can(ORDER):
             noun = "orders"

@@ -72,6 +72,14 @@ class FloorReported(Struct, frozen=True, tag=True):
     floor: str
 
 
+class Unmeasured(Struct, frozen=True, tag=True):
+    """The robot speaks of a value, a field of Robot, and does not measure it."""
+
+    robot: str
+    at: float
+    value: str
+
+
 class GoalAnswered(Struct, frozen=True, tag=True):
     """The end of a goal as the robot told the console that gave it: DONE or FAILED, with its words."""
 
@@ -96,6 +104,7 @@ Navigation = (
     | GoalsReported
     | PlanReported
     | FloorReported
+    | Unmeasured
 )
-Live = OdometryReported | BlockedReported | ProgressReported
+Live = OdometryReported | BlockedReported | ProgressReported | Unmeasured
 """Signs of life: the others are latched."""

@@ -40,6 +40,10 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
             return _take_plan(robot, event)
         case navigation_events.FloorReported():
             return replace(robot, own_floor=brief(event.floor, LONGEST_NAME))
+        case navigation_events.Unmeasured():
+            names = robot.unmeasured
+            told = names if event.value in names else (*names, event.value)
+            return _heard(replace(robot, unmeasured=told), event.at)
         case _:
             assert_never(event)
 

@@ -12,6 +12,13 @@ WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Where telemetry decides."""
 
 
+def own_pause_text(state: FleetState, robot: Robot) -> str:
+    """How a robot that does not tell its pauses is paused, as far as this console knows."""
+    if robot.kind.holds:
+        return "stopped, goal kept here" if waiting(state, robot) else "stopped, no goal to keep"
+    return "paused (by us)"
+
+
 def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
     """Tell whether a pause's or resume's opposite was given since and took effect, as far as is known:
     what is seen from then on is the doing of that one."""

@@ -62,7 +62,8 @@ class Robot(Struct, frozen=True, eq=False):
     found itself on the map last, `anchor` where on the map the frame of its wheels begins; `variance` that of
     its place in square metres; `own_floor` the floor it says that it is on; `held` is why this console sends
     it no order that waits here, empty while it does, and `released_at` when the operator let it go on last;
-    `counts_percent`: its battery was seen to count to 100."""
+    `unmeasured` are values that it says it does
+    not measure; `counts_percent`: its battery was seen to count to 100."""
 
     name: str
     number: int
@@ -76,6 +77,7 @@ class Robot(Struct, frozen=True, eq=False):
     floor: str | None = None
     battery: Reading[float] | None = None
     counts_percent: bool = False
+    unmeasured: tuple[str, ...] = ()
     cargo: Reading[bool] | None = None
     obstacle: Reading[float] | None = None
     queue: Reading[OrderQueue] | None = None

@@ -50,7 +50,7 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
         return None
     record = last_command(state, robot, PlaceOrder, ClearOrders, CancelOrder)
     taken = record is not None and isinstance(record.command, ClearOrders | CancelOrder)
-    evidence = "its queue is empty: it waits for one"
+    evidence = f"{'it has no goal' if robot.kind.keeps_goals else 'its queue is empty'}: it waits for one"
     if record is not None and taken and record.stage is Stage.CONFIRMED:
         evidence = f"they were taken out of its queue here {age(state.now - record.at)} ago"
     strength = Strength.POSSIBLE if state.is_old(robot, "queue") else Strength.CERTAIN

@@ -4,7 +4,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.graph import Role
 from fleet_tui.model.link import Phase
-from fleet_tui.model.pauses import STANDS_AFTER
+from fleet_tui.model.pauses import STANDS_AFTER, own_pause_text
 from fleet_tui.model.reason import Reason, Strength, name_of, own_pause, stands_since
 from fleet_tui.model.reports import JUMPS_WITHIN
 from fleet_tui.model.robot import Robot
@@ -59,7 +59,8 @@ def paused(state: FleetState, robot: Robot) -> Reason | None:
     record = own_pause(state, robot)
     since = record.time_of(Stage.SENT) if record is not None else None
     if robot.paused is None:
-        return Reason("paused (by us)", "it accepted our pause", since=since, keys=("resume",))
+        name = own_pause_text(state, robot)
+        return Reason(name, "it accepted our pause", since=since, keys=("resume",))
     by = "it says so; the pause came from here" if since is not None else "it says so; it came from elsewhere"
     return Reason("paused", by, since=since, seen=robot.paused.at, keys=("resume",))
 

@@ -10,6 +10,7 @@ from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.keeping import foreign
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, route_text
+from fleet_tui.model.pauses import own_pause_text
 from fleet_tui.model.reason import own_pause
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.progress import progress_text
@@ -67,7 +68,7 @@ def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
 
 def _paused(state: FleetState, robot: Robot) -> str:
     if robot.paused is None:
-        return "paused (by us)"
+        return own_pause_text(state, robot)
     return "paused" if own_pause(state, robot) else "paused (elsewhere)"
 
 

@@ -26,9 +26,11 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
     if topic.bad is not None and now - topic.bad.raw.at < BAD_FOR:
         return "▲ bad data", Ink.ALARM
     if topic.at is None:
+        if topic.on_change:
+            return "· on change", Ink.DIM
         waits = topic.on_demand or not topic.robot
         return ("· when shown", Ink.DIM) if waits else ("○ nothing yet", Ink.WARN)
-    if topic.once or topic.on_demand or not topic.robot:
+    if topic.once or topic.on_demand or topic.on_change or not topic.robot:
         return "● came", Ink.TEXT
     return ("○ silent", Ink.WARN) if now - topic.at > silent_after else ("● live", Ink.GOOD)
 
@@ -48,8 +50,7 @@ def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
 def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Table:
     """A row for each; its key is link and topic."""
     found = entries(state, links, wanted)
-    silent_after = state.limits.offline_after
-    states = [topic_state(link, topic, now, silent_after) for link, topic in found]
+    states = [topic_state(link, topic, now, _silent_after(state, topic)) for link, topic in found]
     names = column((topic.topic for _, topic in found), 10, 34)
     keys = [(link.name, topic.topic) for link, topic in found]
     rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))
@@ -57,6 +58,11 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Tab
     note = f" {len(found)}, {trouble} in trouble" + (f", with {visible(wanted)}" if wanted else "")
     title = ("Topics", Ink.TITLE), (note, Ink.DIM), *down(links)
     return Table(title, rows, "no such topic" if wanted else "the console is still starting")
+
+
+def _silent_after(state: FleetState, topic: TopicCounter) -> float:
+    robot, usual = state.robots.get(topic.robot), state.limits.offline_after
+    return robot.kind.silence_of(topic.kind, usual) if robot else usual
 
 
 def _runs(state: Run, topic: TopicCounter, names: int, now: float) -> Sequence[Run]:

@@ -148,23 +148,30 @@ def serving(*args: str) -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
 
 
 @contextmanager
-def simulator(robots: int, rate: float = 10.0) -> Iterator[str]:
+def simulator(robots: int, rate: float = 10.0, kind: str = "oh_ressources") -> Iterator[str]:
     """The simulator's URL: all robots on one floor."""
-    counts = ["--robots", str(robots), "--floors", "1", "--rate", str(rate)]
+    counts = ["--robots", str(robots), "--floors", "1", "--rate", str(rate), "--kind", kind]
     with serving("fleet_tui", "sim", "--port", "0", "--stop-with-stdin", *counts) as (url, _):
         yield url
 
 
 @contextmanager
 def console(
-    url: str, robots: int, probe: list[str] | None = None, floor_map: Path | None = None
+    url: str,
+    robots: int,
+    probe: list[str] | None = None,
+    floor_map: Path | None = None,
+    kind: str = "oh_ressources",
 ) -> Iterator[Terminal]:
     """The console with one floor on a server; `probe`: started with these arguments of probe.py."""
     with tempfile.TemporaryDirectory() as folder:
         config = Path(folder) / "config.toml"
         names = "".join(f'[[robots]]\nname = "robot_{n}"\n' for n in range(robots))
         map_line = f'map = "{floor_map}"\n' if floor_map else ""
-        config.write_text(f'[rosbridge]\nurl = "{url}"\n[[floors]]\nname = "floor_0"\n{map_line}{names}')
+        profile = f'[profile]\nkind = "{kind}"\n'
+        config.write_text(
+            f'{profile}[rosbridge]\nurl = "{url}"\n[[floors]]\nname = "floor_0"\n{map_line}{names}'
+        )
         start = ["tests.bench.probe", *probe, "--"] if probe else ["fleet_tui"]
         terminal = Terminal([sys.executable, "-m", *start, "--config", str(config)], Path(folder))
         try:

@@ -1,13 +1,17 @@
 """A bridge that was started without the robots' messages: said by the console, and asked before an order."""
 
 import pytest
+from msgspec.structs import replace
 
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.client import sourcing
 from fleet_tui.model.checks import problems
 from fleet_tui.model.commands import Wish
 from fleet_tui.model.events import MessagesUnsourced
 from fleet_tui.model.problem import Rights
 from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.nav2.fleet import Nav2Fleet
+from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.fleets import place_order
 from tests.linked import linked
@@ -51,3 +55,15 @@ async def test_a_node_that_was_only_slow_is_no_longer_suspected_when_it_speaks(
         await store.until(lambda state: state.links["rosbridge"].unsourced)
         server.muted.clear()
         await store.until(lambda state: not state.links["rosbridge"].unsourced)
+
+
+async def test_robots_that_speak_only_on_change_are_not_suspected(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Collision monitors, of which nothing comes while nothing is in the way."""
+    monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
+    server = RosbridgeServer(Nav2Fleet(2, 1, seed=1, quiet=True), dialect=ROS2)
+    await server.start()
+    config = replace(config_of(server.url, 2), profile=Profile(kind="nav2"))
+    async with linked(config) as (_, store):
+        await store.until(lambda _: store.told(MessagesUnsourced))
+        assert not store.state.links["rosbridge"].unsourced
+    await server.stop()

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
@@ -16,6 +17,16 @@ async def ros_2() -> AsyncIterator[RosbridgeServer]:
     """Two quiet simulated robots on two floors behind a bridge of ROS 2."""
     running = RosbridgeServer(World(robots=2, floors=2, seed=1, quiet=True), dialect=ROS2)
     await running.start()
+    yield running
+    await running.stop()
+
+
+@pytest.fixture
+async def nav2() -> AsyncIterator[RosbridgeServer]:
+    """A quiet simulated robot with Nav2 behind a bridge that has been up for long."""
+    running = RosbridgeServer(Nav2Fleet(1, 1, seed=1, quiet=True), dialect=ROS2)
+    await running.start()
+    running.started -= 10.0
     yield running
     await running.stop()
 

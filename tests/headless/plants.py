@@ -15,6 +15,7 @@ from websockets.asyncio.server import ServerConnection, serve
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.simulator.frames import Payload
+from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.ros_types import ServiceError, ServiceType
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.faults.certificates import sign
@@ -304,6 +305,55 @@ async def _mute(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> N
 async def _deaf(connection: ServerConnection) -> None:
     async for _ in connection:
         pass
+
+
+def _with_fault(name: str) -> Plant:
+    return on_the_server(lambda server: FAULTS[name][1](server, "robot_0"))
+
+
+def _no_waypoints(server: RosbridgeServer) -> None:
+    names = [name for name in server.fleet_of("robot_0").actions if not name.endswith("/follow_waypoints")]
+    server.answers["/rosapi/action_servers"] = lambda _args: {"action_servers": names}
+
+
+def _other_manager(server: RosbridgeServer) -> None:
+    manager = "/robot_0/lifecycle_manager_navigation/is_active"
+    server.services["/robot_0/lifecycle_manager/is_active"] = server.services.pop(manager)
+
+
+def _command_of_that_name(server: RosbridgeServer) -> None:
+    type_ = ServiceType("nav2_msgs/srv/ManageLifecycleNodes", {})
+    server.services["/robot_0/lifecycle_manager_navigation/is_active"] = type_
+
+
+def _frozen_manager(server: RosbridgeServer) -> None:
+    server.silent_services.add("/robot_0/lifecycle_manager_navigation/is_active")
+
+
+def _without_graph(server: RosbridgeServer, config: Config) -> Config:
+    return msgspec.structs.replace(config, floors=[FloorEntry("floor_0")])
+
+
+NAV2_PLANTS: dict[str, Plant] = {
+    "with Nav2 the bridge of Humble": _with_fault("humble"),
+    "with Nav2 messages the bridge was started without": _with_fault("unsourced"),
+    "with Nav2 a robot's name with a slip": in_the_config(robots=[RobotEntry("robot_00")]),
+    "with Nav2 no odometry": _with_fault("no-odom"),
+    "with Nav2 a silent robot": _with_fault("silent"),
+    "with Nav2 an action server that is not there": on_the_server(_no_waypoints),
+    "with Nav2 nodes that are not active": _with_fault("inactive"),
+    "with Nav2 a lifecycle manager that is frozen": on_the_server(_frozen_manager),
+    "with Nav2 a lifecycle manager of another name": on_the_server(_other_manager),
+    "with Nav2 a command where that query belongs": on_the_server(_command_of_that_name),
+    "with Nav2 a robot that is not sure where it is": _with_fault("lost"),
+    "with Nav2 a robot that was never localised": on_the_server(
+        lambda server: server.muted.add("/robot_0/amcl_pose")
+    ),
+    "with Nav2 a battery that counts to 100": _with_fault("percent"),
+    "with Nav2 a battery that is not measured": _with_fault("unmeasured"),
+    "with Nav2 no graph file": _without_graph,
+}
+"""The same for robots with Nav2."""
 
 
 @asynccontextmanager

@@ -13,14 +13,27 @@ import msgspec
 import pytest
 from websockets.asyncio.client import connect
 
-from fleet_tui.config.schema import Config, Link
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.demo import demo_config
 from fleet_tui.headless.doctor.run import doctor
+from fleet_tui.simulator.nav2.graph_file import write_graphs
+from fleet_tui.simulator.ros_types import ServiceType
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import PLANTS, ROS_2_PLANTS, mute_server, other_websocket, tls_server, web_server
+from tests.headless.plants import (
+    NAV2_PLANTS,
+    PLANTS,
+    ROS_2_PLANTS,
+    mute_server,
+    other_websocket,
+    tls_server,
+    web_server,
+)
 from tests.watched import config_of
 
 TIMEOUT = 9.0
+IS_ACTIVE = "/robot_0/lifecycle_manager_navigation/is_active"
 TAKEN_TOO_EARLY = "on ROS 2 a floor's topic that another client took too early"
 OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
     "a web server instead": lambda folder: web_server(),
@@ -29,6 +42,14 @@ OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
     "TLS where ws:// is configured": partial(tls_server, scheme="ws"),
     "a certificate nobody vouches for": partial(tls_server, scheme="wss"),
 }
+
+
+def nav2_config(url: str, folder: Path) -> Config:
+    """A config for a robot with Nav2, and the file with its graph."""
+    (file,) = write_graphs(folder / "routes.geojson", 1)
+    floors = [FloorEntry("floor_0", graph=str(file))]
+    robots, profile = [RobotEntry("robot_0")], Profile(kind="nav2")
+    return Config(rosbridge=Link(url), floors=floors, robots=robots, profile=profile)
 
 
 def promised() -> dict[str, tuple[str, str]]:
@@ -90,6 +111,26 @@ async def test_nothing_is_wrong_with_a_fleet_of_ros_2(ros_2: RosbridgeServer) ->
     assert_harmless(ros_2)
 
 
+@pytest.mark.parametrize("plant", NAV2_PLANTS)
+async def test_the_first_complaint_is_the_cause_with_nav2(
+    nav2: RosbridgeServer, tmp_path: Path, plant: str
+) -> None:
+    config = NAV2_PLANTS[plant](nav2, nav2_config(nav2.url, tmp_path))
+    assert_as_promised(plant, *await complaint(config))
+    assert_harmless(nav2, IS_ACTIVE)
+    is_query = nav2.services.get(IS_ACTIVE, ServiceType("", {})).name == "std_srvs/srv/Trigger"
+    assert is_query or not nav2.calls
+
+
+async def test_nothing_is_wrong_with_a_fleet_with_nav2(nav2: RosbridgeServer, tmp_path: Path) -> None:
+    said = list[str]()
+    config = nav2_config(nav2.url, tmp_path)
+    code = await asyncio.to_thread(doctor, config, TIMEOUT, False, said.append)
+    assert (code, said[-1]) == (0, f"{len(said) - 1} ok")
+    assert_harmless(nav2, IS_ACTIVE)
+    assert nav2.calls == [(IS_ACTIVE, {})]
+
+
 async def test_a_topic_of_an_action_is_in_no_list_and_not_missing(ros_2: RosbridgeServer) -> None:
     said = list[str]()
     config = demo_config(Config(), ros_2.url, 2, 2, "2")
@@ -109,15 +150,19 @@ async def test_a_topic_that_another_client_took_too_early(ros_2: RosbridgeServer
     assert_as_promised(TAKEN_TOO_EARLY, line, code)
 
 
-def assert_harmless(server: RosbridgeServer) -> None:
+def assert_harmless(server: RosbridgeServer, *queries: str) -> None:
     """No robot was commanded, no topic spoiled for others, and rosapi not asked what kills it."""
-    assert not server.calls and server.rosapi_alive
+    assert {service for service, _ in server.calls} <= {*queries} and server.rosapi_alive
     asked = [one["service"] for one in server.received if one["op"] == "call_service"]
-    lists = ("topics", "services", "nodes", "get_ros_version", "get_time", "fleet_tui_heartbeat")
-    of_names = ("publishers", "subscribers", "service_type", "service_node")
-    assert set(asked) <= {f"/rosapi/{verb}" for verb in (*lists, *of_names)}
+    lists = ("topics", "services", "nodes", "action_servers", "get_ros_version", "get_time")
+    of_names = ("publishers", "subscribers", "service_type", "service_node", "fleet_tui_heartbeat")
+    assert set(asked) - {*queries} <= {f"/rosapi/{verb}" for verb in (*lists, *of_names)}
     subscribed = [one for one in server.received if one["op"] == "subscribe"]
-    assert all(server.types.get(one["topic"]) == one["type"] for one in subscribed)
+    # Of those of actions nobody tells how the bridge spells their types.
+    hidden = [one for one in subscribed if "/_action/" in one["topic"]]
+    assert all(same_type(server.topics[one["topic"]].type, one["type"]) for one in hidden)
+    told = [one for one in subscribed if one not in hidden]
+    assert all(server.types.get(one["topic"]) == one["type"] for one in told)
 
 
 @pytest.mark.parametrize("plant", OTHER_SERVERS)
@@ -128,4 +173,4 @@ async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
 
 
 def test_every_promise_is_planted() -> None:
-    assert set(promised()) == {*PLANTS, *OTHER_SERVERS, *ROS_2_PLANTS, TAKEN_TOO_EARLY}
+    assert set(promised()) == {*PLANTS, *OTHER_SERVERS, *ROS_2_PLANTS, *NAV2_PLANTS, TAKEN_TOO_EARLY}

@@ -79,6 +79,7 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         st.lists(GOALS, max_size=4).map(tuple),
     ),
     navigation_events.PlanReported: st.builds(navigation_events.PlanReported, ROBOTS, AT, PLACES),
+    navigation_events.Unmeasured: st.builds(navigation_events.Unmeasured, ROBOTS, AT, st.text(max_size=4)),
     navigation_events.FloorReported: st.builds(navigation_events.FloorReported, ROBOTS, AT, FLOORS),
     navigation_events.QueueHeld: st.builds(navigation_events.QueueHeld, ROBOTS, st.text(max_size=4)),
     navigation_events.GoalAnswered: st.builds(

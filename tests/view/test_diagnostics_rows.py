@@ -7,6 +7,7 @@ from hypothesis import given
 
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.robot_words import Diagnosis, LogLine, Severity
 from fleet_tui.view.console_rows import OwnFacts, console_table
 from fleet_tui.view.diagnostics_lines import foot_runs, page_runs
@@ -16,7 +17,7 @@ from fleet_tui.view.raw_message import raw_table
 from fleet_tui.view.robot_log_rows import lines_of, robot_log_table
 from fleet_tui.view.table import Run, Table, cut, width_of
 from fleet_tui.view.topic_rows import topic_table
-from tests.fleets import LINK, R0, T0, fleet, link_lost, link_up, tick, told
+from tests.fleets import LINK, R0, T0, fleet, link_lost, link_up, of_kinds, tick, told
 from tests.view.test_hostile_text import TEXTS, WIDTHS, harmless
 
 POSE, GRAPH, MAP, BATTERY = "/robot_0/pose", "/robot_0/f/graph", "/robot_0/f/map", "/robot_0/battery"
@@ -278,3 +279,23 @@ def test_every_page_has_its_keys_and_what_was_said_takes_their_place() -> None:
         assert width_of(right) <= 75 and "back" in right[-1][0]
     left, right = foot_runs(keys, 3, "sent")
     assert left[0][0] == "sent" and right == []
+
+
+def test_a_topic_is_silent_after_its_own_time_and_never_where_it_comes_on_change() -> None:
+    slow = Kind("slow", silence={"battery": 60.0})
+    link = LinkCounter(
+        LINK,
+        [
+            TopicCounter(BATTERY, R0, "battery"),
+            TopicCounter(POSE, R0, "pose"),
+            TopicCounter("/robot_0/goals", R0, "queue", on_change=True),
+        ],
+    )
+    state = of_kinds(told(fleet(), link_up(T0)), slow)
+    state, links = seen(link, state)
+    assert row(topic_table(state, links, "", NOW), "goals").startswith("· on change")
+    for topic in link.topics.values():
+        topic.heard(b"x", False, NOW - 30.0)
+    table = topic_table(state, links, "", NOW)
+    states = {name: row(table, name).split("/")[0].strip() for name in ("battery", "pose", "goals")}
+    assert states == {"battery": "● live", "pose": "○ silent", "goals": "● came"}

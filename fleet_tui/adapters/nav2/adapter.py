@@ -11,8 +11,10 @@ from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.nav2 import reading
 from fleet_tui.adapters.nav2.answers import judge_cancel, judge_goal
 from fleet_tui.adapters.nav2.goals import cancel_all, cancel_call, cancel_own, order_goal
+from fleet_tui.adapters.nav2.probes import probes
 from fleet_tui.adapters.nav2.settings import Settings
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
+from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.facts import read_map
 from fleet_tui.adapters.ros.names import Names
@@ -30,6 +32,8 @@ from fleet_tui.model.robot import Robot
 
 GOALS = ("queue", "progress")
 """Values that come from the actions."""
+PLAN_MS = 1000
+"""Milliseconds between two paths, each of which may be long: only its end counts."""
 BATTERY_SILENCE = 60.0
 """Seconds after which a battery's word is old: some drivers publish it every ten seconds."""
 STATUS_TYPE = "action_msgs/GoalStatusArray"
@@ -101,6 +105,7 @@ class Nav2:
         yield from self._feed("battery", robot, slow)
         yield from self._feed("blocked", robot, slow._replace(rate_ms=0, silent=True))
         yield from self._feed("floor", robot, latched)
+        yield from self._feed("plan", robot, slow._replace(rate_ms=PLAN_MS, silent=True, on_demand=True))
         topic = self.names.profile.topics.get("map", VOCABULARY.topics["map"][0])
         of_map = latched._replace(silent=False, on_demand=True, large=True, is_shared="{robot}" not in topic)
         for floor in floors:
@@ -131,6 +136,10 @@ class Nav2:
         for key in ("pause", "resume"):
             if name := self.names.service(key, robot):
                 yield key, name, self.names.service_type(key)
+
+    def probes(self, robot: str) -> Iterable[Probe]:
+        """Return what decides whether such a robot can be driven."""
+        return probes(self.names, robot)
 
     def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Outgoing]:
         """Return what carries a command, in the order in which it must leave. Raises CommandError for one

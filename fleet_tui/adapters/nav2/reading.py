@@ -75,6 +75,7 @@ def read_battery(names: Names) -> Read:
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         charge = read(msg).percentage
         if charge is None or not math.isfinite(charge):
+            yield navigation_events.Unmeasured(robot, at, "battery")
             return
         percent = charge if scale is None else charge * scale
         if not 0.0 <= percent <= 101.0:

@@ -9,6 +9,7 @@ from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.oh_ressources.calls import call_of
 from fleet_tui.adapters.oh_ressources.reading import read_graph, read_labels, read_queue
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.facts import (
     Translate,
@@ -25,6 +26,15 @@ from fleet_tui.model.robot import Robot
 
 KEYS = ("pose", "queue", "obstacle", "battery", "cargo", "paused", "graph", "labels", "map_metadata", "map")
 """Topics, the most urgent first."""
+ABILITIES = {
+    "order": kind.ORDER,
+    "order_with_cargo": kind.ORDER_TO,
+    "cancel": kind.CANCEL,
+    "clear": kind.CLEAR,
+    "pause": kind.PAUSE,
+    "resume": kind.RESUME,
+}
+"""What each service is called for."""
 
 
 class OhRessources:
@@ -49,8 +59,13 @@ class OhRessources:
         self.kind = kind.Kind(
             "oh_ressources",
             tuple(key for key in KEYS if names.topic(key, "robot", "floor")),
-            (kind.ORDER, kind.ORDER_TO, kind.CANCEL, kind.CLEAR, kind.PAUSE, kind.RESUME),
+            tuple(asked for key, asked in ABILITIES.items() if names.service(key, "robot")),
             profile.silence,
+            {
+                asked: f"{names.table}.services.{key}"
+                for key, asked in ABILITIES.items()
+                if not names.service(key, "robot")
+            },
         )
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
@@ -70,7 +85,12 @@ class OhRessources:
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service, pauses first."""
         keys = sorted(VOCABULARY.services, key=lambda key: key != "pause")
-        return ((key, self.names.service(key, robot), self.names.service_type(key)) for key in keys)
+        named = ((key, self.names.service(key, robot), self.names.service_type(key)) for key in keys)
+        return (service for service in named if service[1])
+
+    def probes(self, robot: str) -> Iterable[Probe]:
+        """Topics and services tell everything."""
+        return ()
 
     def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Call]:
         """Return the call of a command. Raises CommandError for one that must not leave."""

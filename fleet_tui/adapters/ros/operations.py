@@ -3,9 +3,9 @@
 Written from what a real rosbridge_server 0.11 sends: see the transcripts in tests/wire.
 """
 
-import json
 import re
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -93,46 +93,54 @@ def decode(payload: bytes) -> Operation | None:
     Raises WireError for a frame that is no operation.
     """
     try:
-        frame = _decoder.decode(payload)
-        match frame.op:
-            case "publish":
-                return Publish(frame.topic, frame.msg)
-            case "service_response":
-                return ServiceResponse(frame.id or "", _values(frame.values), frame.result)
-            case "action_result":
-                return GoalResult(frame.id or "", _values(frame.values), frame.status, frame.result)
-            case "fragment":
-                return Fragment(frame.id or "", frame.data, frame.num, frame.total)
-            case "status":
-                text = _values(frame.msg)
-                return Status(frame.level, text if isinstance(text, str) else str(text))
+        return _decode_strictly(payload)
     except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as problem:
-        if (lenient := _decode_leniently(payload)) is not None:
-            return lenient
-        raise WireError(f"frame of {len(payload):,} bytes: {problem}") from None
+        reason = problem
+    if len(payload) <= LARGEST_LENIENT:
+        for without in (_without_bare, _without_spaced):
+            with suppress(msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
+                return _decode_strictly(without(payload))
+    raise WireError(f"frame of {len(payload):,} bytes: {reason}")
+
+
+def _decode_strictly(payload: bytes) -> Operation | None:
+    frame = _decoder.decode(payload)
+    match frame.op:
+        case "publish":
+            return Publish(frame.topic, frame.msg)
+        case "service_response":
+            return ServiceResponse(frame.id or "", _values(frame.values), frame.result)
+        case "action_result":
+            return GoalResult(frame.id or "", _values(frame.values), frame.status, frame.result)
+        case "fragment":
+            return Fragment(frame.id or "", frame.data, frame.num, frame.total)
+        case "status":
+            text = _values(frame.msg)
+            return Status(frame.level, text if isinstance(text, str) else str(text))
     return None
 
 
-# A bridge of ROS 2 writes these bare in arrays of fixed length, such as every covariance: that is no JSON.
-_BARE = re.compile(rb"[\[,:]\s*(?:NaN|-?Infinity)\b")
 LARGEST_LENIENT = 2**20
-"""Bytes of a frame that is read once more with them."""
+"""Bytes of a frame that is read once more without bare NaN and Infinity."""
+_BARE = tuple(
+    (before + word, before + b"null")
+    for word in (b"NaN", b"Infinity", b"-Infinity")
+    for before in (b",", b"[", b":")
+)
+_SPACED = re.compile(rb"(?<=[\[,:])\s*(?:NaN|-?Infinity)\b")
 
 
-def _decode_leniently(payload: bytes) -> Publish | ServiceResponse | None:
-    """Read a message or an answer with bare NaN or Infinity as plain values; None for anything else."""
-    if len(payload) > LARGEST_LENIENT or not _BARE.search(payload):
-        return None
-    try:
-        frame = json.loads(payload)
-    except (ValueError, RecursionError):
-        return None
-    match frame:
-        case {"op": "publish", "topic": str(topic)}:
-            return Publish(topic, frame.get("msg"))
-        case {"op": "service_response", "id": str(id_), "result": bool(result)}:
-            return ServiceResponse(id_, frame.get("values"), result)
-    return None
+def _without_bare(payload: bytes) -> bytes:
+    """Write null for what is no number: a bridge of ROS 2 writes it bare in arrays of fixed length, such as
+    every covariance, which is no JSON, and as null everywhere else. Ten times as fast as the expression."""
+    for word, null in _BARE:
+        payload = payload.replace(word, null)
+    return payload
+
+
+def _without_spaced(payload: bytes) -> bytes:
+    """The same for one that puts spaces before them."""
+    return _SPACED.sub(b"null", payload)
 
 
 def decode_cbor(payload: bytes) -> Operation | None:

@@ -60,7 +60,7 @@ class Reading:
     def count_anew(self) -> None:
         """Begin to count, as if nothing had come."""
         asked = [
-            TopicCounter(topic, one.robot, one.key, one.latched and not one.silent, one.on_demand)
+            TopicCounter(topic, one.robot, one.key, one.latched and not one.silent, one.on_demand, one.silent)
             for topic, one in self._feeds.items()
         ]
         # Large frames are read beside the loop: one count in a million may be lost, but nobody waits.

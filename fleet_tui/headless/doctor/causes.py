@@ -84,7 +84,9 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
 def _has_services(adapter: Adapter, robot: str, rosapi: Rosapi) -> bool:
     """Tell whether a robot has services by the names of the profile, or others: those are told one by one."""
     known = {name for _, name, _ in adapter.services(robot)}
-    return any(service in known or service.startswith(f"/{robot}/") for service in rosapi.services)
+    return not known or any(
+        service in known or service.startswith(f"/{robot}/") for service in rosapi.services
+    )
 
 
 def _silent_nodes(facts: BridgeFacts, explained: Collection[str]) -> Iterator[Cause]:
@@ -127,7 +129,7 @@ def _silent_node(facts: BridgeFacts, node: str, topics: list[TopicFacts], robots
 
 def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:
     rosapi = facts.rosapi
-    listened = [one for one in facts.topics if one.is_silent or one.count]
+    listened = [one for one in facts.topics if one.count or one.is_silent]
     package = unsourced_package(
         Listening(one.wanted.robot, _type(facts, one), _publishers(facts, one), bool(one.count))
         for one in listened

@@ -41,6 +41,14 @@ class Rosapi:
         words = ("does not answer", "Unable to communicate with service", "Timeout exceeded")
         return any(word in self.problem for word in words)
 
+    def lists_action_of(self, topic: str) -> bool:
+        """Whether a hidden topic's action server is there."""
+        return is_hidden(topic) and topic.partition("/_action/")[0] in self.actions
+
+    def lacks_action_of(self, topic: str) -> bool:
+        """Whether a hidden topic's action server is known not to be there."""
+        return is_hidden(topic) and bool(self.actions) and not self.lists_action_of(topic)
+
     def has(self, topic: str) -> bool:
         """Whether a topic is there to be heard: every open console keeps the names of its own listed. The
         topics of actions never are."""
@@ -81,8 +89,10 @@ class TopicFacts:
 
     @property
     def is_silent(self) -> bool:
-        """Tell whether nothing came in a time that means anything."""
-        return not self.count and self.waited >= LONG_ENOUGH and not self.wanted.silent
+        """Tell whether nothing came in a time that means anything. Of what speaks only on change that is so
+        where the bridge complains."""
+        means = not self.wanted.silent or bool(self.complaint)
+        return not self.count and self.waited >= LONG_ENOUGH and means
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +100,7 @@ class BridgeFacts:
     """Everything about one bridge that answers. `round_trips` in seconds, `busy_trips` those while all topics
     came; `ahead`: by how many seconds its clock is ahead of ours, None where it does not say; `lost`: why the
     link ended meanwhile; `behind`: by how many seconds we ourselves were late at most; `adapters` by
-    robot."""
+    robot; `answers` of the services that probes ask, by name."""
 
     name: str
     rosapi: Rosapi
@@ -101,7 +111,18 @@ class BridgeFacts:
     busy_trips: tuple[float, ...] = ()
     behind: float = 0.0
     adapters: Mapping[str, Adapter] = field(default_factory=dict)
+    answers: Mapping[str, object] = field(default_factory=dict)
 
     def of(self, robot: str) -> list[TopicFacts]:
         """A robot's topics."""
         return [facts for facts in self.topics if robot in facts.wanted.robots]
+
+    def knows(self, robot: str) -> bool:
+        """Whether the bridge knows anything of a robot; true where it can't be asked."""
+        own = [one for one in self.of(robot) if not one.wanted.is_shared]
+        return bool(self.rosapi.problem) or any(
+            one.count or self.rosapi.lists_action_of(one.topic) or self._has(one.topic) for one in own
+        )
+
+    def _has(self, topic: str) -> bool:
+        return self.rosapi.has(topic) and not is_hidden(topic)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from fleet_tui.config.schema import Config, FloorEntry
+from fleet_tui.config.schema import Config, FloorEntry, RobotEntry
 from fleet_tui.headless.doctor.charts import OFF_MAP, Chart, charts_of, class_at, live_grid
 from fleet_tui.headless.doctor.facts import TopicFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
@@ -12,6 +12,7 @@ from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReporte
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.navigation_events import LocalisationReported
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN
 
 
@@ -23,16 +24,17 @@ class FloorFiles(NamedTuple):
 
 
 def floor_findings(
-    config: Config, floor: FloorEntry, files: FloorFiles, topics: list[TopicFacts]
+    config: Config, floor: FloorEntry, files: FloorFiles, mute: list[RobotEntry], topics: list[TopicFacts]
 ) -> Iterator[Finding]:
-    """The floor's map, then what each different chart says of it."""
+    """The floor's map, then what each different chart says of it. `mute`: robots that publish no graph."""
     loaded, file = files
     grid = loaded.grid if loaded else live_grid(floor.name, topics)
     yield _map(floor, loaded, grid)
     charts = charts_of(floor.name, topics)
-    if file is not None:
-        yield graph_file_finding(floor, file)
-        if file.graph is not None:
+    needing = [robot for robot in mute if floor.name in config.floors_of(robot)]
+    if file is not None or needing:
+        yield graph_file_finding(floor, file, len(needing))
+        if file is not None and file.graph is not None:
             charts.append((Chart(file.graph, file.labels), [floor.graph]))
     for chart, robots in charts:
         by = f" by {listed(robots)}" if len(charts) > 1 else ""
@@ -127,10 +129,15 @@ def _vertices(
     return Finding(floor.name, "vertices", Verdict.OK, f"{count}, all on free ground")
 
 
+Placed = PoseReported | LocalisationReported
+
+
 def place_finding(
-    config: Config, pose: PoseReported, grids: Mapping[str, OccupancyGrid | None], floors: list[str]
+    config: Config, pose: Placed, grids: Mapping[str, OccupancyGrid | None], floors: list[str], told: str
 ) -> Finding:
-    """Whether a robot stands on a map it knows."""
+    """Whether a robot stands on a map it knows. `told`: its floor, where its frame means none."""
+    if isinstance(pose, LocalisationReported):
+        return _place_on(pose, grids, floors, told)
     frame = pose.frame_id.lstrip("/")
     floor = next((floor for floor in config.floors if floor.frame == frame), None)
     if floor is None:
@@ -138,11 +145,20 @@ def place_finding(
         remedy = f'give the floor it is on frame_id = "{frame}"' + (f" ({near[0]} is near)" if near else "")
         measured = f"its poses are in frame {pose.frame_id!r}, which is no floor's"
         return Finding(pose.robot, "place", Verdict.FAIL, measured, remedy)
-    at = f"({pose.pose.x:.2f}, {pose.pose.y:.2f}) on {floor.name}"
-    if floor.name not in floors:
-        remedy = f"add {floor.name} to its floors in the config"
+    return _place_on(pose, grids, floors, floor.name)
+
+
+def _place_on(
+    pose: Placed, grids: Mapping[str, OccupancyGrid | None], floors: list[str], floor: str
+) -> Finding:
+    at = f"({pose.pose.x:.2f}, {pose.pose.y:.2f}) on {floor or 'a floor that is not known'}"
+    if not floor:
+        remedy = 'give it its floor ([[robots]] floors = ["NAME"]), or [profile.topics] floor'
+        return Finding(pose.robot, "place", Verdict.WARN, at, remedy)
+    if floor not in floors:
+        remedy = f"add {floor} to its floors in the config"
         return Finding(pose.robot, "place", Verdict.WARN, f"{at}, which is not among its floors", remedy)
-    grid = grids.get(floor.name)
+    grid = grids.get(floor)
     if grid is None:
         return Finding(pose.robot, "place", Verdict.SKIPPED, f"{at}, and no map to look it up on")
     ground = class_at(grid, pose.pose.x, pose.pose.y)

@@ -2,9 +2,10 @@
 
 import asyncio
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from fleet_tui.adapters.adapter import Adapter, Feed
+from fleet_tui.adapters.probes import QueryProbe
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
@@ -48,6 +49,7 @@ async def _look_up(
     named = [one.address for one in wanted]
     robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
     services = [service for robot in robots for _, service, _ in adapters[robot].services(robot)]
+    services += [query.service for query in _queries(robots, adapters)]
     rosapi = await ask_publishers(wire, rosapi, named, until)
     rosapi = await ask_services(wire, rosapi, services, until)
     if all(map(rosapi.has, named)):
@@ -62,6 +64,32 @@ async def _look_up(
     return await ask_publishers(wire, rosapi, others, until)
 
 
+def _queries(robots: Iterable[str], adapters: Mapping[str, Adapter]) -> list[QueryProbe]:
+    probes = [probe for robot in robots for probe in adapters[robot].probes(robot)]
+    return [probe for probe in probes if isinstance(probe, QueryProbe)]
+
+
+async def _ask_robots(
+    wanted: list[Feed], adapters: Mapping[str, Adapter], wire: Wire, rosapi: Rosapi, until: float
+) -> dict[str, object]:
+    """Ask the services of which only the type is known for sure: of another one `{}` may be a command."""
+
+    async def answer(query: QueryProbe) -> object:
+        try:
+            return await wire.call(query.service, query.args, min(ANSWER_WITHIN, until - time.monotonic()))
+        except LinkError:
+            return f"no answer within {ANSWER_WITHIN:g} s"
+
+    robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
+    queries = [
+        query
+        for query in _queries(robots, adapters)
+        if same_type(rosapi.services.get(query.service) or "", query.type) and time.monotonic() < until
+    ]
+    answers = await asyncio.gather(*map(answer, queries))
+    return {query.service: found for query, found in zip(queries, answers, strict=True)}
+
+
 async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeFacts:
     """Everything about a bridge that answers, by the monotonic `until`: questions and topics side by side."""
     trips = await measure_calls(wire, until)
@@ -73,7 +101,10 @@ async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeF
     if not rosapi.problem:
         ahead = await clock_ahead(wire)
         rosapi = await _look_up(wanted, adapters, wire, rosapi, until)
+    answers = await _ask_robots(wanted, adapters, wire, rosapi, until)
     busy = () if listening.done() else await measure_calls(wire, until, BETWEEN)
     heard = await listening
     lost = wire.lost or heard.lost
-    return BridgeFacts(name, rosapi, tuple(heard.topics), trips, ahead, lost, busy, heard.behind, adapters)
+    return BridgeFacts(
+        name, rosapi, tuple(heard.topics), trips, ahead, lost, busy, heard.behind, adapters, answers
+    )

@@ -10,8 +10,17 @@ from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import natural
 
 
-def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded) -> Finding:
-    """Whether all of the graph's file could be read."""
+def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing: int) -> Finding:
+    """Whether there is a file with the graph where robots need one, and all of it could be read."""
+    if file is None:
+        absent = (
+            f"none, and {needing} of its robots publish{'es' * (needing == 1)} no graph: no place has a name"
+        )
+        remedy = "give floors.graph of this floor: a route graph of Nav2 (GeoJSON)"
+        return Finding(floor.name, "graph file", Verdict.WARN, absent, remedy)
+    if file.graph is not None and not needing:
+        unused = f"{floor.graph} is for nobody: every robot of the floor publishes its graph"
+        return Finding(floor.name, "graph file", Verdict.WARN, unused, "take floors.graph away")
     if file.graph is None:
         remedy = "correct floors.graph of this floor"
         return Finding(floor.name, "graph file", Verdict.FAIL, file.problem, remedy)

@@ -50,7 +50,7 @@ async def listen(
 ) -> Listened:
     """Listen to all topics together until each has said enough, or the time is over. `adapters` by robot;
     `drawn`: floors whose live map nobody needs."""
-    asked = list(_worth_hearing(wanted, rosapi.topics, drawn))
+    asked = list(_worth_hearing(wanted, rosapi, drawn))
     count = -(-len(asked) // SHARE)
     wires = [Wire(bridge, adapters) for _ in range(count)]
     try:
@@ -68,14 +68,16 @@ async def listen(
 
 
 def _worth_hearing(
-    wanted: Iterable[Feed], types: Mapping[str, str], drawn: Iterable[str]
+    wanted: Iterable[Feed], rosapi: Rosapi, drawn: Iterable[str]
 ) -> Iterator[tuple[Feed, str]]:
     """What may be subscribed to, with the bridge's spelling of its type. With a wrong type, or before it
     is there, a topic would be spoiled for every client. Of a floor one live map is enough, and none where
     it is drawn already."""
-    floors = set(drawn)
+    floors, types = set(drawn), rosapi.topics
     for one in wanted:
         topic, type_ = one.address, one.type
+        if rosapi.lacks_action_of(topic):
+            continue
         if types and not is_hidden(topic) and not same_type(types.get(topic, ""), type_):
             continue
         if one.large:
@@ -104,7 +106,7 @@ async def _wait(wire: Wire, topics: list[Feed], until: float) -> None:
         asleep = time.monotonic()
         await asyncio.sleep(LOOK_EVERY)
         wire.behind = max(wire.behind, time.monotonic() - asleep - LOOK_EVERY)
-        enough = all(wire.heard[one.address].count >= _enough(one) for one in topics)
+        enough = all(wire.heard[one.address].count >= _enough(one) for one in topics if not _may_wait(one))
         if enough and time.monotonic() > least:
             return
 
@@ -131,7 +133,7 @@ async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) ->
     """
     if rosapi.ros == 1 or until - time.monotonic() < 2 * FIRST_TRY:
         return
-    floors = [(one, type_) for one, type_ in topics if one.latched]
+    floors = [(one, type_) for one, type_ in topics if one.latched and not _may_wait(one)]
     await _wait(wire, [one for one, _ in floors], time.monotonic() + FIRST_TRY)
     silent = [(one, type_) for one, type_ in floors if _is_silent(wire, one)]
     if not silent:
@@ -151,6 +153,11 @@ async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) ->
 def _is_silent(wire: Wire, wanted: Feed) -> bool:
     heard = wire.heard[wanted.address]
     return not heard.count and not heard.fragmented
+
+
+def _may_wait(wanted: Feed) -> bool:
+    """Tell whether nothing need come of it now: before something changes, or a goal is given."""
+    return wanted.silent and (not wanted.latched or is_hidden(wanted.address))
 
 
 def _enough(wanted: Feed) -> int:

@@ -13,6 +13,7 @@ from typing import assert_never
 from msgspec import structs
 
 from fleet_tui.config.access import unsafe_places
+from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.headless.doctor.approach import Approach
@@ -24,6 +25,7 @@ from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
 from fleet_tui.headless.doctor.gather import gather
 from fleet_tui.headless.doctor.names import spelling_finding
+from fleet_tui.headless.doctor.probing import bridge_probes, probe_findings
 from fleet_tui.headless.doctor.render import as_values, line, summary
 from fleet_tui.headless.doctor.services import service_findings
 from fleet_tui.headless.doctor.terminal import terminal_findings
@@ -31,6 +33,8 @@ from fleet_tui.headless.doctor.topics import robot_findings
 from fleet_tui.headless.doctor.wire import Wire
 from fleet_tui.maps.floor_files import load_floors
 from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.navigation_events import FloorReported, LocalisationReported
 from fleet_tui.transports.loop import network_loop
 
 FINE, BROKEN, NO_LINK = 0, 1, 3
@@ -77,6 +81,7 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
     if facts.lost:
         remedy = "see the log of rosbridge: the rest was measured on what came before"
         yield Finding(facts.name, "link", Verdict.FAIL, f"it broke while measuring: {facts.lost}", remedy)
+    yield from bridge_probes(facts)
     spelling = spelling_finding(config, facts)
     if spelling is not None:
         yield spelling
@@ -87,22 +92,37 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
         yield from robot_findings(config, robot, facts, causes)
     for robot in robots:
         yield from service_findings(robot.name, facts, causes)
+        yield from probe_findings(robot.name, facts)
 
 
 def building_findings(
     config: Config, part: Config, loaded: dict[str, FloorFiles], topics: list[TopicFacts]
 ) -> Iterator[Finding]:
     """What floors, maps and places are judged by, over all bridges."""
-    grids = {}
+    grids, adapters = {}, adapters_of(part)
+    mute = [robot for robot in part.robots if "graph" not in adapters[robot.name].kind.reports]
     for floor in part.floors:
         files = loaded.get(floor.name, FloorFiles())
-        yield from floor_findings(config, floor, files, topics)
+        yield from floor_findings(config, floor, files, mute, topics)
         charts = [chart for chart, _ in charts_of(floor.name, topics) if chart.frame] or [Chart()]
         grids[floor.name] = placed_grid(files.map, topics, floor.name, charts[0])
+    yield from _places(config, grids, topics)
+
+
+def _places(
+    config: Config, grids: dict[str, OccupancyGrid | None], topics: list[TopicFacts]
+) -> Iterator[Finding]:
+    """Where each robot stands that tells it."""
     floors_of = {robot.name: config.floors_of(robot) for robot in config.robots}
+    told = {
+        one.robot: one.floor for one in (facts.event for facts in topics) if isinstance(one, FloorReported)
+    }
     for facts in topics:
-        if isinstance(facts.event, PoseReported):
-            yield place_finding(config, facts.event, grids, floors_of[facts.wanted.robot])
+        pose = facts.event
+        if isinstance(pose, PoseReported | LocalisationReported):
+            floors = floors_of[pose.robot]
+            alone = floors[0] if len(floors) == 1 else ""
+            yield place_finding(config, pose, grids, floors, told.get(pose.robot, alone))
 
 
 def _bridges(whole: Config, config: Config, until: float, take: Take) -> Iterator[BridgeFacts]:

@@ -7,14 +7,13 @@ from fleet_tui.headless.doctor.causes import Cause
 from fleet_tui.headless.doctor.facts import BridgeFacts
 from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.names import near_service
-from fleet_tui.headless.doctor.topics import is_there
 
 
 def service_findings(robot: str, facts: BridgeFacts, causes: Sequence[Cause]) -> Iterator[Finding]:
     """One finding for each service, one for all where they can't be looked up."""
     if facts.rosapi.problem:
         yield Finding(robot, "services", Verdict.SKIPPED, "without rosapi only a command would show them")
-    elif not is_there(robot, facts):
+    elif not facts.knows(robot):
         yield Finding(robot, "services", Verdict.SKIPPED, "not on this bridge: see above")
     else:
         called = list(facts.adapters[robot].services(robot))

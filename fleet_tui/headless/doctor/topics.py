@@ -23,25 +23,21 @@ def robot_findings(
     first = _robot(config, robot, topics, facts, causes)
     yield first
     for one in topics:
+        if one.wanted.robot != robot.name:  # several share it: it is told of the first
+            continue
         cause = next((cause for cause in causes if one.topic in cause.topics), None)
         if cause is not None:
             yield _finding(one, Verdict.SKIPPED, f"{cause.short}: see above")
-        elif first.is_failure and (not one.wanted.floor or not is_there(robot.name, facts)):
+        elif first.is_failure and (not one.wanted.floor or not facts.knows(robot.name)):
             yield _finding(one, Verdict.SKIPPED, f"{first.measured.partition(':')[0]}: see above")
-        else:
+        elif one.count or one.complaint or not facts.rosapi.lacks_action_of(one.topic):
             yield _topic(config, one, facts)
-
-
-def is_there(robot: str, facts: BridgeFacts) -> bool:
-    """Whether the bridge knows anything of a robot; true where it can't be asked."""
-    rosapi = facts.rosapi
-    return bool(rosapi.problem) or any(one.count or rosapi.has(one.topic) for one in facts.of(robot))
 
 
 def _robot(
     config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts, causes: Sequence[Cause]
 ) -> Finding:
-    if not is_there(robot.name, facts):
+    if not facts.knows(robot.name):
         known = {other.name for other in config.robots}
         others = nearest(robot.name, robots_on(facts.adapters[robot.name].names, facts.rosapi) - known)
         remedy = f"did you mean {listed(others)}? Correct its name" if others else "correct its name"
@@ -194,11 +190,13 @@ def _asked_again(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
 
 def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
     key = facts.wanted.key
-    had_time = facts.waited >= LONG_ENOUGH
+    had_time = facts.waited >= LONG_ENOUGH and not facts.complaint
+    if had_time and rosapi.lists_action_of(facts.topic):
+        return Verdict.OK, "its action server is there; nothing comes before the first goal", ""
     if had_time and is_hidden(facts.topic):
         return Verdict.SKIPPED, "an action's: it is in no list, and nothing comes before the first goal", ""
     if had_time and facts.wanted.silent:
-        return Verdict.SKIPPED, f"nothing came in {facts.waited:.1f} s: it comes only when it changes", ""
+        return Verdict.OK, f"nothing came in {facts.waited:.1f} s: it comes only when it changes", ""
     if not facts.is_silent:
         return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
     nodes = rosapi.publishers.get(facts.topic)
@@ -222,7 +220,7 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
 
 def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Verdict, str, str]:
     fields = "correct [profile.fields], or the node that publishes it"
-    if facts.event is None:
+    if facts.event is None and facts.faults:
         return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
     if facts.faults:
         return Verdict.FAIL, f"{facts.faults} parts can't be read: {facts.problem}", fields
@@ -230,7 +228,7 @@ def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Ver
         return Verdict.OK, f"came {facts.first_after or 0.0:.2f} s after a late subscribe", ""
     age = f"last {facts.age or 0.0:.1f} s ago"
     measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
-    if facts.wanted.key == "pose" and (facts.rate or 0.0) < SLOWEST_POSES:
+    if facts.wanted.fast and (facts.rate or 0.0) < SLOWEST_POSES:
         if falls_behind(bridge):
             return Verdict.SKIPPED, f"{measured}: the bridge falls behind, see its load above", ""
         slow = f"{measured}: poses should come with about 10 Hz"

@@ -1,4 +1,4 @@
-"""A connection of the doctor's own. It subscribes and calls /rosapi/*, and nothing else."""
+"""A connection of the doctor's own. It subscribes, and calls /rosapi/* and what adapters name as queries."""
 
 import asyncio
 import re
@@ -20,6 +20,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.headless.doctor.facts import TopicFacts
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
+from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.transports.rosbridge.connection import Connection
 
 HEAVY_BYTES = 100_000
@@ -66,7 +67,7 @@ class Heard:
         self.event = event
         if isinstance(event, GraphReceived) and event.faults:
             self.faults, self.problem = self.faults + event.faults, event.fault
-        if isinstance(event, PoseReported) and event.stamp is not None:
+        if isinstance(event, PoseReported | OdometryReported) and event.stamp is not None:
             lag = time.time() - (time.monotonic() - at) - event.stamp
             self.lag = lag if self.lag is None else min(self.lag, lag)
             self.late = lag - self.lag
@@ -122,7 +123,7 @@ class Wire:
         return self.lost
 
     async def call(self, service: str, args: Mapping[str, object], within: float) -> object:
-        """The answer of a service of rosapi, a string where it fails. Raises LinkError without an answer."""
+        """The answer of a service, a string where it fails. Raises LinkError without an answer."""
         if self.lost:
             raise LinkError(self.lost)
         return (await self._calls.call(service, args, within)).values

@@ -245,18 +245,27 @@ def test_no_frame_of_a_bridge_of_ros_2_is_dropped_or_misread(name: str) -> None:
             assert isinstance(operation, Publish) and operation.topic == frame["topic"]
             raw = isinstance(operation.msg, msgspec.Raw)
             said = json.loads(bytes(operation.msg)) if raw else operation.msg
-            assert repr(said) == repr(frame["msg"])
+            assert said == _without_nan(frame["msg"])
         elif frame["op"] == "service_response":
             assert operation == ServiceResponse(frame["id"], frame["values"], frame["result"])
     assert bool(cut_up) is ("fragments" in name)
 
 
-def test_bare_numbers_that_are_no_json_are_read_as_they_are_meant() -> None:
+def _without_nan(value: Any) -> Any:
+    """What a bridge would have written in a field: null."""
+    if isinstance(value, dict):
+        return {key: _without_nan(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_without_nan(one) for one in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def test_bare_numbers_that_are_no_json_are_read_as_null() -> None:
     read = decode(b'{"op":"publish","topic":"/a","msg":{"c":[NaN,-Infinity, Infinity,1.5],"t":"NaN"}}')
     assert isinstance(read, Publish)
-    assert repr(read.msg) == repr({"c": [math.nan, -math.inf, math.inf, 1.5], "t": "NaN"})
+    assert json.loads(bytes(read.msg)) == {"c": [None, None, None, 1.5], "t": "NaN"}
     answer = decode(b'{"op":"service_response","id":"c","values":{"x":NaN},"result":true}')
-    assert isinstance(answer, ServiceResponse) and repr(answer.values) == "{'x': nan}"
+    assert isinstance(answer, ServiceResponse) and answer.values == {"x": None}
     for bad in (b'{"op":"publish","topic":"/a","msg":[NaN}', b'{"op":"publish","topic":7,"msg":[NaN]}'):
         with pytest.raises(WireError):
             decode(bad)

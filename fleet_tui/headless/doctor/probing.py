@@ -1,0 +1,82 @@
+"""What is said of the probes of each robot's kind. Pure."""
+
+from collections.abc import Iterator
+from typing import assert_never
+
+from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, HeardProbe, QueryProbe
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.headless.doctor.facts import LONG_ENOUGH, BridgeFacts
+from fleet_tui.headless.doctor.finding import Finding, Verdict, nearest
+
+VERDICTS = {"ok": Verdict.OK, "warn": Verdict.WARN, "fail": Verdict.FAIL}
+
+
+def bridge_probes(facts: BridgeFacts) -> Iterator[Finding]:
+    """Judge the bridge once for each kind behind it that has a word on it."""
+    if facts.rosapi.problem:
+        return
+    probes = [probe for robot, adapter in facts.adapters.items() for probe in adapter.probes(robot)]
+    for probe in dict.fromkeys(probe for probe in probes if isinstance(probe, BridgeProbe)):
+        yield _judged(facts.name, probe.check, probe.judge(facts.rosapi.ros, facts.rosapi.distro))
+
+
+def probe_findings(robot: str, facts: BridgeFacts) -> Iterator[Finding]:
+    """Judge what a robot's kind wants looked at, of a robot that is there."""
+    if not facts.knows(robot):
+        return
+    for probe in facts.adapters[robot].probes(robot):
+        match probe:
+            case ActionProbe():
+                yield _action(robot, probe, facts)
+            case QueryProbe():
+                yield _query(robot, probe, facts)
+            case HeardProbe():
+                yield from _heard(robot, probe, facts)
+            case BridgeProbe():
+                pass
+            case _:
+                assert_never(probe)
+
+
+def _judged(subject: str, check: str, diagnosis: Diagnosis, **values: object) -> Finding:
+    return Finding(subject, check, VERDICTS[diagnosis.level], diagnosis.measured, diagnosis.remedy, values)
+
+
+def _action(robot: str, probe: ActionProbe, facts: BridgeFacts) -> Finding:
+    rosapi, values = facts.rosapi, {"action": probe.action}
+    if rosapi.problem or not rosapi.actions:
+        unknown = "without a list of action servers only a goal would show it"
+        return Finding(robot, probe.check, Verdict.SKIPPED, unknown, values=values)
+    if probe.action in rosapi.actions:
+        return Finding(robot, probe.check, Verdict.OK, f"{probe.action} is there", values=values)
+    near = nearest(probe.action, rosapi.actions, 1)
+    remedy = f"did you mean {near[0]}? Else {probe.remedy}" if near else probe.remedy
+    return Finding(robot, probe.check, Verdict.FAIL, f"no action server {probe.action}", remedy, values)
+
+
+def _query(robot: str, probe: QueryProbe, facts: BridgeFacts) -> Finding:
+    rosapi, values = facts.rosapi, {"service": probe.service}
+    if probe.service in facts.answers:
+        return _judged(robot, probe.check, probe.judge(facts.answers[probe.service]), **values)
+    if rosapi.problem:
+        return Finding(robot, probe.check, Verdict.SKIPPED, "without rosapi it is not asked", values=values)
+    if probe.service not in rosapi.services:
+        absent = f"{probe.service} is not on the bridge"
+        return Finding(robot, probe.check, Verdict.WARN, absent, probe.remedy, values)
+    there = rosapi.services[probe.service]
+    if there is None or same_type(there, probe.type):
+        late = "no time was left to ask for it"
+        return Finding(robot, probe.check, Verdict.SKIPPED, late, "a longer --timeout", values, True)
+    other = f"{probe.service} has type {there or 'none that is told'}, not {probe.type}: it is not called"
+    return Finding(robot, probe.check, Verdict.WARN, other, probe.remedy, values)
+
+
+def _heard(robot: str, probe: HeardProbe, facts: BridgeFacts) -> Iterator[Finding]:
+    """Judge what came, of a robot that speaks; what can't be read is told as a topic."""
+    topics = facts.of(robot)
+    for one in topics if any(one.count for one in topics) else ():
+        fits = one.wanted.key == probe.key and (one.count or one.waited >= LONG_ENOUGH)
+        if fits and not (one.faults and one.event is None):
+            diagnosis = probe.judge(one.count, one.event)
+            if diagnosis is not None:
+                yield _judged(robot, probe.check, diagnosis)

@@ -1,0 +1,40 @@
+"""P17: the console with 50 robots with Nav2 against the same with 50 of the source's robots, in one run.
+
+Run: python -m tests.bench.bench_nav2
+"""
+
+import time
+
+from tests.bench.in_pty import console, simulator
+from tests.bench.rows import Row, row
+
+ROBOTS = 50
+SETTLE, SECONDS = 6.0, 20.0
+AT_MOST = 1.0
+"""Times what the same number of the source's robots cost."""
+
+
+def busy(kind: str) -> tuple[float, float]:
+    """Per cent of a core: screen thread and process."""
+    with simulator(ROBOTS, kind=kind) as url, console(url, ROBOTS, kind=kind) as terminal:
+        terminal.wait_for(f"{ROBOTS} of {ROBOTS} online")
+        time.sleep(SETTLE)
+        start, before = time.monotonic(), terminal.cpu()
+        time.sleep(SECONDS)
+        after, seconds = terminal.cpu(), time.monotonic() - start
+    screen, process = ((late - early) / seconds * 100 for early, late in zip(before, after, strict=True))
+    return screen, process
+
+
+def main() -> list[Row]:
+    ours, source = busy("nav2"), busy("oh_ressources")
+    what, against = f"{ROBOTS} robots with Nav2: ", f"{ROBOTS} of the source's"
+    return [
+        row("P17", what + "screen thread", ours[0], "%", None, source[0], against),
+        row("P17", what + "process", ours[1], "%", None, source[1], against),
+        row("P17", what + "process, times that of the source's", ours[1] / source[1], "x", AT_MOST),
+    ]
+
+
+if __name__ == "__main__":
+    main()
