@@ -54,11 +54,11 @@ class Site:
 
 @asynccontextmanager
 async def nav2_site(
-    folder: Path, robots: int = 2, floors: int = 1, speed: float = SPEED
+    folder: Path, robots: int = 2, floors: int = 1, speed: float = SPEED, rate: float = 50.0
 ) -> AsyncIterator[Site]:
     """Run a site; the graph files are in the folder."""
     fleet = Nav2Fleet(robots, floors, seed=1, quiet=True)
-    server = RosbridgeServer(fleet, rate=50.0, speed=speed, dialect=ROS2)
+    server = RosbridgeServer(fleet, rate=rate, speed=speed, dialect=ROS2)
     await server.start()
     server.started -= LONG_AGO
     try:

@@ -18,9 +18,17 @@ Goals = Mapping[str, tuple[Goal, ...]]
 """The goals of each action."""
 
 
-def with_reported(known: Goals, action: str, reported: Sequence[Goal], at: float) -> Goals:
-    """Return the goals after an action server has listed its own, oldest first."""
+def with_reported(
+    known: Goals, action: str, reported: Sequence[Goal], at: float, is_whole: bool = True
+) -> Goals:
+    """Return the goals after an action server has listed its own, oldest first; what is missing in a list
+    that is not whole stays as it was."""
     before = {goal.uuid: goal for goal in known.get(action, ())}
+    if not is_whole:
+        reported = [
+            *(goal for id_, goal in before.items() if id_ not in {one.uuid for one in reported}),
+            *reported,
+        ]
     is_first = action not in known
     serial = max((goal.serial for goals in known.values() for goal in goals), default=0)
     merged = list[Goal]()

@@ -92,7 +92,7 @@ def _take_localisation(robot: Robot, event: navigation_events.LocalisationReport
 
 
 def _take_goals(robot: Robot, event: navigation_events.GoalsReported) -> Robot:
-    goals = with_reported(robot.goals, event.action, event.goals, event.at)
+    goals = with_reported(robot.goals, event.action, event.goals, event.at, not event.fault)
     return _with_queue(replace(robot, goals=goals), event.at, event.fault)
 
 

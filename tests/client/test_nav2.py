@@ -97,6 +97,14 @@ async def test_a_goal_of_another_client_is_shown_and_can_be_stopped(site: Site) 
         assert (gone.order.id, gone.stage) == (order.id, Stage.CANCELLED)
 
 
+async def test_where_a_goal_of_another_client_leads_to_its_path_tells(site: Site) -> None:
+    site.server.speed = 1.0
+    site.navigation().give(*FAR)
+    async with linked(site.config) as (_, store):
+        target = (Stop(site.vertex("Consumidores")),)
+        await store.until(lambda state: [one.stops for one in state.robots[R0].orders.open] == [target])
+
+
 async def test_a_goal_that_was_there_before_is_never_taken_for_ours(site: Site) -> None:
     site.navigation().give(*FAR)
     async with linked(site.config) as (link, store):

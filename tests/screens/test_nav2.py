@@ -6,7 +6,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from tests.console_pilot import Console, console
-from tests.nav2_site import Site, placed
+from tests.nav2_site import Holds, Site, placed
 
 R0 = "robot_0"
 WIDE = (220, 40)
@@ -20,7 +20,7 @@ async def order(it: Console, *places: str) -> None:
         await it.press("enter")
 
 
-def of_order(stage: Stage, n: int = 0) -> object:
+def of_order(stage: Stage, n: int = 0) -> Holds:
     return lambda state: len(placed(state)) > n and placed(state)[n].stage is stage
 
 
@@ -30,9 +30,8 @@ async def test_map_graph_and_robots_are_on_the_screen(site: Site) -> None:
         await it.shows("robot_1", "fleet")
         assert "floor_0" in it.text and "0 alarms" in it.text
         await it.until(lambda state: state.robots[R0].charts["floor_0"].grid)
-        assert "⣿" in it.pane("map") or "⠤" in it.pane("map") or "⣀" in it.pane("map")
-        battery = site.navigation().robot.battery
-        await it.shows(f"{battery:.0f}", "fleet")
+        await it.shows("⣀⣀⣀", "map")
+        await it.shows("%", "fleet")
 
 
 async def test_what_such_robots_lack_is_nowhere(site: Site) -> None:
@@ -44,7 +43,7 @@ async def test_what_such_robots_lack_is_nowhere(site: Site) -> None:
         assert "cargo" not in it.text.lower()
         await it.press("escape")
         await it.press("w")
-        await it.shows("idle")
+        await it.shows("likeliest: no orders")
         assert "cargo" not in it.text.lower() and "never came" not in it.text
 
 
@@ -109,9 +108,7 @@ async def test_a_goal_of_another_client_is_shown_as_such_and_stopped(site: Site)
     site.navigation().give(35.0, 20.0)
     async with console(site.config, WIDE) as it:
         await it.shows("(not ours)", "queue")
-        await it.press("w")
-        await it.shows("not given by this console")
-        await it.press("escape", "x", "y")
+        await it.press("x", "y")
         await it.until(lambda state: not state.robots[R0].orders.open)
         assert not site.navigation().servers[TO_POSE].running
 
