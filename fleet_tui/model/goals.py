@@ -32,7 +32,7 @@ def with_reported(
     is_first = action not in known
     serial = max((goal.serial for goals in known.values() for goal in goals), default=0)
     merged = list[Goal]()
-    for goal in reported[-MOST_ORDERS:]:
+    for goal in list({goal.uuid: goal for goal in reported}.values())[-MOST_ORDERS:]:
         old = before.get(goal.uuid)
         if old is None:
             serial += 1
