@@ -177,3 +177,6 @@ class Nav2:
         if isinstance(values, dict) and "success" in values:
             return judge(command, values, result, ())
         return judge_cancel(command, values, result)
+
+
+ADAPTER = Nav2
