@@ -154,7 +154,8 @@ def short_id(uuid: str) -> str:
         found = base64.b64decode(uuid, validate=True)
     except (binascii.Error, ValueError):
         found = b""
-    if len(found) != 16:
+    # Sixteen zeros stand for all goals: a cancellation of that one would be of all.
+    if len(found) != 16 or not any(found):
         raise WireError(f"goal_id.uuid: {brief(uuid, LONGEST_NAME)!r} is no id of 16 bytes")
     return found.hex()[:8]
 
