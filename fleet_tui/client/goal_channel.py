@@ -2,6 +2,7 @@
 connection until its goal has ended."""
 
 import asyncio
+import itertools
 import logging
 import time
 from collections.abc import Callable, Mapping
@@ -34,6 +35,7 @@ class GoalChannel:
         self._opened = asyncio.Event()
         self._reason = ""
         self._commands: dict[str, int] = {}
+        self._numbers = itertools.count(1)
         self.connection.connect()
 
     async def send(self, command_id: int, goal: Goal) -> None:
@@ -42,7 +44,9 @@ class GoalChannel:
             await asyncio.wait_for(self._opened.wait(), CONNECT_WITHIN)
         if not self.connection.is_connected:
             raise LinkError(f"no link for goals: {self._reason or 'the bridge does not answer'}")
-        goal_id = f"goal:{command_id}"
+        # An order that was paused is given anew: the end of its goal before is not this one's.
+        self._commands = {id_: other for id_, other in self._commands.items() if other != command_id}
+        goal_id = f"goal:{command_id}:{next(self._numbers)}"
         self._commands[goal_id] = command_id
         self.connection.send(operations.send_action_goal(goal_id, goal.address, goal.type, goal.args))
 

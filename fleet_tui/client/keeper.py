@@ -36,6 +36,7 @@ class Keeper:
         self._file, self._store, self._tell, self._send, self._new_id = file, store, tell, send, new_id
         self._leaving: set[int] = set()
         self._saved: list[Kept] = []
+        self._of_others: list[Kept] = []
 
     def load(self) -> None:
         """Take up what an earlier console kept, held until the operator lets it go on."""
@@ -48,6 +49,7 @@ class Keeper:
         for kept in self._saved:
             robot = state.robots.get(kept.robot)
             if robot is None or state.links[robot.link].url != kept.url:
+                self._of_others.append(kept)
                 continue
             command_id, now = self._new_id(), time.monotonic()
             self._tell(CommandIssued(command_id, PlaceOrder(robot.name, kept.stops), now, kept.wall))
@@ -79,11 +81,12 @@ class Keeper:
         return False
 
     def _keep(self, robot: Robot) -> tuple[Stage, str]:
+        busy = "is paused" if robot.paused_by_us else "has an order"
         if self._file is None:
-            busy = f"{robot.name} has an order, and keeps no queue: give this one in a console, or wait"
-            return Stage.NOT_SENT, busy
+            words = f"{robot.name} {busy}, and keeps no queue: give this one in a console, or wait"
+            return Stage.NOT_SENT, words
         if not self._file.claim():
-            return Stage.NOT_SENT, f"{robot.name} has an order, and {self._file.owner} keeps the queue"
+            return Stage.NOT_SENT, f"{robot.name} {busy}, and {self._file.owner} keeps the queue"
         return Stage.WAITING, f"in the queue of this console ({self._file.owner})"
 
     def _drop(self, record: CommandRecord, at: float) -> None:
@@ -92,7 +95,7 @@ class Keeper:
     def look(self, now: float) -> None:
         """Send what may leave, and write down what waits. With each tick."""
         state = self._store.state
-        kept = list(self._kept(state))
+        kept = [*self._of_others, *self._kept(state)]
         if self._file is not None and kept != self._saved:
             self._saved = kept
             self._file.save(kept)

@@ -21,7 +21,7 @@ from fleet_tui.model.keeping import with_held_queues
 from fleet_tui.model.lag import with_lags
 from fleet_tui.model.link_events import apply_to_link
 from fleet_tui.model.navigation_events import Navigation
-from fleet_tui.model.navigation_reports import apply_navigation
+from fleet_tui.model.navigation_reports import apply_navigation, without_ended
 from fleet_tui.model.reports import apply_chart, apply_report
 from fleet_tui.model.robot import Robot, with_fault
 
@@ -31,6 +31,7 @@ LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     state = with_lags(replace(state, now=event.at, wall=event.wall), event.at, event.behind)
+    state = _without_ended(state)
     state = with_held_queues(confirm_commands(state))
     held = {alarm.key: alarm.condition for alarm in state.alarms if alarm.holds}
     found = list(conditions(state, held))
@@ -38,6 +39,15 @@ def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     due = without_floods(state, found, held)
     alarms = ripen(state.alarms, due, event.at, event.wall, state.limits.clear_after)
     return replace(state, began=began, alarms=alarms)
+
+
+def _without_ended(state: FleetState) -> FleetState:
+    changed = {
+        name: left
+        for name, robot in state.robots.items()
+        if robot.kind.keeps_goals and (left := without_ended(robot, state.now)) is not robot
+    }
+    return replace(state, robots={**state.robots, **changed}) if changed else state
 
 
 def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:

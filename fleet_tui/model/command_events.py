@@ -53,7 +53,7 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
             released = replace(robot, paused_by_us=False, paused_at=None, held="", released_at=state.now)
             return with_robot(state, released)
         case PlaceOrder(_, stops) if record.order_id is not None:
-            return with_robot(state, know_stops(robot, record.order_id, stops))
+            return with_robot(state, know_stops(robot, record.order_id, stops, is_ours=True))
         case PlaceOrder() | CancelOrder() | ClearOrders():
             return state
         case _:

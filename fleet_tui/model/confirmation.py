@@ -17,6 +17,7 @@ from fleet_tui.model.commands import (
     Step,
 )
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.goals import is_given_as, own_ids
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import PENDING, Order, OrderQueue, OrderState
 from fleet_tui.model.pauses import STANDS_AFTER, WAITS, instead_of_pause, pause_seen
@@ -74,6 +75,7 @@ def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: 
         if order.serial > last
         and order.id not in taken
         and could_be(command, order)
+        and (not robot.kind.keeps_goals or is_given_as(robot.goals, order.id, command.stops))
         and _is_since(record, order)
     ]
     if len(found) > 1 and not any(order.stops for order in found):
@@ -139,6 +141,8 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
             left = [
                 one for one in queue.orders if one.state in PENDING and (last is None or one.serial <= last)
             ]
+            if robot.kind.keeps_goals:  # those of others are not meant
+                left = [one for one in left if one.id in own_ids(robot.goals)]
         case PlaceOrder() | PauseRobot() | ResumeRobot():
             left = []
         case _:
@@ -216,6 +220,8 @@ def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
         return looked
     if record.stage is Stage.SENT:
         record = record.advanced(Step(Stage.NO_ANSWER, state.now))
-    said = f"{record.stage.value}: {record.words}" if record.stage is not Stage.ACCEPTED else "accepted"
+    said = record.stage.value
+    if record.words and record.stage is not Stage.ACCEPTED:
+        said += f": {record.words}"
     words = f"{said}; {_instead(state, robot, record)}"
     return record.advanced(Step(Stage.NOT_CONFIRMED, state.now, words))

@@ -28,6 +28,8 @@ ANSWER_WITHIN = 1.0
 LATE_ORDER, LATE_OTHER = 600.0, 60.0
 """Seconds after `not confirmed` in which what a robot does still counts as the command carried out late."""
 
+_UNSEEN = Stage.LOST, Stage.DONE
+"""Of a goal whose last status never came, and of which the robot told that it is done."""
 _TAKEN = frozenset({Stage.CONFIRMED, Stage.TAKEN, Stage.LATE})
 _REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
 _MAY_HAVE_REMOVED = _REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED}
@@ -73,9 +75,10 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
         kept = record.advanced(Step(stage, state.now, f"order {record.order_id}: stopped, goal kept here"))
         return replace(kept, order_id=next_id(state, robot), order_serial=None)
     reason = "by this console" if stage is Stage.CANCELLED else gone.reason
-    if record.answer is not None and stage in (Stage.DONE, Stage.FAILED):
+    answer = record.answer
+    if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
         # What the robot missed on the way only its answer tells.
-        stage, reason = record.answer.stage, record.answer.words or reason
+        stage, reason = answer.stage, answer.words or reason
     return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
 
 

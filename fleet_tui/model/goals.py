@@ -18,9 +18,17 @@ Goals = Mapping[str, tuple[Goal, ...]]
 """The goals of each action."""
 
 
-def with_reported(known: Goals, action: str, reported: Sequence[Goal], at: float) -> Goals:
-    """Return the goals after an action server has listed its own, oldest first."""
+def with_reported(
+    known: Goals, action: str, reported: Sequence[Goal], at: float, is_whole: bool = True
+) -> Goals:
+    """Return the goals after an action server has listed its own, oldest first; what is missing in a list
+    that is not whole stays as it was."""
     before = {goal.uuid: goal for goal in known.get(action, ())}
+    if not is_whole:
+        reported = [
+            *(goal for id_, goal in before.items() if id_ not in {one.uuid for one in reported}),
+            *reported,
+        ]
     is_first = action not in known
     serial = max((goal.serial for goals in known.values() for goal in goals), default=0)
     merged = list[Goal]()
@@ -94,12 +102,25 @@ def queue_of(goals: Goals, at: float, offset: float | None) -> OrderQueue:
     return OrderQueue(last, begun[-1] if begun else "", orders)
 
 
-def with_stops(goals: Goals, id_: str, stops: tuple[Stop, ...]) -> Goals:
-    """Return the goals, one of them with where it leads to."""
+def with_stops(goals: Goals, id_: str, stops: tuple[Stop, ...], is_ours: bool) -> Goals:
+    """Return the goals, one of them with where it leads to and whether this console gave it."""
     return {
-        action: tuple(replace(goal, stops=stops) if goal.id == id_ else goal for goal in listed)
+        action: tuple(
+            replace(goal, stops=stops, is_ours=is_ours) if goal.id == id_ else goal for goal in listed
+        )
         for action, listed in goals.items()
     }
+
+
+def is_given_as(goals: Goals, id_: str, stops: Sequence[Stop]) -> bool:
+    """Tell whether a goal is of the action by which an order with these stops is given."""
+    leads = any(goal.id == id_ for goal in goals.get(LEADING, ()))
+    return leads == (len(stops) > 1)
+
+
+def own_ids(goals: Goals) -> frozenset[str]:
+    """Return the ids of the goals that this console gave."""
+    return frozenset(goal.id for listed in goals.values() for goal in listed if goal.is_ours)
 
 
 def active(goals: Goals) -> list[Goal]:

@@ -66,10 +66,15 @@ def foreign(state: FleetState, robot: Robot) -> list[Order]:
 
 
 def is_busy(state: FleetState, robot: Robot) -> bool:
-    """Tell whether an order that left now would replace another one, or overtake it."""
-    return bool(robot.orders.open) or any(
-        one.stage is Stage.WAITING or one.stage in _GOING or one.has_open_order
-        for one in orders_of(state, robot)
+    """Tell whether an order that left now would replace another one, overtake it, or let a paused robot
+    drive."""
+    return (
+        bool(robot.orders.open)
+        or (robot.kind.holds and robot.paused_by_us)
+        or any(
+            one.stage is Stage.WAITING or one.stage in _GOING or one.has_open_order
+            for one in orders_of(state, robot)
+        )
     )
 
 
@@ -109,7 +114,9 @@ def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
         yield "the link was lost"
     elif not state.is_online(robot):
         yield f"{robot.name} was offline"
-    ended = [one for one in orders_of(state, robot) if one.is_decided and not one.has_open_order]
-    newest = max(ended, key=lambda one: one.at, default=None)
-    if newest is not None and newest.stage not in _WELL and newest.at > robot.released_at:
-        yield f"order {newest.order_id or 'before'} is {newest.stage.value}"
+    sent = [one for one in orders_of(state, robot) if one.stage is not Stage.WAITING]
+    before = max(sent, key=lambda one: one.time_of(Stage.SENT) or one.issued_at, default=None)
+    if before is None or not before.is_decided or before.has_open_order or before.at <= robot.released_at:
+        return
+    if before.stage not in _WELL:
+        yield f"order {before.order_id or 'before'} is {before.stage.value}"

@@ -9,8 +9,8 @@ class Goal(Struct, frozen=True):
     """A goal of an action. `id` is short, for people; `uuid` as it is on the wire. `action` is its key in the
     vocabulary; `stamp` the second at which it was taken, by the robot's clock; `stops` where it leads to, as
     far as that is known; `serial` grows with each goal seen. `is_leg`: another goal of the same robot gave
-    it. `ended_at` is when it was first seen as over (monotonic), infinitely long ago if that was before.
-    `label` says what it does where it leads to no stop."""
+    it, `is_ours`: this console did. `ended_at` is when it was first seen as over (monotonic), infinitely long
+    ago if that was before. `label` says what it does where it leads to no stop."""
 
     id: str
     uuid: str
@@ -21,6 +21,7 @@ class Goal(Struct, frozen=True):
     stops: tuple[Stop, ...] = ()
     serial: int = 0
     is_leg: bool = False
+    is_ours: bool = False
     ended_at: float | None = None
     label: str = ""
 

@@ -12,7 +12,7 @@ from fleet_tui.model.goals import queue_of, with_reported, with_stops
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.order import Stop
 from fleet_tui.model.reports import apply_report, set_clock
-from fleet_tui.model.robot import Reading, Robot, with_fault
+from fleet_tui.model.robot import Reading, Robot
 
 AT_VERTEX = 0.5
 """Metres from a vertex within which a path ends at it."""
@@ -87,28 +87,35 @@ def _take_localisation(robot: Robot, event: navigation_events.LocalisationReport
     if robot.odometry is not None:
         robot = replace(robot, anchor=event.pose.after(robot.odometry.inverse))
         return replace(robot, pose=Reading(event.pose, robot.pose.at)) if robot.pose else robot
-    if "odometry" in robot.kind.reports:
-        return robot
     placed = events.PoseReported(robot.name, event.at, event.pose, frame_id, None)
     return replace(apply_report(robot, placed), heard=robot.heard)
 
 
 def _take_goals(robot: Robot, event: navigation_events.GoalsReported) -> Robot:
-    goals = with_reported(robot.goals, event.action, event.goals, event.at)
-    robot = _with_queue(replace(robot, goals=goals), event.at)
-    return with_fault(robot, event.fault) if event.fault else robot
+    goals = with_reported(robot.goals, event.action, event.goals, event.at, not event.fault)
+    return _with_queue(replace(robot, goals=goals), event.at, event.fault)
 
 
-def _with_queue(robot: Robot, at: float) -> Robot:
+def _with_queue(robot: Robot, at: float, fault: str = "") -> Robot:
     """Compare the goals with those of before as a queue is compared; the message is latched, and no life."""
     queue = queue_of(robot.goals, at, robot.clock.offset if robot.clock else None)
     heard = robot.heard
-    return replace(apply_report(robot, events.QueueReported(robot.name, at, queue)), heard=heard)
+    return replace(apply_report(robot, events.QueueReported(robot.name, at, queue, fault)), heard=heard)
 
 
-def know_stops(robot: Robot, order_id: str, stops: tuple[Stop, ...]) -> Robot:
-    """Note where a goal leads to, which its action server does not tell."""
-    goals = with_stops(robot.goals, order_id, stops)
+def without_ended(robot: Robot, now: float) -> Robot:
+    """Let go the goals that ended a while ago: no message of their action server tells it."""
+    if robot.queue is None or not any(order.is_over for order in robot.orders.orders):
+        return robot
+    queue = queue_of(robot.goals, now, robot.clock.offset if robot.clock else None)
+    if len(queue.orders) == len(robot.orders.orders):
+        return robot
+    return replace(robot, queue=Reading(queue, robot.queue.at))
+
+
+def know_stops(robot: Robot, order_id: str, stops: tuple[Stop, ...], is_ours: bool = False) -> Robot:
+    """Note where a goal leads to, which its action server does not tell, and whether this console gave it."""
+    goals = with_stops(robot.goals, order_id, stops, is_ours)
     if goals == robot.goals or robot.queue is None:
         return robot
     orders = tuple(

@@ -45,7 +45,7 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
     taken = Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
     if is_overtaken(state, record):
         return taken
-    if robot.kind.holds and record.stage is Stage.ACCEPTED:
+    if robot.kind.holds:
         return _held(state, robot, record, wanted)
     sent = record.time_of(Stage.SENT) or record.issued_at
     if robot.paused is not None:
@@ -59,10 +59,15 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
 
 
 def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
-    """A pause that cancels goals is seen when none is under way any more."""
+    """A pause that cancels goals is seen when none is under way any more; one that nothing answered to, when
+    a goal was cancelled since."""
     if not wanted:
         return Step(Stage.CONFIRMED, state.now, "the orders that wait here go on")
-    if robot.orders.open:
+    if record.stage is not Stage.ACCEPTED and not any(
+        one.stage is Stage.CANCELLED and one.at >= record.issued_at for one in robot.gone
+    ):
+        return None
+    if robot.orders.open or any(one.has_open_order for one in orders_of(state, robot)):
         return None
     kept = any(one.order_id for one in waiting(state, robot))
     words = "stopped, goal kept here" if kept else "stopped, no goal to keep"
@@ -76,6 +81,9 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
 def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
     """What telemetry showed where a pause or resume can't be seen to have been carried out."""
     wanted = isinstance(record.command, PauseRobot)
+    if robot.kind.holds:
+        going = [f"order {order.id} is {order.state_text}" for order in robot.orders.open]
+        return ", ".join(going[:3]) or "nothing shows it"
     if robot.paused is not None:
         return "it reported no pause" if wanted else "it reported a pause"
     if robot.says_paused:

@@ -67,12 +67,17 @@ class Nav2:
             "nav2",
             (*(key for key in ("odometry", "pose", "battery", "blocked", "map") if self._has(key)), *GOALS),
             (kind.ORDER, kind.ORDER_TO, kind.CANCEL, kind.CLEAR, *self._pauses),
-            {"battery": BATTERY_SILENCE, "queue": math.inf, "blocked": math.inf, **profile.silence},
+            {**self._silence(), **profile.silence},
             frames_are_floors=False,
             tells_ends=True,
             keeps_goals=True,
             holds=self._holds,
         )
+
+    def _silence(self) -> dict[str, float]:
+        usual = {"battery": BATTERY_SILENCE, "queue": math.inf, "blocked": math.inf}
+        # The localisation of a robot that stands is silent: only wheels tell that it is still there.
+        return usual if self._has("odometry") else {**usual, "pose": math.inf}
 
     def _has(self, key: str) -> bool:
         return bool(self.names.topic(key, "robot", "floor"))

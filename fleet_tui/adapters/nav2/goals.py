@@ -21,6 +21,8 @@ CANCEL_TYPE = "action_msgs/srv/CancelGoal"
 def order_goal(names: Names, robot: Robot, stops: Sequence[Stop]) -> Goal:
     """Return the goal that leads to the stops one after the other. Raises CommandError."""
     poses, here = list[Pose](), robot.pose.value if robot.pose else None
+    if not stops:
+        raise CommandError("an order needs a place to go to")
     for stop in stops:
         here = _pose(robot, stop, here)
         poses.append(here)
@@ -73,9 +75,9 @@ def cancel_call(names: Names, robot: Robot, order_id: str) -> Call:
 
 
 def cancel_own(names: Names, robot: Robot) -> list[Call]:
-    """Return the calls that cancel each goal under way, those that drive by others first."""
+    """Return the calls that cancel each goal of this console, those that drive by others first."""
     under_way = sorted(active(robot.goals), key=lambda goal: ACTIONS.index(goal.action))
-    return [_cancel(names, robot, goal.action, goal.uuid) for goal in under_way if not goal.is_leg]
+    return [_cancel(names, robot, goal.action, goal.uuid) for goal in under_way if goal.is_ours]
 
 
 def cancel_all(names: Names, robot: Robot) -> list[Call]:
