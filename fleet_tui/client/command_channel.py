@@ -122,7 +122,7 @@ class CommandChannel:
             outgoing = self._outgoing(command, command_id, at - given_at)
             first = outgoing[0] if outgoing else None
             if isinstance(first, Goal):
-                self._keep(asyncio.ensure_future(self._goals.give(command_id, command, first)))
+                self._keep(asyncio.ensure_future(self._goals.give(command_id, command, first, given_at)))
                 return
             calls = self._send(outgoing)
         except (LinkError, CommandError) as problem:

@@ -14,6 +14,7 @@ from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.keeping import withdrawn
 from fleet_tui.model.navigation_events import GoalAnswered
 from fleet_tui.transports.rosbridge.connection import Connection
 
@@ -38,10 +39,13 @@ class GoalChannel:
         self._numbers = itertools.count(1)
         self.connection.connect()
 
-    async def send(self, command_id: int, goal: Goal) -> None:
-        """Give a goal now or not at all. Raises LinkError."""
+    async def open(self) -> None:
+        """Wait for the connection, as long as a goal may."""
         with suppress(TimeoutError):
             await asyncio.wait_for(self._opened.wait(), CONNECT_WITHIN)
+
+    def send(self, command_id: int, goal: Goal) -> None:
+        """Give a goal now or not at all. Raises LinkError."""
         if not self.connection.is_connected:
             raise LinkError(f"no link for goals: {self._reason or 'the bridge does not answer'}")
         # An order that was paused is given anew: the end of its goal before is not this one's.
@@ -106,14 +110,21 @@ class Goals:
         self._channels: dict[str, GoalChannel] = {}
         self._commands: dict[int, Command] = {}
 
-    async def give(self, command_id: int, command: Command, goal: Goal) -> None:
-        """Give the goal of a command, and tell that it left, or why not."""
+    async def give(self, command_id: int, command: Command, goal: Goal, given_at: float) -> None:
+        """Give the goal of a command that was given at `given_at` (monotonic), and tell that it left, or why
+        not."""
         if command.robot not in self._channels:
-            channel = GoalChannel(self._link, self._bridge, self._writer, self._take)
-            self._channels[command.robot] = channel
+            made = GoalChannel(self._link, self._bridge, self._writer, self._take)
+            self._channels[command.robot] = made
+        channel = self._channels[command.robot]
+        await channel.open()
+        # A pause waits for no connection: what it overtook must not drive the robot on.
+        if reason := withdrawn(self._writer.store.state, command_id, given_at):
+            self._advance(command_id, Stage.NOT_SENT, reason)
+            return
         self._commands[command_id] = command
         try:
-            await self._channels[command.robot].send(command_id, goal)
+            channel.send(command_id, goal)
         except LinkError as problem:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
             return

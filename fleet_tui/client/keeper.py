@@ -37,26 +37,37 @@ class Keeper:
         self._leaving: set[int] = set()
         self._saved: list[Kept] = []
         self._of_others: list[Kept] = []
+        self._has_loaded = False
 
     def load(self) -> None:
         """Take up what an earlier console kept, held until the operator lets it go on."""
-        state = self._store.state
-        if self._file is None or not any(robot.kind.keeps_goals for robot in state.robots.values()):
-            return
-        if not self._file.claim():
-            return
-        self._saved = self._file.load()
+        robots = self._store.state.robots.values()
+        if self._file is not None and any(robot.kind.keeps_goals for robot in robots):
+            self._claim(self._file)
+
+    def _claim(self, file: QueueFile) -> bool:
+        """Become the one who keeps orders, and take up what the one before left in the file."""
+        if not file.claim():
+            return False
+        if not self._has_loaded:
+            self._has_loaded = True
+            self._take_up(file)
+        return True
+
+    def _take_up(self, file: QueueFile) -> None:
+        state, self._saved = self._store.state, file.load()
         for kept in self._saved:
             robot = state.robots.get(kept.robot)
-            if robot is None or state.links[robot.link].url != kept.url:
+            is_ours = robot is not None and state.links[robot.link].url == kept.url
+            if robot is None or not is_ours or not robot.kind.keeps_goals:
                 self._of_others.append(kept)
                 continue
             command_id, now = self._new_id(), time.monotonic()
             self._tell(CommandIssued(command_id, PlaceOrder(robot.name, kept.stops), now, kept.wall))
             self._tell(CommandAdvanced(command_id, Stage.WAITING, now, RESTARTED))
             self._tell(QueueHeld(robot.name, RESTARTED))
-        if self._file.problem:
-            LOG.warning("%s", self._file.problem)
+        if file.problem:
+            LOG.warning("%s", file.problem)
 
     def takes(self, command_id: int, command: Command, given_at: float) -> bool:
         """Carry a command out here, if it is about what waits here."""
@@ -64,7 +75,7 @@ class Keeper:
         robot = state.robots[command.robot]
         if not robot.kind.keeps_goals:
             return False
-        if isinstance(command, PlaceOrder) and is_busy(state, robot):
+        if isinstance(command, PlaceOrder) and is_busy(state, robot, command_id):
             stage, words = self._keep(robot)
             self._tell(CommandAdvanced(command_id, stage, given_at, words))
             return True
@@ -85,7 +96,7 @@ class Keeper:
         if self._file is None:
             words = f"{robot.name} {busy}, and keeps no queue: give this one in a console, or wait"
             return Stage.NOT_SENT, words
-        if not self._file.claim():
+        if not self._claim(self._file):
             return Stage.NOT_SENT, f"{robot.name} {busy}, and {self._file.owner} keeps the queue"
         return Stage.WAITING, f"in the queue of this console ({self._file.owner})"
 
@@ -95,10 +106,7 @@ class Keeper:
     def look(self, now: float) -> None:
         """Send what may leave, and write down what waits. With each tick."""
         state = self._store.state
-        kept = [*self._of_others, *self._kept(state)]
-        if self._file is not None and kept != self._saved:
-            self._saved = kept
-            self._file.save(kept)
+        self._save(state)
         self._leaving &= {record.id for record in state.commands if record.stage is Stage.WAITING}
         for robot in state.robots.values():
             if robot.kind.keeps_goals:
@@ -106,6 +114,12 @@ class Keeper:
                 if record is not None and record.id not in self._leaving:
                     self._leaving.add(record.id)
                     self._send(record.id, record.command, now)
+
+    def _save(self, state: FleetState) -> None:
+        kept = [*self._of_others, *self._kept(state)]
+        if self._file is not None and kept != self._saved:
+            self._saved = kept
+            self._file.save(kept)
 
     def _kept(self, state: FleetState) -> Iterator[Kept]:
         for robot in state.robots.values():
@@ -118,4 +132,5 @@ class Keeper:
     def close(self) -> None:
         """Let others keep orders. What waits stays in the file."""
         if self._file is not None:
+            self._save(self._store.state)
             self._file.close()

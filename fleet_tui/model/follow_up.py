@@ -79,7 +79,13 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
         # What the robot missed on the way only its answer tells.
         stage, reason = answer.stage, answer.words or reason
+    elif robot.kind.keeps_goals and stage is Stage.DONE and _is_of_several_stops(record):
+        reason = "succeeded; whether it reached all stops only its answer tells, which never came"
     return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
+
+
+def _is_of_several_stops(record: CommandRecord) -> bool:
+    return isinstance(record.command, PlaceOrder) and len(record.command.stops) > 1
 
 
 def _listed(robot: Robot, order_id: str) -> GoneOrder | None:
@@ -96,10 +102,10 @@ def _end_stage(state: FleetState, record: CommandRecord, gone: GoneOrder) -> Sta
     ours = _removals(state, record, gone)
     if gone.stage is Stage.DONE:
         return Stage.CANCELLED if ours & _REMOVED else Stage.DONE
-    if _is_held(state, record, gone):
-        return Stage.WAITING
     if ours & _MAY_HAVE_REMOVED:
         return Stage.CANCELLED
+    if _is_held(state, record, gone):
+        return Stage.WAITING
     return Stage.CANCELLED_ELSEWHERE if gone.stage is Stage.CANCELLED else gone.stage
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
+from fleet_tui.model.commands import ClearOrders, CommandRecord, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import QueueHeld
@@ -17,7 +17,7 @@ PREFIX = "k"
 SOMEBODY_ELSE = "someone else drives"
 
 _WELL = frozenset({Stage.DONE})
-_GOING = frozenset({Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
+_GOING = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 
 
 def orders_of(state: FleetState, robot: Robot) -> list[CommandRecord]:
@@ -65,15 +65,16 @@ def foreign(state: FleetState, robot: Robot) -> list[Order]:
     return [] if unknown else [order for order in robot.orders.open if order.id not in known]
 
 
-def is_busy(state: FleetState, robot: Robot) -> bool:
-    """Tell whether an order that left now would replace another one, overtake it, or let a paused robot
-    drive."""
+def is_busy(state: FleetState, robot: Robot, command_id: int) -> bool:
+    """Tell whether the order of a command, if it left now, would replace another one, overtake it, or let a
+    paused robot drive."""
     return (
         bool(robot.orders.open)
         or (robot.kind.holds and robot.paused_by_us)
         or any(
             one.stage is Stage.WAITING or one.stage in _GOING or one.has_open_order
             for one in orders_of(state, robot)
+            if one.id != command_id
         )
     )
 
@@ -86,7 +87,26 @@ def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
     if state.links[robot.link].phase is not Phase.UP or robot.orders.open:
         return None
     others = (one for one in orders_of(state, robot) if one.stage is not Stage.WAITING)
-    return None if any(one.stage in _GOING or one.has_open_order for one in others) else kept[0]
+    if any(one.stage in _GOING or one.has_open_order for one in others):
+        return None
+    # Between two ticks something may have happened that holds the queue from the next one on.
+    return None if next(_reasons(state, robot), "") else kept[0]
+
+
+def withdrawn(state: FleetState, command_id: int, since: float) -> str:
+    """Say why an order that was given a moment ago, at `since` (monotonic), must not leave any more; empty
+    where it may."""
+    record = next((one for one in state.commands if one.id == command_id), None)
+    if record is None or record.stage not in (Stage.CHECKED, Stage.WAITING):
+        return "it was cancelled before it left"
+    for other in state.commands:
+        meant = other.command.robot == record.command.robot and other.issued_at > since
+        if meant and other.stage not in (Stage.REFUSED, Stage.NOT_SENT):
+            if isinstance(other.command, PauseRobot):
+                return "its robot was paused before it left"
+            if isinstance(other.command, ClearOrders):
+                return "the orders of its robot were cleared before it left"
+    return ""
 
 
 def hold_all(state: FleetState, reason: str) -> Iterator[QueueHeld]:

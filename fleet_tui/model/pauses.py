@@ -69,6 +69,8 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
         return None
     if robot.orders.open or any(one.has_open_order for one in orders_of(state, robot)):
         return None
+    if record.before.moving and not _stopped(state, robot, record):
+        return None  # something else may drive it on
     kept = any(one.order_id for one in waiting(state, robot))
     words = "stopped, goal kept here" if kept else "stopped, no goal to keep"
     ours = {one.order_id for one in orders_of(state, robot)}
@@ -83,7 +85,8 @@ def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> 
     wanted = isinstance(record.command, PauseRobot)
     if robot.kind.holds:
         going = [f"order {order.id} is {order.state_text}" for order in robot.orders.open]
-        return ", ".join(going[:3]) or "nothing shows it"
+        is_moving = wanted and record.before.moving and not _stopped(state, robot, record)
+        return ", ".join(going[:3]) or ("it was not seen to stop" if is_moving else "nothing shows it")
     if robot.paused is not None:
         return "it reported no pause" if wanted else "it reported a pause"
     if robot.says_paused:

@@ -26,6 +26,7 @@ from tests.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
 
 R0 = "robot_0"
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
+FOREIGN_STOPPED = "stopped, and someone else's goal with it, which can't be resumed from here"
 
 
 @pytest.fixture(autouse=True)
@@ -242,9 +243,9 @@ async def test_a_goal_of_another_client_is_stopped_by_a_pause_and_cannot_be_resu
     async with linked(site.config, queue=keeping()) as (link, store):
         site.navigation().give(*FAR)
         await store.until(lambda state: nav2_ready(state) and state.robots[R0].orders.open)
+        (goal,) = site.navigation().servers[TO_POSE].goals.values()
         pause = await finished(link, store, PauseRobot(R0))
-        assert (pause.stage, pause.words) == (Stage.CONFIRMED, "stopped, no goal to keep")
-    (goal,) = site.navigation().servers[TO_POSE].goals.values()
+        assert (pause.stage, pause.words) == (Stage.CONFIRMED, FOREIGN_STOPPED)
     assert goal.status == CANCELED
 
 

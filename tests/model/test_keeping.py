@@ -1,0 +1,117 @@
+"""Orders kept here for robots that drive one goal at a time: when one leaves, what pauses do."""
+
+from itertools import count
+
+import pytest
+
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    CommandRecord,
+    PauseRobot,
+    Stage,
+    Wish,
+)
+from fleet_tui.model.events import CommandAdvanced, Event
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.keeping import next_to_send, waiting
+from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
+from fleet_tui.model.navigation import Goal
+from fleet_tui.model.navigation_events import GoalsReported
+from fleet_tui.model.order import OrderState
+from fleet_tui.view.questions import question
+from tests.fleets import R0, T0, commanded, fleet, graph, labels, link_up, of_kinds, place_order, pose, tick
+from tests.fleets import told as after
+
+KIND = Kind(
+    "goals",
+    ("pose", "queue"),
+    (ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME),
+    tells_ends=True,
+    keeps_goals=True,
+    holds=True,
+)
+ORDER_1, ORDER_2 = place_order(R0, "2"), place_order(R0, "1")
+KNOWN = (graph(1, 2), labels({1: "Base", 2: "Store"}))
+
+
+def goals(at: float, state: OrderState) -> GoalsReported:
+    return GoalsReported(R0, at, "navigate_to_pose", (Goal("3f2a", "3f2a-77", "navigate_to_pose", state),))
+
+
+def ours(*facts: Event) -> FleetState:
+    """The first order is driven, a second one waits here."""
+    begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0), *commanded(1, ORDER_1, Stage.SENT)]
+    driving: list[Event] = [goals(T0 + 0.1, OrderState.IN_PROCESS), pose(T0 + 0.2), tick(T0 + 0.2)]
+    waits = commanded(2, ORDER_2, Stage.WAITING, at=T0 + 0.2)
+    return after(of_kinds(fleet(), KIND), *begun, *driving, *waits, *facts)
+
+
+def record(state: FleetState, id_: int) -> CommandRecord:
+    return next(one for one in state.commands if one.id == id_)
+
+
+def leaving(state: FleetState) -> CommandRecord | None:
+    return next_to_send(state, state.robots[R0])
+
+
+def test_the_next_one_leaves_when_the_one_before_is_done() -> None:
+    state = ours(goals(T0 + 1, OrderState.DONE), pose(T0 + 3), tick(T0 + 3))
+    assert record(state, 1).stage is Stage.DONE
+    assert leaving(state) == record(state, 2)
+
+
+@pytest.mark.parametrize("end", [Stage.REFUSED, Stage.NOT_SENT])
+def test_nothing_leaves_between_a_failure_and_the_tick_that_holds_the_queue(end: Stage) -> None:
+    begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0)]
+    first = commanded(1, ORDER_1, *([Stage.SENT] if end is Stage.REFUSED else []))
+    state = after(of_kinds(fleet(), KIND), *begun, *first, *commanded(2, ORDER_2, Stage.WAITING))
+    assert leaving(state) is None
+    state = after(state, CommandAdvanced(1, end, T0 + 0.05))
+    assert leaving(state) is None and not state.robots[R0].held
+    assert after(state, tick(T0 + 0.1)).robots[R0].held == f"order before is {end.value}"
+
+
+@pytest.mark.parametrize("removal", [CancelOrder(R0, "3f2a"), ClearOrders(R0)])
+def test_what_was_cancelled_while_a_pause_stopped_it_does_not_come_back(removal: Command) -> None:
+    pause = commanded(3, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0 + 0.3)
+    cancel = commanded(4, removal, Stage.SENT, Stage.ACCEPTED, at=T0 + 0.4)
+    ended: list[Event] = [goals(T0 + 0.6, OrderState.CANCELLED), pose(T0 + 2), tick(T0 + 2)]
+    state = ours(*pause, *cancel, *ended)
+    assert record(state, 1).stage is Stage.CANCELLED
+    assert [one.id for one in waiting(state, state.robots[R0])] == [2]
+    assert record(ours(*pause, *ended), 1).stage is Stage.WAITING
+
+
+def test_a_robot_that_moves_on_without_a_goal_has_not_stopped() -> None:
+    pause = commanded(3, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0 + 0.3)
+    times = [T0 + 0.4 + 0.1 * n for n in range(100)]
+    stopped = goals(T0 + 0.6, OrderState.CANCELLED)
+    moving = [fact for at, x in zip(times, count()) for fact in (pose(at, x), tick(at))]
+    standing = [fact for at in times for fact in (pose(at), tick(at))]
+    state = ours(pose(T0 + 0.25, 1.0), *pause, stopped, *moving)
+    assert record(state, 3).stage is Stage.NOT_CONFIRMED
+    assert record(state, 3).words == "accepted; it was not seen to stop"
+    state = ours(pose(T0 + 0.25, 1.0), *pause, stopped, *standing)
+    assert (record(state, 3).stage, record(state, 3).words) == (Stage.CONFIRMED, "stopped, goal kept here")
+
+
+def test_one_of_several_stops_is_done_without_its_answer_and_says_what_is_not_known() -> None:
+    several = Goal("3f2a", "3f2a-77", "follow_waypoints", OrderState.IN_PROCESS)
+    begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0)]
+    begun += commanded(1, place_order(R0, "1", "2"), Stage.SENT)
+    driving = GoalsReported(R0, T0 + 0.1, several.action, (several,))
+    done = Goal("3f2a", "3f2a-77", "follow_waypoints", OrderState.DONE)
+    ended: list[Event] = [GoalsReported(R0, T0 + 1, several.action, (done,)), pose(T0 + 3), tick(T0 + 3)]
+    state = after(of_kinds(fleet(), KIND), *begun, driving, pose(T0 + 0.2), tick(T0 + 0.2), *ended)
+    assert record(state, 1).stage is Stage.DONE
+    assert "whether it reached all stops" in record(state, 1).words
+
+
+def test_a_question_names_the_orders_that_wait_here_too() -> None:
+    state = ours()
+    asked = question(state, Wish((ClearOrders(R0),)), [])
+    assert asked == "Clear all 2 orders of robot_0?\n  3f2a  -> Store\n  k1  -> Base"
+    asked = question(state, Wish((CancelOrder(R0, "k1"),)), [])
+    assert asked == "Cancel order k1 of robot_0?\n-> Base"
