@@ -62,7 +62,8 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     """A pause that cancels goals is seen when none is under way any more; one that nothing answered to, when
     a goal was cancelled since."""
     if not wanted:
-        return Step(Stage.CONFIRMED, state.now, "the orders that wait here go on")
+        goes_on = "the orders that wait here go on" if waiting(state, robot) else "no order waits here"
+        return Step(Stage.CONFIRMED, state.now, goes_on)
     if record.stage is not Stage.ACCEPTED and not any(
         one.stage is Stage.CANCELLED and one.at >= record.issued_at for one in robot.gone
     ):

@@ -10,6 +10,7 @@ from fleet_tui.model.commands import (
     Command,
     CommandRecord,
     PauseRobot,
+    ResumeRobot,
     Stage,
     Wish,
 )
@@ -20,8 +21,23 @@ from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, 
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import GoalsReported
 from fleet_tui.model.order import OrderState
+from fleet_tui.model.why import reasons
+from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.questions import question
-from tests.fleets import R0, T0, commanded, fleet, graph, labels, link_up, of_kinds, place_order, pose, tick
+from tests.fleets import (
+    R0,
+    T0,
+    commanded,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    of_kinds,
+    place_order,
+    pose,
+    text_of,
+    tick,
+)
 from tests.fleets import told as after
 
 KIND = Kind(
@@ -115,3 +131,13 @@ def test_a_question_names_the_orders_that_wait_here_too() -> None:
     assert asked == "Clear all 2 orders of robot_0?\n  3f2a  -> Store\n  k1  -> Base"
     asked = question(state, Wish((CancelOrder(R0, "k1"),)), [])
     assert asked == "Cancel order k1 of robot_0?\n-> Base"
+
+
+def test_orders_that_wait_here_are_orders_and_a_resume_says_whether_there_are_any() -> None:
+    state = ours(goals(T0 + 1, OrderState.CANCELLED), pose(T0 + 3), tick(T0 + 3))
+    assert "1 waiting" in text_of(fleet_table(state, "", 80).rows[0].runs)
+    assert state.robots[R0].held and "no orders" not in [one.name for one in reasons(state, state.robots[R0])]
+    resume = commanded(3, ResumeRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0 + 3)
+    assert record(after(state, *resume, tick(T0 + 3.1)), 3).words == "the orders that wait here go on"
+    emptied = after(state, CommandAdvanced(2, Stage.CANCELLED, T0 + 3))
+    assert record(after(emptied, *resume, tick(T0 + 3.1)), 3).words == "no order waits here"
