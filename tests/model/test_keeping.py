@@ -3,6 +3,7 @@
 from itertools import count
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.model.commands import (
     CancelOrder,
@@ -19,7 +20,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.keeping import next_to_send, waiting
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
 from fleet_tui.model.navigation import Goal
-from fleet_tui.model.navigation_events import GoalsReported
+from fleet_tui.model.navigation_events import FloorReported, GoalsReported
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.why import reasons
 from fleet_tui.view.fleet_rows import fleet_table
@@ -141,3 +142,14 @@ def test_orders_that_wait_here_are_orders_and_a_resume_says_whether_there_are_an
     assert record(after(state, *resume, tick(T0 + 3.1)), 3).words == "the orders that wait here go on"
     emptied = after(state, CommandAdvanced(2, Stage.CANCELLED, T0 + 3))
     assert record(after(emptied, *resume, tick(T0 + 3.1)), 3).words == "no order waits here"
+
+
+def test_orders_that_wait_for_a_robot_that_left_its_floor_are_held() -> None:
+    there = fleet(floors=2)
+    known = [graph(1, 2), graph(1, 2, floor="floor_1")]
+    kind = replace(KIND, frames_are_floors=False)
+    first: list[Event] = [*known, link_up(T0), FloorReported(R0, T0, "floor_0"), pose(T0), tick(T0)]
+    state = after(of_kinds(there, kind), *first, *commanded(1, ORDER_1, Stage.WAITING))
+    assert leaving(state) is not None
+    state = after(state, FloorReported(R0, T0 + 0.1, "floor_1"), pose(T0 + 0.1))
+    assert state.robots[R0].held == "robot_0 left floor_0" and leaving(state) is None

@@ -156,6 +156,9 @@ def short_id(uuid: str) -> str:
         found = b""
     if len(found) != 16:
         raise WireError(f"goal_id.uuid: {brief(uuid, LONGEST_NAME)!r} is no id of 16 bytes")
+    if not any(found):
+        # To cancel a goal of this id would cancel all goals.
+        raise WireError("goal_id.uuid is all zeros, which stands for all goals")
     return found.hex()[:8]
 
 
