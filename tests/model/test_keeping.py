@@ -153,3 +153,12 @@ def test_orders_that_wait_for_a_robot_that_left_its_floor_are_held() -> None:
     assert leaving(state) is not None
     state = after(state, FloorReported(R0, T0 + 0.1, "floor_1"), pose(T0 + 0.1))
     assert state.robots[R0].held == "robot_0 left floor_0" and leaving(state) is None
+
+
+def test_a_robot_that_is_not_heard_is_not_said_to_have_stopped() -> None:
+    pause = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, words="no such action server")
+    unheard = after(of_kinds(fleet(), KIND), *KNOWN, link_up(T0), *pause)
+    assert record(after(unheard, tick(T0 + 0.1)), 1).stage is Stage.ACCEPTED
+    ended = record(after(unheard, *map(tick, (T0 + 0.1, T0 + 60))), 1)
+    assert (ended.stage, ended.words) == (Stage.NOT_CONFIRMED, "accepted; it is offline")
+    assert record(after(unheard, pose(T0 + 0.2), tick(T0 + 0.2)), 1).stage is Stage.CONFIRMED
