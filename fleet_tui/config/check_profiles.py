@@ -1,5 +1,6 @@
 """Checks of profiles: names that a kind of robots does not know, and topics that can't be told apart."""
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 
@@ -66,9 +67,19 @@ def _profile(where: str, profile: Profile) -> Iterator[str]:
         for key in given:
             if key not in names:
                 yield f"{where}.{table}.{key}: unknown key{did_you_mean(key, names)}"
+    yield from _numbers(where, profile)
     yield from _placeholders(where, profile, known.floor_topics)
     yield from _refusals(where, profile)
     yield from _settings(where, profile, kind)
+
+
+def _numbers(where: str, profile: Profile) -> Iterator[str]:
+    for key, scale in profile.scales.items():
+        if not 0.0 < scale < math.inf:
+            yield f"{where}.scales.{key}: {scale:g} is no factor: give a number above 0"
+    for key, seconds in profile.silence.items():
+        if not seconds > 0.0:
+            yield f"{where}.silence.{key}: {seconds:g} is no time: give seconds above 0"
 
 
 def _refusals(where: str, profile: Profile) -> Iterator[str]:

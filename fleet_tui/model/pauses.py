@@ -62,14 +62,15 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     """A pause that cancels goals is seen when none is under way any more; one that nothing answered to, when
     a goal was cancelled since."""
     if not wanted:
-        return Step(Stage.CONFIRMED, state.now, "the orders that wait here go on")
+        goes_on = "the orders that wait here go on" if waiting(state, robot) else "no order waits here"
+        return Step(Stage.CONFIRMED, state.now, goes_on)
     if record.stage is not Stage.ACCEPTED and not any(
         one.stage is Stage.CANCELLED and one.at >= record.issued_at for one in robot.gone
     ):
         return None
     if robot.orders.open or any(one.has_open_order for one in orders_of(state, robot)):
         return None
-    if record.before.moving and not _stopped(state, robot, record):
+    if not state.is_online(robot) or (record.before.moving and not _stopped(state, robot, record)):
         return None  # something else may drive it on
     kept = any(one.order_id for one in waiting(state, robot))
     words = "stopped, goal kept here" if kept else "stopped, no goal to keep"
@@ -83,6 +84,8 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
 def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
     """What telemetry showed where a pause or resume can't be seen to have been carried out."""
     wanted = isinstance(record.command, PauseRobot)
+    if robot.kind.holds and not state.is_online(robot):
+        return "it is offline"
     if robot.kind.holds:
         going = [f"order {order.id} is {order.state_text}" for order in robot.orders.open]
         is_moving = wanted and record.before.moving and not _stopped(state, robot, record)

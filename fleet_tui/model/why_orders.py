@@ -9,6 +9,7 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.keeping import waiting
 from fleet_tui.model.reason import RECENT, Reason, Strength, last_command, mission, name_of, stands_since
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.traffic import in_the_way, next_stop, vertex_here
@@ -40,7 +41,7 @@ def cargo(state: FleetState, robot: Robot) -> Reason | None:
 
 def no_orders(state: FleetState, robot: Robot) -> Reason | None:
     """Nothing to drive."""
-    if not robot.kind.lists_orders:
+    if not robot.kind.lists_orders or waiting(state, robot):
         return None
     if robot.queue is None:
         if robot.kind.expects("queue"):

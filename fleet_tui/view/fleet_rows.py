@@ -7,7 +7,7 @@ from typing import NamedTuple
 from fleet_tui.model.conditions import is_news
 from fleet_tui.model.conditions_of_navigation import LOST_ABOVE
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
-from fleet_tui.model.keeping import foreign
+from fleet_tui.model.keeping import all_orders, foreign
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, route_text
 from fleet_tui.model.pauses import own_pause_text
@@ -152,9 +152,9 @@ def _doing(state: FleetState, robot: Robot, ink: Ink) -> Run:
         return whose_mission(state, robot, current) + (f"  {progress}" if progress else ""), ink
     if not state.is_online(robot) or not robot.kind.lists_orders:
         return "", Ink.DIM
-    if robot.queue is None:
+    waiting = sum(not order.is_over for order in all_orders(state, robot))
+    if robot.queue is None and not waiting:
         return "queue missing" if robot.kind.expects("queue") else "-", Ink.DIM
-    waiting = len(robot.orders.open)
     return f"{waiting} waiting" if waiting else "idle", Ink.DIM
 
 

@@ -1,5 +1,6 @@
 """What only the whole configuration shows: names that don't meet, topics that can't be told apart."""
 
+import math
 from pathlib import Path
 
 import pytest
@@ -96,6 +97,9 @@ def test_references_that_lead_nowhere_name_the_nearest() -> None:
         ({"refusals": ("a{99999999999}",)}, "profile.refusals[0]: 'a{99999999999}' is no regular expression"),
         ({"topics": {"pose": "/pose"}}, "profile.topics.pose: /pose is pose of robot_0 and pose of robot_1"),
         ({"topics": {"graph": "/{robot}/graph"}}, "graph of robot_0 floor_0 and graph of robot_0 floor_1"),
+        ({"scales": {"pose": math.nan}}, "profile.scales.pose: nan is no factor: give a number above 0"),
+        ({"scales": {"pose": 0.0}}, "profile.scales.pose: 0 is no factor: give a number above 0"),
+        ({"silence": {"pose": -5.0}}, "profile.silence.pose: -5 is no time: give seconds above 0"),
         ({"topics": {"cargo": "/{robot}/pose"}}, "/robot_0/pose is pose of robot_0 and cargo of robot_0"),
     ],
 )

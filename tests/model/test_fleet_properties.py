@@ -78,6 +78,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         st.sampled_from(["follow_waypoints", "navigate_to_pose"]),
         st.lists(GOALS, max_size=4).map(tuple),
     ),
+    navigation_events.GoalsUnknown: st.builds(
+        navigation_events.GoalsUnknown, ROBOTS, AT, st.lists(GOALS.map(lambda goal: goal.uuid)).map(tuple)
+    ),
     navigation_events.PlanReported: st.builds(navigation_events.PlanReported, ROBOTS, AT, PLACES),
     navigation_events.Unmeasured: st.builds(navigation_events.Unmeasured, ROBOTS, AT, st.text(max_size=4)),
     navigation_events.FloorReported: st.builds(navigation_events.FloorReported, ROBOTS, AT, FLOORS),

@@ -3,6 +3,7 @@
 from itertools import count
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.model.commands import (
     CancelOrder,
@@ -10,6 +11,7 @@ from fleet_tui.model.commands import (
     Command,
     CommandRecord,
     PauseRobot,
+    ResumeRobot,
     Stage,
     Wish,
 )
@@ -18,10 +20,25 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.keeping import next_to_send, waiting
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
 from fleet_tui.model.navigation import Goal
-from fleet_tui.model.navigation_events import GoalsReported
+from fleet_tui.model.navigation_events import FloorReported, GoalsReported
 from fleet_tui.model.order import OrderState
+from fleet_tui.model.why import reasons
+from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.questions import question
-from tests.fleets import R0, T0, commanded, fleet, graph, labels, link_up, of_kinds, place_order, pose, tick
+from tests.fleets import (
+    R0,
+    T0,
+    commanded,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    of_kinds,
+    place_order,
+    pose,
+    text_of,
+    tick,
+)
 from tests.fleets import told as after
 
 KIND = Kind(
@@ -42,8 +59,8 @@ def goals(at: float, state: OrderState) -> GoalsReported:
 
 def ours(*facts: Event) -> FleetState:
     """The first order is driven, a second one waits here."""
-    begun = [*KNOWN, link_up(T0), pose(T0), tick(T0), *commanded(1, ORDER_1, Stage.SENT)]
-    driving = [goals(T0 + 0.1, OrderState.IN_PROCESS), pose(T0 + 0.2), tick(T0 + 0.2)]
+    begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0), *commanded(1, ORDER_1, Stage.SENT)]
+    driving: list[Event] = [goals(T0 + 0.1, OrderState.IN_PROCESS), pose(T0 + 0.2), tick(T0 + 0.2)]
     waits = commanded(2, ORDER_2, Stage.WAITING, at=T0 + 0.2)
     return after(of_kinds(fleet(), KIND), *begun, *driving, *waits, *facts)
 
@@ -64,7 +81,7 @@ def test_the_next_one_leaves_when_the_one_before_is_done() -> None:
 
 @pytest.mark.parametrize("end", [Stage.REFUSED, Stage.NOT_SENT])
 def test_nothing_leaves_between_a_failure_and_the_tick_that_holds_the_queue(end: Stage) -> None:
-    begun = [*KNOWN, link_up(T0), pose(T0), tick(T0)]
+    begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0)]
     first = commanded(1, ORDER_1, *([Stage.SENT] if end is Stage.REFUSED else []))
     state = after(of_kinds(fleet(), KIND), *begun, *first, *commanded(2, ORDER_2, Stage.WAITING))
     assert leaving(state) is None
@@ -77,7 +94,7 @@ def test_nothing_leaves_between_a_failure_and_the_tick_that_holds_the_queue(end:
 def test_what_was_cancelled_while_a_pause_stopped_it_does_not_come_back(removal: Command) -> None:
     pause = commanded(3, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0 + 0.3)
     cancel = commanded(4, removal, Stage.SENT, Stage.ACCEPTED, at=T0 + 0.4)
-    ended = [goals(T0 + 0.6, OrderState.CANCELLED), pose(T0 + 2), tick(T0 + 2)]
+    ended: list[Event] = [goals(T0 + 0.6, OrderState.CANCELLED), pose(T0 + 2), tick(T0 + 2)]
     state = ours(*pause, *cancel, *ended)
     assert record(state, 1).stage is Stage.CANCELLED
     assert [one.id for one in waiting(state, state.robots[R0])] == [2]
@@ -99,10 +116,11 @@ def test_a_robot_that_moves_on_without_a_goal_has_not_stopped() -> None:
 
 def test_one_of_several_stops_is_done_without_its_answer_and_says_what_is_not_known() -> None:
     several = Goal("3f2a", "3f2a-77", "follow_waypoints", OrderState.IN_PROCESS)
-    begun = [*KNOWN, link_up(T0), pose(T0), tick(T0), *commanded(1, place_order(R0, "1", "2"), Stage.SENT)]
+    begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0)]
+    begun += commanded(1, place_order(R0, "1", "2"), Stage.SENT)
     driving = GoalsReported(R0, T0 + 0.1, several.action, (several,))
     done = Goal("3f2a", "3f2a-77", "follow_waypoints", OrderState.DONE)
-    ended = [GoalsReported(R0, T0 + 1, several.action, (done,)), pose(T0 + 3), tick(T0 + 3)]
+    ended: list[Event] = [GoalsReported(R0, T0 + 1, several.action, (done,)), pose(T0 + 3), tick(T0 + 3)]
     state = after(of_kinds(fleet(), KIND), *begun, driving, pose(T0 + 0.2), tick(T0 + 0.2), *ended)
     assert record(state, 1).stage is Stage.DONE
     assert "whether it reached all stops" in record(state, 1).words
@@ -114,3 +132,33 @@ def test_a_question_names_the_orders_that_wait_here_too() -> None:
     assert asked == "Clear all 2 orders of robot_0?\n  3f2a  -> Store\n  k1  -> Base"
     asked = question(state, Wish((CancelOrder(R0, "k1"),)), [])
     assert asked == "Cancel order k1 of robot_0?\n-> Base"
+
+
+def test_orders_that_wait_here_are_orders_and_a_resume_says_whether_there_are_any() -> None:
+    state = ours(goals(T0 + 1, OrderState.CANCELLED), pose(T0 + 3), tick(T0 + 3))
+    assert "1 waiting" in text_of(fleet_table(state, "", 80).rows[0].runs)
+    assert state.robots[R0].held and "no orders" not in [one.name for one in reasons(state, state.robots[R0])]
+    resume = commanded(3, ResumeRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0 + 3)
+    assert record(after(state, *resume, tick(T0 + 3.1)), 3).words == "the orders that wait here go on"
+    emptied = after(state, CommandAdvanced(2, Stage.CANCELLED, T0 + 3))
+    assert record(after(emptied, *resume, tick(T0 + 3.1)), 3).words == "no order waits here"
+
+
+def test_orders_that_wait_for_a_robot_that_left_its_floor_are_held() -> None:
+    there = fleet(floors=2)
+    known = [graph(1, 2), graph(1, 2, floor="floor_1")]
+    kind = replace(KIND, frames_are_floors=False)
+    first: list[Event] = [*known, link_up(T0), FloorReported(R0, T0, "floor_0"), pose(T0), tick(T0)]
+    state = after(of_kinds(there, kind), *first, *commanded(1, ORDER_1, Stage.WAITING))
+    assert leaving(state) is not None
+    state = after(state, FloorReported(R0, T0 + 0.1, "floor_1"), pose(T0 + 0.1))
+    assert state.robots[R0].held == "robot_0 left floor_0" and leaving(state) is None
+
+
+def test_a_robot_that_is_not_heard_is_not_said_to_have_stopped() -> None:
+    pause = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, words="no such action server")
+    unheard = after(of_kinds(fleet(), KIND), *KNOWN, link_up(T0), *pause)
+    assert record(after(unheard, tick(T0 + 0.1)), 1).stage is Stage.ACCEPTED
+    ended = record(after(unheard, *map(tick, (T0 + 0.1, T0 + 60))), 1)
+    assert (ended.stage, ended.words) == (Stage.NOT_CONFIRMED, "accepted; it is offline")
+    assert record(after(unheard, pose(T0 + 0.2), tick(T0 + 0.2)), 1).stage is Stage.CONFIRMED

@@ -68,6 +68,7 @@ class Nav2:
             (*(key for key in ("odometry", "pose", "battery", "blocked", "map") if self._has(key)), *GOALS),
             (kind.ORDER, kind.ORDER_TO, kind.CANCEL, kind.CLEAR, *self._pauses),
             {**self._silence(), **profile.silence},
+            self._unset,
             frames_are_floors=False,
             tells_ends=True,
             keeps_goals=True,
@@ -88,9 +89,21 @@ class Nav2:
         return (kind.PAUSE, kind.RESUME) if self._holds or self._has_switch else ()
 
     @property
+    def _unset(self) -> dict[str, str]:
+        """The key that lacks for a pause over a lock."""
+        if self._settings.pause != "lock" or self._has_switch:
+            return {}
+        return dict.fromkeys((kind.PAUSE, kind.RESUME), f"{self.names.table}.topics.pause_navigation")
+
+    @property
     def _has_switch(self) -> bool:
         locks = self._settings.pause == "lock" and self._has("pause_navigation")
-        return locks or all(self.names.service(key, "robot") for key in ("pause", "resume"))
+        return locks or self._has_services
+
+    @property
+    def _has_services(self) -> bool:
+        """One alone is none: what it paused nothing would resume."""
+        return all(self.names.service(key, "robot") for key in ("pause", "resume"))
 
     @property
     def _holds(self) -> bool:
@@ -166,8 +179,8 @@ class Nav2:
 
     def _switch(self, key: str, robot: Robot, locked: bool) -> Sequence[Outgoing]:
         """Return what pauses a robot that has a switch for it."""
-        if service := self.names.service(key, robot.name):
-            return (Call(service, self.names.service_type(key), {}),)
+        if self._has_services:
+            return (Call(self.names.service(key, robot.name), self.names.service_type(key), {}),)
         topic = self.names.topic("pause_navigation", robot.name)
         if self._settings.pause == "lock" and topic:
             return (Publication(topic, self.names.type("pause_navigation"), {"data": locked}),)

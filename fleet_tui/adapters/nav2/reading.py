@@ -159,6 +159,9 @@ def short_id(uuid: str) -> str:
     # Sixteen zeros stand for all goals: a cancellation of that one would be of all.
     if len(found) != 16 or not any(found):
         raise WireError(f"goal_id.uuid: {brief(uuid, LONGEST_NAME)!r} is no id of 16 bytes")
+    if not any(found):
+        # To cancel a goal of this id would cancel all goals.
+        raise WireError("goal_id.uuid is all zeros, which stands for all goals")
     return found.hex()[:8]
 
 
