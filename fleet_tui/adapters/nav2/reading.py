@@ -156,8 +156,7 @@ def short_id(uuid: str) -> str:
         found = base64.b64decode(uuid, validate=True)
     except (binascii.Error, ValueError):
         found = b""
-    # Sixteen zeros stand for all goals: a cancellation of that one would be of all.
-    if len(found) != 16 or not any(found):
+    if len(found) != 16:
         raise WireError(f"goal_id.uuid: {brief(uuid, LONGEST_NAME)!r} is no id of 16 bytes")
     if not any(found):
         # To cancel a goal of this id would cancel all goals.
