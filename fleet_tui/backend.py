@@ -55,7 +55,7 @@ def connect_live(
     from fleet_tui.client.fleet_link import FleetLink
     from fleet_tui.client.queue_file import QueueFile
 
-    link = FleetLink(config, store, tap, QueueFile(folder, owner))
+    link = FleetLink(config, store, tap, None if config.operator.read_only else QueueFile(folder, owner))
     link.open()
     stands(link)
     from fleet_tui.maps.floor_files import load_floors

@@ -66,6 +66,13 @@ class Publication(NamedTuple):
 Outgoing = Call | Goal | Publication
 
 
+class Limit(NamedTuple):
+    """Megabytes of the largest message that a link takes, and the key of the config that says so."""
+
+    megabytes: float
+    key: str
+
+
 class Site(NamedTuple):
     """What a configuration says to an adapter: milliseconds between messages, seconds of silence after which
     a robot counts as offline, and the table that its profile stands in."""

@@ -90,7 +90,7 @@ class Telemetry:
         """Tell whether a robot drives a goal of which only its path tells where it leads to."""
         known = self._writer.store.state.robots.get(robot)
         current = known.orders.current if known else None
-        return current is not None and not current.stops
+        return current is not None and not current.stops and not current.label
 
     def silence(self) -> float:
         """Seconds since the last message on this connection, 0 as long as none has come."""

@@ -117,6 +117,10 @@ def _load_maps(config: Config, link: FleetLink) -> None:
         link.tell(loaded)
 
 
+def _has_no_map(state: FleetState, robot: str, floor: str) -> bool:
+    return state.robots[robot].charts[floor].grid is None and state.floors[floor].live is None
+
+
 def _live_maps(config: Config, store: WaitingStore, link: FleetLink) -> Iterator[None]:
     """Ask for one live map after the other, of each floor that has no file: so a replay can show it."""
     for floor in [floor.name for floor in config.floors if not floor.map]:
@@ -127,7 +131,7 @@ def _live_maps(config: Config, store: WaitingStore, link: FleetLink) -> Iterator
             yield
         if robot:
             link.show_map(robot, floor)
-        while robot and store.state.robots[robot].charts[floor].grid is None and time.monotonic() < until:
+        while robot and _has_no_map(store.state, robot, floor) and time.monotonic() < until:
             yield
     link.show_map(config.robots[0].name, "")
 

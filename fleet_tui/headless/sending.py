@@ -42,6 +42,8 @@ def unreported(robot: Robot) -> list[str]:
     values: dict[str, object] = {
         name: getattr(robot, name) for name in ("queue", "cargo") if kind.expects(name)
     }
+    if kind.keeps_goals:  # by its first sign of life the goals that it has are known
+        values["pose"] = robot.pose
     if kind.expects("graph"):
         values |= {f"graph of {floor}": chart.graph for floor, chart in robot.charts.items()}
     return [name for name, value in values.items() if value is None]

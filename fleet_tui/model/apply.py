@@ -65,6 +65,22 @@ def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
     return replace(state, robots=robots)
 
 
+def _with_robots_map(state: FleetState, event: events.GridReceived) -> FleetState:
+    state = _forget_grids(state, event)
+    return with_robot(state, apply_chart(state.robots[event.robot], event))
+
+
+def _with_live_map(state: FleetState, event: events.GridReceived) -> FleetState:
+    """One map serves all robots of a floor. That of another floor is asked for again when it is looked at."""
+    if event.robot or event.floor not in state.floors:
+        return state
+    floors = {
+        name: replace(floor, live=event.grid if name == event.floor else None)
+        for name, floor in state.floors.items()
+    }
+    return replace(state, floors=floors)
+
+
 def _shared(state: FleetState, event: events.GraphReceived) -> events.GraphReceived:
     """With the graph that another robot has, if it is the same: one serves all, and what is made of it."""
     for robot in state.robots.values():
@@ -79,7 +95,7 @@ def _apply_to_robot(
     event: events.Telemetry | Navigation | events.ChartReceived | events.MessageRejected,
 ) -> FleetState:
     if (robot := state.robots.get(event.robot)) is None:
-        return state
+        return _with_live_map(state, event) if isinstance(event, events.GridReceived) else state
     if isinstance(event, Navigation):
         return _moved(state, apply_navigation(robot, event))
     match event:
@@ -90,8 +106,7 @@ def _apply_to_robot(
         case events.FrameReceived() | events.LabelsReceived():
             return with_robot(state, apply_chart(robot, event))
         case events.GridReceived():
-            state = _forget_grids(state, event)
-            return with_robot(state, apply_chart(state.robots[event.robot], event))
+            return _with_robots_map(state, event)
         case events.PoseReported():
             return _moved(state, apply_report(robot, event))
         case (

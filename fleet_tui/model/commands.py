@@ -70,9 +70,13 @@ class Wish(Struct, frozen=True):
     floors: Mapping[str, str] = field(default_factory=dict)
 
 
-def chain(robot: str, vertices: Sequence[str], with_cargo: bool = False) -> tuple[Command, ...]:
+def chain(
+    robot: str, vertices: Sequence[str], with_cargo: bool = False, in_one: bool = False
+) -> tuple[Command, ...]:
     """Orders that visit the vertices one after the other: A, B, C is A -> B and B -> C. `with_cargo`:
-    what is on board goes to the first one."""
+    what is on board goes to the first one. `in_one`: such robots take one order with all stops."""
+    if in_one:
+        return (PlaceOrder(robot, at_vertices(*vertices)),)
     first = [PlaceOrder(robot, at_vertices(vertices[0]))] if with_cargo else []
     return (*first, *(PlaceOrder(robot, at_vertices(*ends)) for ends in pairwise(vertices)))
 

@@ -90,7 +90,8 @@ def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: 
 def could_be(command: PlaceOrder, order: Order) -> bool:
     """Tell whether an order is as this command asks. One for the cargo on board begins wherever it was."""
     if not order.stops:
-        return True  # a goal: its robot does not tell where it leads to
+        # A goal: its robot does not tell where it leads to.
+        return not order.label
     return order.stops[-1:] == command.stops if command.with_cargo else order.stops == command.stops
 
 

@@ -100,7 +100,7 @@ class LabelsReceived(Struct, frozen=True, tag=True):
 
 
 class GridReceived(Struct, frozen=True, eq=False, tag=True):
-    """A robot's live map of a floor, ready to draw."""
+    """A robot's live map of a floor, ready to draw; without a robot the one that all share."""
 
     robot: str
     floor: str

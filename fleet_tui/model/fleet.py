@@ -35,7 +35,7 @@ class Limits(Struct, frozen=True):
 class Floor(Struct, frozen=True, eq=False):
     """A floor of the config. `grid` is its configured map file; `tied` is False where that is a
     plain image which lies as map_metadata says; `problem` is why it can't be shown, `graph_problem` the same
-    of its graph file."""
+    of its graph file; `live` is the map that robots share."""
 
     name: str
     frame_id: str
@@ -43,6 +43,7 @@ class Floor(Struct, frozen=True, eq=False):
     tied: bool = True
     problem: str = ""
     graph_problem: str = ""
+    live: OccupancyGrid | None = None
 
 
 class FleetState(Struct, frozen=True, eq=False):

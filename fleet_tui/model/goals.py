@@ -95,6 +95,7 @@ def queue_of(goals: Goals, at: float, offset: float | None) -> OrderQueue:
             goal.word,
             goal.serial,
             None if goal.stamp is None or offset is None else goal.stamp + offset,
+            goal.label,
         )
         for goal in shown[-MOST_ORDERS:]
     )

@@ -165,7 +165,7 @@ def _order(robot: Robot, named: Sequence[str], only_to: bool = False) -> Wish:
     found = [_vertex(robot, word) for word in named]
     vertices = [vertex for vertex, _ in found]
     floors = {vertex: floor for vertex, floor in found if floor}
-    return Wish(chain(robot.name, vertices, with_cargo=only_to or len(named) == 1), floors)
+    return Wish(chain(robot.name, vertices, only_to or len(named) == 1, robot.kind.keeps_goals), floors)
 
 
 def _route(line: str, found: list[Token], state: FleetState) -> Wish:

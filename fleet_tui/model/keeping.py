@@ -8,6 +8,7 @@ from msgspec.structs import replace
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
+from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot
 
@@ -80,12 +81,17 @@ def is_busy(state: FleetState, robot: Robot) -> bool:
 def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
     """Return the order that may leave now, if any: the one before is done, and nothing speaks against it."""
     kept = waiting(state, robot)
-    if not kept or robot.held or robot.paused_by_us or not state.is_online(robot):
+    if not kept or robot.held or state.is_paused(robot) or not state.is_online(robot):
         return None
     if state.links[robot.link].phase is not Phase.UP or robot.orders.open:
         return None
     others = (one for one in orders_of(state, robot) if one.stage is not Stage.WAITING)
     return None if any(one.stage in _GOING or one.has_open_order for one in others) else kept[0]
+
+
+def hold_all(state: FleetState, reason: str) -> Iterator[QueueHeld]:
+    """Return the facts that hold every queue in which something waits."""
+    return (QueueHeld(robot.name, reason) for robot in state.robots.values() if waiting(state, robot))
 
 
 def with_held_queues(state: FleetState) -> FleetState:

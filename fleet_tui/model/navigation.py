@@ -10,7 +10,7 @@ class Goal(Struct, frozen=True):
     vocabulary; `stamp` the second at which it was taken, by the robot's clock; `stops` where it leads to, as
     far as that is known; `serial` grows with each goal seen. `is_leg`: another goal of the same robot gave
     it, `is_ours`: this console did. `ended_at` is when it was first seen as over (monotonic), infinitely long
-    ago if that was before."""
+    ago if that was before. `label` says what it does where it leads to no stop."""
 
     id: str
     uuid: str
@@ -23,6 +23,7 @@ class Goal(Struct, frozen=True):
     is_leg: bool = False
     is_ours: bool = False
     ended_at: float | None = None
+    label: str = ""
 
 
 class Progress(Struct, frozen=True):

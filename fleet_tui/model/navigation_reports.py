@@ -132,7 +132,7 @@ def know_stops(robot: Robot, order_id: str, stops: tuple[Stop, ...], is_ours: bo
 def _take_plan(robot: Robot, event: navigation_events.PlanReported) -> Robot:
     """The path ends where a goal of unknown target leads to."""
     current = robot.orders.current
-    if current is None or current.stops:
+    if current is None or current.stops or current.label:
         return robot
     return know_stops(robot, current.id, (_stop_at(robot, event.end),))
 

@@ -73,7 +73,7 @@ class Order(Struct, frozen=True):
 
     `state` is None where the robot's own `word` for it says nothing to us. `serial` grows with each order
     that the robot takes: a new order has a higher one than all before it. `taken_at`: the monotonic second at
-    which it took it, None where it does not tell.
+    which it took it, None where it does not tell. `label` says what it is where it leads to no stop.
     """
 
     id: str
@@ -82,6 +82,7 @@ class Order(Struct, frozen=True):
     word: str
     serial: int
     taken_at: float | None = None
+    label: str = ""
 
     @property
     def is_over(self) -> bool:

@@ -63,14 +63,17 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     a goal was cancelled since."""
     if not wanted:
         return Step(Stage.CONFIRMED, state.now, "the orders that wait here go on")
-    if record.stage is not Stage.ACCEPTED and not any(
-        one.stage is Stage.CANCELLED and one.at >= record.issued_at for one in robot.gone
-    ):
+    stopped = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
+    if record.stage is not Stage.ACCEPTED and not stopped:
         return None
     if robot.orders.open or any(one.has_open_order for one in orders_of(state, robot)):
         return None
     kept = any(one.order_id for one in waiting(state, robot))
-    return Step(Stage.CONFIRMED, state.now, "stopped, goal kept here" if kept else "stopped, no goal to keep")
+    words = "stopped, goal kept here" if kept else "stopped, no goal to keep"
+    ours = {one.order_id for one in orders_of(state, robot)}
+    if not kept and any(gone.order.id not in ours for gone in stopped):
+        words = "stopped, and someone else's goal with it, which can't be resumed from here"
+    return Step(Stage.CONFIRMED, state.now, words)
 
 
 def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:

@@ -50,7 +50,7 @@ def name_of(robot: Robot, vertex: str) -> str:
 
 def mission(robot: Robot, order: Order) -> str:
     """An order by its id and its stops."""
-    return f"order {order.id}, {route_text(order.stops, partial(name_of, robot))}"
+    return f"order {order.id}, {order.label or route_text(order.stops, partial(name_of, robot))}"
 
 
 def last_command(state: FleetState, robot: Robot, *kinds: type[Command]) -> CommandRecord | None:

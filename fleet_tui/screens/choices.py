@@ -35,9 +35,10 @@ def is_in_label(robot: Robot | None, typed: str) -> bool:
 
 
 def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Wish:
-    """Orders that visit the places one after the other; `only_to`: the cargo on board to the first."""
+    """Orders that visit the places one after the other; `only_to`: without a start."""
     floors = {place.vertex: place.floor for place in visited}
-    return Wish(chain(robot.name, [place.vertex for place in visited], only_to), floors)
+    vertices = [place.vertex for place in visited]
+    return Wish(chain(robot.name, vertices, only_to, robot.kind.keeps_goals), floors)
 
 
 def wanted_now(robot: Robot, only_to: bool) -> str:

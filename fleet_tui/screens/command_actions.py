@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from fleet_tui.model import kind
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Wish
 from fleet_tui.model.events import Event
+from fleet_tui.model.keeping import hold_all
 from fleet_tui.screens.order_actions import OrderActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.view.text import visible
@@ -40,6 +41,13 @@ class CommandActions(OrderActions):
     def action_pause_all(self) -> None:
         """Pause every robot, at once."""
         self.do(Wish(tuple(map(PauseRobot, self.state.robots))))
+
+    def action_arm(self) -> None:
+        """Let commands leave this console, or no longer: orders that wait here neither."""
+        self.armed = not self.armed
+        for held in () if self.armed else hold_all(self.state, "this console is not armed"):
+            self.tell(held)
+        self.say("this console is armed" if self.armed else "this console is not armed")
 
     def action_why(self) -> None:
         """Why the selected robot stands still."""

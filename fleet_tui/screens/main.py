@@ -142,8 +142,3 @@ class MainScreen(Navigation):
         hidden = hidden_keys(self.state, self.selection.robot)
         kind = self.state.robots[self.selection.robot].kind
         self.key_help.show(self._focused_pane(), self.terminal, kind, hidden)
-
-    def action_arm(self) -> None:
-        """Let commands leave this console, or no longer."""
-        self.armed = not self.armed
-        self.say("this console is armed" if self.armed else "this console is not armed")

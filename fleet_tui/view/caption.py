@@ -9,9 +9,10 @@ from fleet_tui.view.camera import Camera, scale_bar
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.text import cell_width, visible
+from fleet_tui.view.text import cell_width, fit, visible
 
 Piece = tuple[str, Ink]
+LEAST = 8  # cells that a note must have
 _BAR = 14  # cells that the scale bar may take
 
 
@@ -32,12 +33,16 @@ class Caption:
 
 @lru_cache(maxsize=8)
 def caption_row(facts: Caption) -> Cells:
-    """One row of cells, not to be drawn on; where it is narrow what is less important is left out."""
+    """One row of cells, not to be drawn on; where it is narrow a note is cut and what is less important left
+    out."""
     row = Cells.blank(facts.camera.width, 1, Ink.RULE)
     row.codes[:] = ord("-" if facts.drawing is Drawing.ASCII else "─")
     x = 1
     for piece, ink in _pieces(facts):
-        text = f" {piece} "
+        room = facts.camera.width - x - 2
+        # A note says what is wrong: of a long one the beginning is worth more than the rest of the row.
+        is_cut = ink is Ink.WARN and LEAST < room < cell_width(piece)
+        text = f" {fit(piece, room) if is_cut else piece} "
         if x + cell_width(text) <= facts.camera.width:
             row.write(x, 0, text, ink)
             x += cell_width(text) + 2

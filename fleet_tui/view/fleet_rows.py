@@ -29,7 +29,7 @@ def place(robot: Robot, vertex: str) -> str:
 
 def mission(robot: Robot, order: Order) -> str:
     """`A -> B` by labels."""
-    return way(robot, order.stops)
+    return visible(order.label) if order.label and not order.stops else way(robot, order.stops)
 
 
 def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:

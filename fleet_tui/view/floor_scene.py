@@ -85,8 +85,9 @@ def _with_map(floor: Floor, chart: Chart, scene: Scene) -> Scene:
         return replace(scene, note=floor.problem)
     if grid is not None:
         return replace(scene, note="map image waits for map_metadata")
-    if chart.grid is not None:
-        return replace(scene, grid=chart.grid, frame=chart.grid.frame)
+    live = chart.grid or floor.live
+    if live is not None:
+        return replace(scene, grid=live, frame=live.frame)
     missing = "no map yet" if chart.graph is not None else "no map and no graph yet"
     return replace(scene, frame=frame or scene.frame, note=missing)
 

@@ -327,12 +327,13 @@ def test_a_large_map_needs_no_process_of_its_own(tmp_path: Path, monkeypatch: py
     assert grid is not None and grid.frame.width == 2500
 
 
-def test_the_floors_map_files_are_loaded(tmp_path: Path) -> None:
+def test_the_floors_files_are_loaded(tmp_path: Path) -> None:
     config = bag_config("ros1")
-    floors = [FloorEntry(F0, "no_such.png")]
+    floors = [FloorEntry(F0, "no_such.png", "no_such.json")]
     config = msgspec.structs.replace(config, floors=floors, path=tmp_path / "config.toml")
     _, recording = made_of(written(tmp_path, "ros1", night()), config, tmp_path / "r.jsonl.gz")
-    assert "no_such.png" in played(recording).floors[F0].problem
+    floor = played(recording).floors[F0]
+    assert "no_such.png" in floor.problem and "no_such.json" in floor.graph_problem
 
 
 def test_each_link_hears_its_own_robots(tmp_path: Path) -> None:

@@ -243,7 +243,10 @@ async def test_a_goal_of_another_client_is_stopped_by_a_pause_and_cannot_be_resu
         site.navigation().give(*FAR)
         await store.until(lambda state: nav2_ready(state) and state.robots[R0].orders.open)
         pause = await finished(link, store, PauseRobot(R0))
-        assert (pause.stage, pause.words) == (Stage.CONFIRMED, "stopped, no goal to keep")
+        assert (pause.stage, pause.words) == (
+            Stage.CONFIRMED,
+            "stopped, and someone else's goal with it, which can't be resumed from here",
+        )
     (goal,) = site.navigation().servers[TO_POSE].goals.values()
     assert goal.status == CANCELED
 

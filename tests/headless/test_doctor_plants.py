@@ -27,6 +27,7 @@ from tests.headless.plants import (
     ROS_2_PLANTS,
     mute_server,
     other_websocket,
+    renamed,
     tls_server,
     web_server,
 )
@@ -129,6 +130,18 @@ async def test_nothing_is_wrong_with_a_fleet_with_nav2(nav2: RosbridgeServer, tm
     assert (code, said[-1]) == (0, f"{len(said) - 1} ok")
     assert_harmless(nav2, IS_ACTIVE)
     assert nav2.calls == [(IS_ACTIVE, {})]
+
+
+async def test_a_remedy_names_the_table_of_the_robots_profile(nav2: RosbridgeServer, tmp_path: Path) -> None:
+    renamed(nav2, "/robot_0/battery_state", "/robot_0/bms")
+    config = msgspec.structs.replace(
+        nav2_config(nav2.url, tmp_path),
+        profile=Profile(),
+        profiles={"amr": Profile(kind="nav2")},
+        robots=[RobotEntry("robot_0", profile="amr")],
+    )
+    line, code = await complaint(config)
+    assert code == 1 and '[profiles.amr.topics] battery = "/{robot}/bms"' in line
 
 
 async def test_a_topic_of_an_action_is_in_no_list_and_not_missing(ros_2: RosbridgeServer) -> None:

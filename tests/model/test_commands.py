@@ -12,11 +12,14 @@ from fleet_tui.model.commands import (
     Command,
     CommandRecord,
     PauseRobot,
+    PlaceOrder,
     ResumeRobot,
     Stage,
+    chain,
 )
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import at_vertices
 from tests.fleets import R0, T0, commanded, fleet, link_lost, link_up, place_order, pose, queue, tick, told
 
 ORDER = place_order(R0, 1, 2)
@@ -282,3 +285,8 @@ class Life(RuleBasedStateMachine):
 
 
 TestLife = Life.TestCase
+
+
+def test_a_robot_that_drives_goals_takes_a_chain_as_one_order() -> None:
+    assert chain(R0, ["1", "2", "3"], in_one=True) == (PlaceOrder(R0, at_vertices("1", "2", "3")),)
+    assert chain(R0, ["3"], with_cargo=True, in_one=True) == (PlaceOrder(R0, at_vertices("3")),)

@@ -239,3 +239,12 @@ def test_robots_that_know_the_same_graph_share_one() -> None:
     changed = told(state, told_again)
     assert changed.robots[R0].charts[F0].graph == routes(2.0)
     assert changed.robots["robot_1"].charts[F0].graph is second
+
+
+def test_a_map_that_all_robots_share_is_their_floors() -> None:
+    grid = grid_from_ros(MapFrame(1.0, 2, 1), b"\0d")
+    state = told(fleet(2, 2), events.GridReceived("", F0, grid))
+    assert state.floors[F0].live is grid and state.robots[R0].charts[F0].grid is None
+    other = grid_from_ros(MapFrame(1.0, 1, 1), b"\0")
+    state = told(state, events.GridReceived("", "floor_1", other), events.GridReceived("", "attic", grid))
+    assert (state.floors[F0].live, state.floors["floor_1"].live) == (None, other)

@@ -87,6 +87,13 @@ async def test_the_backdrop_stands_while_the_robot_drives_to_where_its_mission_b
         assert view._behind is not behind
 
 
+async def test_a_note_that_is_too_long_for_the_caption_is_cut() -> None:
+    async with Pane().run_test(size=(60, 20)) as pilot:
+        view = await started(pilot, replace(SCENE, note=f"graph routes.json: {'x' * 200}"))
+        assert f" {SCENE.floor} " in caption(view) and " graph routes.json: xxx" in caption(view)
+        assert caption(view).rstrip("─ ").endswith("x…")
+
+
 async def test_the_caption_tells_where_the_cursor_is_in_metres_while_it_is_on() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot)

@@ -32,6 +32,8 @@ from fleet_tui.model.robot import Robot
 
 GOALS = ("queue", "progress")
 """Values that come from the actions."""
+DRIVES = ("follow_waypoints", "navigate_to_pose")
+"""The actions with which orders are given."""
 PLAN_MS = 1000
 """Milliseconds between two paths, each of which may be long: only its end counts."""
 BATTERY_SILENCE = 60.0
@@ -95,14 +97,16 @@ class Nav2:
         return self._settings.pause == "hold" and not self._has_switch
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
-        """Return what to listen to, the most urgent first."""
-        site = self._site
+        """Return what to listen to, the most urgent first. A bridge subscribes one by one: the goals come
+        before the first sign of life, so that an order to a robot that is heard replaces nobody's."""
+        site, latched = self._site, Feed("", (robot,), "", "", "", latched=True, silent=True)
+        yield from self._statuses(robot, DRIVES)
         yield from self._feed("odometry", robot, Feed("", (robot,), "", "", "", site.pose_ms, fast=True))
-        latched = Feed("", (robot,), "", "", "", latched=True, silent=True)
         yield from self._feed("pose", robot, latched)
-        yield from self._goal_feeds(robot)
+        yield from self._feedback(robot)
         slow = Feed("", (robot,), "", "", "", site.status_ms)
         yield from self._feed("battery", robot, slow)
+        yield from self._statuses(robot, [action for action in ACTIONS if action not in DRIVES])
         yield from self._feed("blocked", robot, slow._replace(rate_ms=0, silent=True))
         yield from self._feed("floor", robot, latched)
         yield from self._feed("plan", robot, slow._replace(rate_ms=PLAN_MS, silent=True, on_demand=True))
@@ -111,11 +115,13 @@ class Nav2:
         for floor in floors:
             yield from self._feed("map", robot, of_map._replace(floor=floor))
 
-    def _goal_feeds(self, robot: str) -> Iterable[Feed]:
-        for action in ACTIONS:
+    def _statuses(self, robot: str, actions: Iterable[str]) -> Iterable[Feed]:
+        for action in actions:
             if name := self.names.action(action, robot):
                 status = f"{name}/_action/status"
                 yield Feed(action, (robot,), "", status, STATUS_TYPE, latched=True, silent=True)
+
+    def _feedback(self, robot: str) -> Iterable[Feed]:
         for action, type_ in FEEDBACK_TYPES.items():
             if name := self.names.action(action, robot):
                 address, key = f"{name}/_action/feedback", f"{action} feedback"
@@ -176,3 +182,6 @@ class Nav2:
         if isinstance(values, dict) and "success" in values:
             return judge(command, values, result, ())
         return judge_cancel(command, values, result)
+
+
+ADAPTER = Nav2

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from functools import partial
 
 from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, HeardProbe, Probe, QueryProbe
 from fleet_tui.adapters.ros.names import Names
@@ -36,7 +37,7 @@ def probes(names: Names, robot: str) -> Iterator[Probe]:
     if names.topic("pose", robot):
         yield HeardProbe("localisation", "pose", judge_localisation)
     if names.topic("battery", robot):
-        yield HeardProbe("charge", "battery", judge_battery)
+        yield HeardProbe("charge", "battery", partial(judge_battery, f"[{names.table}.scales]"))
 
 
 def judge_bridge(ros: int, distro: str) -> Diagnosis:
@@ -82,8 +83,8 @@ def judge_localisation(count: int, event: Event | None) -> Diagnosis:
     return Diagnosis("ok", around)
 
 
-def judge_battery(count: int, event: Event | None) -> Diagnosis | None:
-    """Judge on which scale the charge is, and whether it is measured."""
+def judge_battery(scales: str, count: int, event: Event | None) -> Diagnosis | None:
+    """Judge on which scale the charge is, and whether it is measured. `scales`: the table that says it."""
     if not count:
         return None
     if not isinstance(event, BatteryReported):
@@ -91,9 +92,7 @@ def judge_battery(count: int, event: Event | None) -> Diagnosis | None:
             "warn", "not measured: percentage is NaN", "does its driver know the battery's capacity?"
         )
     if event.is_raw and event.percent > 1.0:
-        remedy = (
-            "[profile.scales] battery = 1 says so for good: a value up to 1 is taken for a share at first"
-        )
+        remedy = f"{scales} battery = 1 says so for good: a value up to 1 is taken for a share at first"
         return Diagnosis(
             "warn", f"counts to 100 instead of to 1: {event.percent:.0f} is taken for per cent", remedy
         )

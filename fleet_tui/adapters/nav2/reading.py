@@ -29,6 +29,8 @@ STATES = {
 }
 """States of a goal (action_msgs/GoalStatus). One that is being cancelled still drives."""
 WORDS = {1: "accepted", 2: "executing", 3: "cancelling", 4: "succeeded", 5: "cancelled", 6: "aborted"}
+LABELS = {"dock_robot": "docking", "undock_robot": "undocking"}
+"""Goals that lead to no stop."""
 MONITOR = {0: "", 1: "stop", 2: "slowdown", 3: "approach", 4: "limit"}
 """What a collision monitor does (nav2_msgs/CollisionMonitorState)."""
 
@@ -142,7 +144,8 @@ def _goal(action: str, one: nav.GoalStatus) -> Goal:
     uuid = one.goal_info.goal_id.uuid
     word = WORDS.get(one.status, f"status {one.status}")
     stamp = one.goal_info.stamp.seconds
-    return Goal(short_id(uuid), uuid, action, STATES.get(one.status), word, stamp)
+    label = LABELS.get(action, "")
+    return Goal(short_id(uuid), uuid, action, STATES.get(one.status), word, stamp, label=label)
 
 
 def short_id(uuid: str) -> str:

@@ -101,3 +101,6 @@ class OhRessources:
     ) -> tuple[Stage, str]:
         """Return what an answer means for a command, with the robot's own words."""
         return judge(command, values, result, self._refusals)
+
+
+ADAPTER = OhRessources

@@ -2,11 +2,11 @@
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from msgspec.structs import replace
 
-from fleet_tui.adapters.adapter import Adapter, Feed
+from fleet_tui.adapters.adapter import Adapter, Feed, Limit
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros import operations, robot_words
 from fleet_tui.adapters.ros.operations import topic_of
@@ -27,13 +27,6 @@ DecodeApart = Callable[[Profile, Feed, bytes], events.GridReceived]
 _CBOR_TOPIC = re.compile(rb"\x65topic(?:([\x60-\x77])|\x78(.))", re.DOTALL)
 # Facts whose parts are read one by one: what is wrong with one comes with the others.
 _IN_PARTS = events.QueueReported, events.GraphReceived, events.LabelsReceived
-
-
-class Limit(NamedTuple):
-    """Megabytes of the largest message that a link takes, and the key of the config that says so."""
-
-    megabytes: float
-    key: str
 
 
 class Reading:
@@ -102,7 +95,7 @@ class Reading:
             counter.failed(str(problem))
             return _rejected(feed, str(problem))
         self.maps_heard.add(feed.address)
-        return _of_all(feed, (event,))
+        return _of_none((event,)) if feed.is_shared else (event,)
 
     def _translate(self, counter: TopicCounter, msg: object, at: float) -> Sequence[events.Event]:
         feed = self._feeds.get(counter.topic)
@@ -120,7 +113,7 @@ class Reading:
         if feed.large:
             self.counter.keep_one_map(counter)
             self.maps_heard.add(feed.address)
-        return found if len(feed.robots) == 1 else _of_all(feed, found)
+        return found if not feed.is_shared else _of_none(found)
 
     def _overhear(self, topic: str, msg: object, at: float) -> None:
         """Take what changes nothing in the picture."""
@@ -151,9 +144,9 @@ def _rejected(feed: Feed, text: str) -> Sequence[events.Event]:
     return tuple(events.MessageRejected(robot, f"{feed.address}: {text}") for robot in feed.robots)
 
 
-def _of_all(feed: Feed, found: Iterable[Any]) -> Sequence[events.Event]:
-    """Tell each robot's copy of what several share."""
-    return tuple(replace(event, robot=robot) for event in found for robot in feed.robots)
+def _of_none(found: Iterable[Any]) -> Sequence[events.Event]:
+    """Tell what several robots share as no robot's own."""
+    return tuple(replace(event, robot="") for event in found)
 
 
 def _cbor_topic(head: bytes) -> str:

@@ -117,6 +117,10 @@ class BridgeFacts:
         """A robot's topics."""
         return [facts for facts in self.topics if robot in facts.wanted.robots]
 
+    def table(self, robot: str) -> str:
+        """Where a robot's profile stands in the config."""
+        return self.adapters[robot].names.table
+
     def knows(self, robot: str) -> bool:
         """Whether the bridge knows anything of a robot; true where it can't be asked."""
         own = [one for one in self.of(robot) if not one.wanted.is_shared]

@@ -38,7 +38,7 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
     if floor:
         return f"{meant} Then the floor's name is {floor}, not {wanted.floor}"
     template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
-    return f'{meant} Then [profile.topics] {wanted.key} = "{template}"'
+    return f'{meant} Then [{bridge.table(wanted.robot)}.topics] {wanted.key} = "{template}"'
 
 
 def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:
@@ -50,13 +50,13 @@ def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:
     return found.group(1) if found else ""
 
 
-def near_service(robot: str, key: str, service: str, free: Collection[str]) -> str:
-    """The free name that a robot's service may have now, as the config would say it."""
+def near_service(table: str, robot: str, key: str, service: str, free: Collection[str]) -> str:
+    """The free name that a robot's service may have now, as the profile's table would say it."""
     near = nearest(service, (name for name in free if name.startswith(f"/{robot}/")), 1)
     if not near:
         return ""
     template = near[0].replace(f"/{robot}/", "/{robot}/")
-    return f'did you mean {near[0]}? Then [profile.services] {key} = "{template}"'
+    return f'did you mean {near[0]}? Then [{table}.services] {key} = "{template}"'
 
 
 def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:

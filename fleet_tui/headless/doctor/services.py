@@ -39,7 +39,7 @@ def _service(robot: str, key: str, service: str, expected: str, facts: BridgeFac
     if service not in rosapi.services:
         free = rosapi.services.keys() - {name for _, name, _ in adapter.services(robot)}
         start = f"start the node that offers it, or correct [{table}.services] {key}"
-        remedy = near_service(robot, key, service, free) or start
+        remedy = near_service(table, robot, key, service, free) or start
         return finding(Verdict.FAIL, f"{service} is not on the bridge", remedy)
     if there is None:
         return finding(Verdict.SKIPPED, "no time was left to ask for its type", "a longer --timeout", True)

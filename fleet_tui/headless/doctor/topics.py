@@ -41,13 +41,13 @@ def _robot(
         known = {other.name for other in config.robots}
         others = nearest(robot.name, robots_on(facts.adapters[robot.name].names, facts.rosapi) - known)
         remedy = f"did you mean {listed(others)}? Correct its name" if others else "correct its name"
-        place = f"robots[{config.robots.index(robot)}].name"
+        place, table = f"robots[{config.robots.index(robot)}].name", facts.table(robot.name)
         return Finding(
             robot.name,
             "robot",
             Verdict.FAIL,
             f"not on this bridge: none of its {len(topics)} topics is there",
-            f"{remedy} in {place} ([profile.topics] if all are named otherwise), or switch it on",
+            f"{remedy} in {place} ([{table}.topics] if all are named otherwise), or switch it on",
         )
     live = [one for one in topics if not one.wanted.floor]
     heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
@@ -129,12 +129,13 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
 def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFacts) -> Finding:
     key, expected = facts.wanted.key, facts.wanted.type
     other = near_topic(config, facts, bridge)
-    same = f'if its fields are the same: [profile.types] {key} = "{there}"'
+    table = bridge.table(facts.wanted.robot)
+    same = f'if its fields are the same: [{table}.types] {key} = "{there}"'
     return _finding(
         facts,
         Verdict.FAIL,
         f"{facts.topic} has type {there}, not {expected}: it is not subscribed",
-        f"{same}; else {other}" if other else f"{same}; else correct [profile.topics] {key}",
+        f"{same}; else {other}" if other else f"{same}; else correct [{table}.topics] {key}",
         type=there,
         expected_type=expected,
     )
@@ -161,7 +162,8 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
     else:
         verdict, measured, remedy = _nothing_came(facts, rosapi)
     if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
-        remedy += f" ({UNSEEN}: are [profile.topics] {facts.wanted.key} and its type right?)"
+        table = bridge.table(facts.wanted.robot)
+        remedy += f" ({UNSEEN}: are [{table}.topics] {facts.wanted.key} and its type right?)"
     if verdict is Verdict.OK:
         measured = f"{measured}, {facts.wanted.type}"
     by = f", by {listed(nodes)}" if nodes and verdict is not Verdict.SKIPPED else ""
@@ -219,7 +221,7 @@ def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]
 
 
 def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Verdict, str, str]:
-    fields = "correct [profile.fields], or the node that publishes it"
+    fields = f"correct [{bridge.table(facts.wanted.robot)}.fields], or the node that publishes it"
     if facts.event is None and facts.faults:
         return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
     if facts.faults:
