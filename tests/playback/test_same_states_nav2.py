@@ -46,10 +46,10 @@ async def eventful(site: Site, link: FleetLink, store: Ticking) -> None:
     await reached(store, first.id, Stage.DONE)
     state = await store.until(lambda state: state.robots[R1].orders.open)
     await finished(link, store, CancelOrder(R1, state.robots[R1].orders.open[0].id))
+    await reached(store, second, Stage.DONE)
     await site.server.drop_clients()
     await store.until(lambda state: not phase(Phase.UP)(state))
     await store.until(phase(Phase.UP))
-    await reached(store, second, Stage.DONE)
     third = await finished(link, store, site.to("Consumidores"))
     site.navigation().robot.block()
     await store.until(lambda state: state.robots[R0].blocked)
@@ -57,7 +57,7 @@ async def eventful(site: Site, link: FleetLink, store: Ticking) -> None:
     await reached(store, third.id, Stage.FAILED)
     site.navigation().robot.lose()
     await store.until(lambda state: (one := state.robots[R0].variance) is not None and one.value > 1.0)
-    await store.until(lambda state: state.robots[R0].charts["floor_0"].grid)
+    await store.until(lambda state: state.floors["floor_0"].live)
 
 
 async def test_every_instant_is_as_it_was_and_every_keyframe_can_be_gone_to(tmp_path: Path) -> None:

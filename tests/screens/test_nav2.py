@@ -29,7 +29,7 @@ async def test_map_graph_and_robots_are_on_the_screen(site: Site) -> None:
         await it.shows("Consumidores", "map")
         await it.shows("robot_1", "fleet")
         assert "floor_0" in it.text and "0 alarms" in it.text
-        await it.until(lambda state: state.robots[R0].charts["floor_0"].grid)
+        await it.until(lambda state: state.floors["floor_0"].live)
         await it.shows("⣀⣀⣀", "map")
         await it.shows("%", "fleet")
 
