@@ -1,15 +1,14 @@
 """A kind of robots made up: as those of the simulator, without cargo, obstacles and pauses."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Sequence
 
 import msgspec
 import pytest
 
-from fleet_tui.adapters.adapter import Feed, Site
+from fleet_tui.adapters.adapter import Adapter, Feed, Site
 from fleet_tui.adapters.oh_ressources.adapter import OhRessources
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.registry import KINDS
+from fleet_tui.adapters.registry import KINDS, Registered
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.model.kind import CANCEL, ORDER, ORDER_TO
 from tests.watched import config_of
@@ -31,8 +30,16 @@ class Plain(OhRessources):
         return (feed for feed in super().feeds(robot, floors) if feed.key not in NEVER)
 
 
+class MadeUp(Registered):
+    """The source's kind, but for its adapter."""
+
+    @property
+    def adapter(self) -> Callable[[Profile, Site], Adapter]:
+        return Plain
+
+
 def mixed(patch: pytest.MonkeyPatch, url: str, *plain: int, robots: int = 2) -> Config:
     """A config in which the robots of these numbers, from 0, are of that kind."""
-    patch.setitem(KINDS, PLAIN, replace(KINDS["oh_ressources"], adapter=Plain))
+    patch.setitem(KINDS, PLAIN, MadeUp("oh_ressources"))
     entries = [RobotEntry(f"robot_{n}", profile=PLAIN if n in plain else "") for n in range(robots)]
     return msgspec.structs.replace(config_of(url, robots), robots=entries)

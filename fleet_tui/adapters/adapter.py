@@ -66,6 +66,13 @@ class Publication(NamedTuple):
 Outgoing = Call | Goal | Publication
 
 
+class Limit(NamedTuple):
+    """Megabytes of the largest message that a link takes, and the key of the config that says so."""
+
+    megabytes: float
+    key: str
+
+
 class Site(NamedTuple):
     """What a configuration says to an adapter: milliseconds between messages, seconds of silence after which
     a robot counts as offline, and the table that its profile stands in."""
@@ -110,3 +117,7 @@ class Adapter(Protocol):
         """Return what an answer means for a command, with the robot's own words. `result` is False where the
         bridge did not pass it on; `status` is that of a goal (action_msgs/GoalStatus), None for a call: of an
         order that has ended it is DONE or FAILED, of one that was not taken REFUSED."""
+
+    def learned(self, call: Call, values: object, robot: Robot, sent_at: float, at: float) -> Iterable[Event]:
+        """Return what the answer to a call that left at `sent_at` tells of its robot, beside how the command
+        went. Both times are monotonic seconds."""

@@ -1,42 +1,59 @@
-"""The registry of kinds: one line for each."""
+"""The registry of kinds: one word for each, the name of its folder here."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any, cast
 
-from msgspec import Struct
+if TYPE_CHECKING:
+    # What a kind needs is imported when it is used: a fleet of one kind does not wait for the others.
+    from msgspec import Struct
 
-from fleet_tui.adapters.adapter import Adapter, Site
-from fleet_tui.adapters.discovery import Discovery, Listed
-from fleet_tui.adapters.nav2.adapter import Nav2
-from fleet_tui.adapters.nav2.discovery import discover as discover_nav2
-from fleet_tui.adapters.nav2.settings import Settings as Nav2Settings
-from fleet_tui.adapters.nav2.vocabulary import VOCABULARY as NAV2
-from fleet_tui.adapters.oh_ressources.adapter import OhRessources
-from fleet_tui.adapters.oh_ressources.discovery import discover as discover_oh_ressources
-from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY as OH_RESSOURCES
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.names import Vocabulary
+    from fleet_tui.adapters.adapter import Adapter, Site
+    from fleet_tui.adapters.discovery import Discovery, Listed
+    from fleet_tui.adapters.profile import Profile
+    from fleet_tui.adapters.ros.names import Vocabulary
 
 DEFAULT_KIND = "oh_ressources"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Registered:
-    """A kind of robots: its usual names, what makes its adapter, what recognises such robots behind a bridge,
-    and what its own table of a profile holds."""
+    """A kind of robots, whose folder has the modules `vocabulary`, `adapter`, `discovery` and, where it has
+    settings of its own, `settings`."""
 
-    vocabulary: Vocabulary
-    adapter: Callable[[Profile, Site], Adapter]
-    discover: Callable[[Listed], Discovery]
-    settings: type[Struct] | None = None
+    folder: str
+
+    def _module(self, name: str) -> Any:
+        return import_module(f"{__package__}.{self.folder}.{name}")
+
+    @property
+    def vocabulary(self) -> "Vocabulary":
+        """Its usual names."""
+        return cast("Vocabulary", self._module("vocabulary").VOCABULARY)
+
+    @property
+    def adapter(self) -> "Callable[[Profile, Site], Adapter]":
+        """Makes its adapter for a profile."""
+        return cast("Callable[[Profile, Site], Adapter]", self._module("adapter").ADAPTER)
+
+    @property
+    def discover(self) -> "Callable[[Listed], Discovery]":
+        """Recognises such robots among what a bridge lists."""
+        return cast("Callable[[Listed], Discovery]", self._module("discovery").discover)
+
+    @property
+    def settings(self) -> "type[Struct] | None":
+        """The table of a profile that only this kind has."""
+        if find_spec(f"{__package__}.{self.folder}.settings") is None:
+            return None
+        return cast("type[Struct]", self._module("settings").Settings)
 
 
-KINDS: Mapping[str, Registered] = {
-    "oh_ressources": Registered(OH_RESSOURCES, OhRessources, discover_oh_ressources),
-    "nav2": Registered(NAV2, Nav2, discover_nav2, Nav2Settings),
-}
+KINDS = {name: Registered(name) for name in ("oh_ressources", "nav2")}
 
 
-def kind_of(profile: Profile) -> str:
+def kind_of(profile: "Profile") -> str:
     """Return the kind of robots that a profile is for."""
     return profile.kind or profile.name or DEFAULT_KIND

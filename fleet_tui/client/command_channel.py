@@ -130,7 +130,7 @@ class CommandChannel:
             return
         self._advance(command_id, Stage.SENT, at=at)
         if calls:
-            self._keep(asyncio.ensure_future(self._wait(command_id, command, calls)))
+            self._keep(asyncio.ensure_future(self._wait(command_id, command, calls, at)))
         else:
             self._advance(command_id, Stage.ACCEPTED, "nothing answers to it" if outgoing else "")
 
@@ -159,27 +159,32 @@ class CommandChannel:
                 raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
         return outgoing
 
-    def _send(self, outgoing: Sequence[Outgoing]) -> list[Call]:
+    def _send(self, outgoing: Sequence[Outgoing]) -> list[tuple[outgoings.Call, Call]]:
         """Send calls and publications; the calls wait for answers. Raises LinkError."""
-        calls = list[Call]()
+        calls = list[tuple[outgoings.Call, Call]]()
         for one in outgoing:
             match one:
                 case outgoings.Call(address, _, args):
-                    calls.append(self._calls.start(address, args, self._timeout))
+                    calls.append((one, self._calls.start(address, args, self._timeout)))
                 case outgoings.Publication(address, type_, message):
                     self.connection.send(operations.publish(address, type_, message))
                 case Goal():
                     raise CommandError("a goal goes alone")
         return calls
 
-    async def _wait(self, command_id: int, command: Command, calls: Sequence[Call]) -> None:
+    async def _wait(
+        self, command_id: int, command: Command, calls: Sequence[tuple[outgoings.Call, Call]], sent_at: float
+    ) -> None:
         """Wait for all answers of a command: it went as well as the worst of them."""
         adapter = self._adapters[command.robot]
         ends = list[tuple[Stage, str]]()
         try:
-            for call in calls:
+            for outgoing, call in calls:
                 response = await self._answer(command_id, call)
                 self._services.answered(call.service, response.values, response.result)
+                robot = self._writer.store.state.robots[command.robot]
+                for fact in adapter.learned(outgoing, response.values, robot, sent_at, time.monotonic()):
+                    self._writer.take(fact)
                 ends.append(adapter.outcome(command, response.values, response.result))
             stage, words = max(ends, key=lambda end: WORST.index(end[0]))
         except NoAnswerError:
@@ -191,7 +196,7 @@ class CommandChannel:
             LOG.exception("command %d", command_id)
             stage, words = Stage.UNKNOWN, f"internal error: {problem}"
         finally:
-            for call in calls:
+            for _, call in calls:
                 self._calls.forget(call)
         self._advance(command_id, stage, words)
 

@@ -3,10 +3,9 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from fleet_tui.adapters.adapter import Adapter, Feed, Site
+from fleet_tui.adapters.adapter import Adapter, Feed, Limit, Site
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
-from fleet_tui.adapters.ros.reading import Limit
 from fleet_tui.config.schema import Config, RobotEntry, link_key
 
 

@@ -27,7 +27,8 @@ from fleet_tui.view.questions import question
 from fleet_tui.view.text import visible
 
 LABELS_WITHIN = 1.0
-"""Seconds more for labels, which a floor need not have, and for the robot's word on whether it is paused."""
+"""Seconds more for labels, which a floor need not have, for the robot's word on whether it is paused, and for
+goals, of which there may be none."""
 
 LOOK = "fleet-tui status and fleet-tui audit show what became of it"
 
@@ -116,15 +117,22 @@ def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
     if not reports:
         comes(reaches, LINK_WITHIN)
         return
-    comes(lambda state, robot: reaches(state, robot) and not unreported(robot), LINK_WITHIN)
+    comes(lambda state, robot: reaches(state, robot) and _is_heard(robot), LINK_WITHIN)
     if all(reaches(given.state, given.state.robots[name]) for name in robots):
-        comes(lambda _, robot: _has_labels(robot) and _tells_pause(robot), LABELS_WITHIN)
+        comes(
+            lambda _, robot: _has_labels(robot) and _tells_pause(robot) and _tells_goals(robot), LABELS_WITHIN
+        )
 
 
 def unreachable(state: FleetState, robots: Iterable[str]) -> str:
     """Why the first of these robots that can't be reached can't be, empty where all can."""
     asked = (no_link(state, state.robots[name], ResumeRobot(name)) for name in robots)
     return next((problem.text for found in asked for problem in found), "")
+
+
+def _is_heard(robot: Robot) -> bool:
+    """Whether it has spoken, and all that a command is checked against has come."""
+    return robot.heard is not None and not unreported(robot)
 
 
 def _has_labels(robot: Robot) -> bool:
@@ -134,6 +142,11 @@ def _has_labels(robot: Robot) -> bool:
 
 def _tells_pause(robot: Robot) -> bool:
     return robot.paused is not None or not robot.says_paused
+
+
+def _tells_goals(robot: Robot) -> bool:
+    """Whether it is known what the robot drives: its action servers are silent before their first goal."""
+    return not robot.kind.keeps_goals or bool(robot.goals)
 
 
 def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say: Say) -> int:

@@ -19,12 +19,15 @@ from fleet_tui.model.floods import without_floods
 from fleet_tui.model.floor_events import apply_to_floor
 from fleet_tui.model.keeping import waiting, with_held_queues
 from fleet_tui.model.lag import with_lags
+from fleet_tui.model.link import Phase
 from fleet_tui.model.link_events import apply_to_link
 from fleet_tui.model.navigation_events import Navigation
-from fleet_tui.model.navigation_reports import apply_navigation, without_ended
+from fleet_tui.model.navigation_reports import apply_navigation, without_ended, without_unlisted
 from fleet_tui.model.reports import apply_chart, apply_report
 from fleet_tui.model.robot import Robot, with_fault
 
+RELISTED_WITHIN = 10.0, 15.0
+"""Seconds after a link came up within which a robot that is heard has listed the goals that it has."""
 LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
 """Live maps, and their cells: one robot's map is looked at, and asked for again when another's was."""
 
@@ -45,9 +48,19 @@ def _without_ended(state: FleetState) -> FleetState:
     changed = {
         name: left
         for name, robot in state.robots.items()
-        if robot.kind.keeps_goals and (left := without_ended(robot, state.now)) is not robot
+        if robot.kind.keeps_goals and (left := _left(state, robot)) is not robot
     }
     return replace(state, robots={**state.robots, **changed}) if changed else state
+
+
+def _left(state: FleetState, robot: Robot) -> Robot:
+    """A robot with the goals that are still there."""
+    link = state.links[robot.link]
+    earliest, latest = RELISTED_WITHIN
+    is_due = link.phase is Phase.UP and earliest <= state.now - link.since < latest
+    if is_due and state.is_online(robot):
+        robot = without_unlisted(robot, link.since, state.now)
+    return without_ended(robot, state.now)
 
 
 def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:

@@ -1,7 +1,7 @@
 """Goals as orders: what a robot's action servers list, put together as its queue."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec.structs import replace
 
@@ -32,7 +32,7 @@ def with_reported(
     is_first = action not in known
     serial = max((goal.serial for goals in known.values() for goal in goals), default=0)
     merged = list[Goal]()
-    for goal in reported[-MOST_ORDERS:]:
+    for goal in list({goal.uuid: goal for goal in reported}.values())[-MOST_ORDERS:]:
         old = before.get(goal.uuid)
         if old is None:
             serial += 1
@@ -40,7 +40,11 @@ def with_reported(
         ended = old.ended_at
         if ended is None and goal.state in OVER:
             ended = -math.inf if is_first else at
-        merged.append(replace(old, state=goal.state, word=goal.word, ended_at=ended))
+        merged.append(
+            replace(
+                old, state=goal.state, word=goal.word, ended_at=ended, listed_at=at, is_ending=goal.is_ending
+            )
+        )
     return _with_legs({**known, action: tuple(_with_replaced(before, merged))})
 
 
@@ -109,6 +113,13 @@ def with_stops(goals: Goals, id_: str, stops: tuple[Stop, ...], is_ours: bool) -
             replace(goal, stops=stops, is_ours=is_ours) if goal.id == id_ else goal for goal in listed
         )
         for action, listed in goals.items()
+    }
+
+
+def without(goals: Goals, uuids: Collection[str]) -> Goals:
+    """Return the goals but those with these ids."""
+    return {
+        action: tuple(goal for goal in listed if goal.uuid not in uuids) for action, listed in goals.items()
     }
 
 

@@ -27,6 +27,7 @@ from fleet_tui.model.commands import (
     chain,
 )
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.keeping import all_orders
 from fleet_tui.model.lookup import NUMBER, called, places, plain_id
 from fleet_tui.model.order import natural, vertices_of
 from fleet_tui.model.robot import Robot
@@ -83,10 +84,10 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
         case "order", [name, *named] if named:
             return _order(find_robot(name, state), named)
         case "cancel", [number] if selected in state.robots:
-            return Wish((CancelOrder(selected, _order_id(state.robots[selected], number)),))
+            return Wish((CancelOrder(selected, _order_id(state, state.robots[selected], number)),))
         case "cancel", [name, number]:
             robot = find_robot(name, state)
-            return Wish((CancelOrder(robot.name, _order_id(robot, number)),))
+            return Wish((CancelOrder(robot.name, _order_id(state, robot, number)),))
         case "clear", [name]:
             return Wish((ClearOrders(find_robot(name, state).name),))
         case "pause", [name]:
@@ -117,9 +118,9 @@ def _robots(word: str, state: FleetState) -> list[str]:
     return [find_robot(word, state).name]
 
 
-def _order_id(robot: Robot, word: str) -> str:
+def _order_id(state: FleetState, robot: Robot, word: str) -> str:
     """The id that a word means: one of the queue, or any number, since the queue may be old."""
-    if any(order.id == word for order in robot.orders.orders):
+    if any(order.id == word for order in all_orders(state, robot)):
         return word
     if not NUMBER.fullmatch(word):
         raise CommandError(f"{_said(word)} is no order id: write it as the queue shows it")

@@ -1,5 +1,7 @@
 """Navigation goals of robots that have no queue, and how far they are with them."""
 
+import math
+
 from msgspec import Struct
 
 from fleet_tui.model.order import OrderState, Stop
@@ -10,7 +12,8 @@ class Goal(Struct, frozen=True):
     vocabulary; `stamp` the second at which it was taken, by the robot's clock; `stops` where it leads to, as
     far as that is known; `serial` grows with each goal seen. `is_leg`: another goal of the same robot gave
     it, `is_ours`: this console did. `ended_at` is when it was first seen as over (monotonic), infinitely long
-    ago if that was before. `label` says what it does where it leads to no stop."""
+    ago if that was before. `label` says what it does where it leads to no stop;
+    `listed_at` is when its action server listed it last (monotonic); `is_ending`: it is being cancelled."""
 
     id: str
     uuid: str
@@ -24,6 +27,8 @@ class Goal(Struct, frozen=True):
     is_ours: bool = False
     ended_at: float | None = None
     label: str = ""
+    listed_at: float = -math.inf
+    is_ending: bool = False
 
 
 class Progress(Struct, frozen=True):

@@ -56,6 +56,15 @@ class GoalsReported(Struct, frozen=True, tag=True):
     fault: str = ""
 
 
+class GoalsUnknown(Struct, frozen=True, tag=True):
+    """Goals that were under way, by their ids on the wire, and that their action server says it does not
+    know."""
+
+    robot: str
+    at: float
+    uuids: tuple[str, ...]
+
+
 class PlanReported(Struct, frozen=True, tag=True):
     """Where the path ends that a robot drives now."""
 
@@ -102,6 +111,7 @@ Navigation = (
     | BlockedReported
     | ProgressReported
     | GoalsReported
+    | GoalsUnknown
     | PlanReported
     | FloorReported
     | Unmeasured

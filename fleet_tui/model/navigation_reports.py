@@ -1,6 +1,7 @@
 """Reports of navigating robots: how each one changes what is known of its robot."""
 
 import math
+from collections.abc import Collection
 from typing import assert_never
 
 from msgspec.structs import replace
@@ -8,7 +9,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.bounds import LONGEST_NAME, brief
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.goals import queue_of, with_reported, with_stops
+from fleet_tui.model.goals import active, queue_of, with_reported, with_stops, without
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.order import Stop
 from fleet_tui.model.reports import apply_report, set_clock
@@ -36,6 +37,8 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
             return _heard(replace(robot, progress=Reading(progress, event.at)), event.at)
         case navigation_events.GoalsReported():
             return _take_goals(robot, event)
+        case navigation_events.GoalsUnknown():
+            return _without_goals(robot, event.uuids, event.at)
         case navigation_events.PlanReported():
             return _take_plan(robot, event)
         case navigation_events.FloorReported():
@@ -101,6 +104,19 @@ def _with_queue(robot: Robot, at: float, fault: str = "") -> Robot:
     queue = queue_of(robot.goals, at, robot.clock.offset if robot.clock else None)
     heard = robot.heard
     return replace(apply_report(robot, events.QueueReported(robot.name, at, queue, fault)), heard=heard)
+
+
+def _without_goals(robot: Robot, uuids: Collection[str], at: float) -> Robot:
+    goals = without(robot.goals, uuids)
+    return robot if goals == robot.goals else _with_queue(replace(robot, goals=goals), at)
+
+
+def without_unlisted(robot: Robot, since: float, now: float) -> Robot:
+    """Let go the goals that nothing was heard of since the link came up, at `since`: lists are latched, so
+    an action server that lists none was started anew, and its goals went with it."""
+    heard = robot.progress.value.goal if robot.progress and robot.progress.at >= since else ""
+    gone = [goal.uuid for goal in active(robot.goals) if goal.listed_at < since and goal.id != heard]
+    return _without_goals(robot, gone, now) if gone else robot
 
 
 def without_ended(robot: Robot, now: float) -> Robot:

@@ -196,6 +196,7 @@ class TestBadMessages:
             ("navigate_to_pose", {"status_list": 7}, "status_list"),
             ("navigate_to_pose feedback", {"goal_id": {"uuid": "short"}, "feedback": {}}, "uuid"),
             ("navigate_to_pose feedback", {"feedback": {}}, "goal_id"),
+            ("navigate_to_pose feedback", {"goal_id": {"uuid": ZERO}, "feedback": {}}, "uuid"),
             ("plan", {"poses": [{"pose": {}}]}, "position"),
         ],
     )

@@ -30,7 +30,7 @@ JSON = st.recursive(
     max_leaves=12,
 )
 NUMBER = st.floats() | st.integers(-(2**40), 2**40) | st.none()
-UUIDS = [base64.b64encode(bytes([n]) * 16).decode() for n in range(4)]
+UUIDS = [base64.b64encode(bytes([n + 1]) * 16).decode() for n in range(4)]
 UUID = st.sampled_from(UUIDS) | st.text(max_size=24)
 STAMP = st.fixed_dictionaries({"sec": st.integers(-9, 2**31), "nanosec": st.integers(0, 10**9)}) | JSON
 HEADER = st.fixed_dictionaries({"stamp": STAMP, "frame_id": st.text(max_size=4)})

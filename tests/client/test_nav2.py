@@ -2,6 +2,7 @@
 
 import pytest
 
+from fleet_tui.model import apply
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
@@ -185,7 +186,8 @@ async def test_a_pose_is_a_place_too(site: Site) -> None:
     assert (round(pose.x, 2), round(pose.y, 2), round(pose.yaw, 2)) == (2.0, 0.0, 0.5)
 
 
-async def test_an_order_outlives_a_restart_of_the_bridge(site: Site) -> None:
+async def test_an_order_outlives_a_restart_of_the_bridge(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(apply, "RELISTED_WITHIN", (1.0, 60.0))
     async with linked(site.config) as (link, store):
         await store.until(nav2_ready)
         order = await finished(link, store, site.to("Consumidores", "Receiving"))

@@ -4,6 +4,7 @@ import msgspec
 import pytest
 
 from fleet_tui.config.schema import Config
+from fleet_tui.model import apply
 from fleet_tui.model.commands import CancelOrder, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.why import reasons
@@ -11,7 +12,7 @@ from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.nav2 import faults
 from fleet_tui.transports.rosbridge import connection
 from tests.linked import finished, linked
-from tests.nav2_site import Holds, Site, keeping, nav2_ready, reached
+from tests.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
 
 R0 = "robot_0"
 
@@ -123,6 +124,55 @@ async def test_dead_servers_leave_the_order_open_and_cancels_unanswered(site: Si
         await store.until(lambda _: not site.navigation().servers["navigate_to_pose"].alive)
         cancel = await finished(link, store, CancelOrder(R0, order.order_id))
         assert cancel.stage is Stage.NOT_CONFIRMED and "is in process" in cancel.words
+
+
+async def test_an_action_server_that_was_started_anew_knows_no_goal_any_more(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        order = await finished(link, store, site.to("Consumidores"))
+        waits = link.submit(site.to("Base"))
+        server = site.navigation().servers["navigate_to_pose"]
+        server.die()
+        server.alive = True
+        assert order.order_id is not None
+        cancel = await finished(link, store, CancelOrder(R0, order.order_id))
+        assert (cancel.stage, cancel.words) == (Stage.REFUSED, "the robot knows no such goal")
+        await reached(store, order.id, Stage.LOST)
+        await store.until(lambda state: state.robots[R0].held)
+        assert record_of(store.state, waits).stage is Stage.WAITING
+
+
+async def test_a_pause_finds_out_that_the_goals_are_gone(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        order = await finished(link, store, site.to("Consumidores"))
+        server = site.navigation().servers["navigate_to_pose"]
+        server.die()
+        server.alive = True
+        pause = await finished(link, store, PauseRobot(R0))
+        assert (pause.stage, pause.words) == (Stage.CONFIRMED, "stopped, no goal to keep")
+        await reached(store, order.id, Stage.LOST)
+
+
+async def test_goals_that_nothing_lists_after_a_lost_link_are_gone(
+    site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(apply, "RELISTED_WITHIN", (1.0, 60.0))
+    async with linked(site.config) as (link, store):
+        await store.until(nav2_ready)
+        order = await finished(link, store, site.to("Consumidores"))
+        port = int(site.server.url.rpartition(":")[2])
+        await site.server.stop()
+        for server in site.navigation().servers.values():
+            server.die()
+            server.alive = True
+        again = type(site.server)(site.fleet, rate=50.0, speed=20.0, dialect=site.server.dialect, port=port)
+        await again.start()
+        try:
+            ended = await reached(store, order.id, Stage.DONE, Stage.FAILED, Stage.LOST)
+        finally:
+            await again.stop()
+        assert ended.stage is Stage.LOST
 
 
 async def test_without_feedback_orders_are_done_all_the_same(site: Site) -> None:

@@ -11,13 +11,15 @@ from fleet_tui.model.commands import (
     Command,
     PauseRobot,
     ResumeRobot,
+    Stage,
 )
 from fleet_tui.model.completion import complete, is_command
 from fleet_tui.model.events import QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import parse, parse_words, written
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
-from tests.fleets import R0, fleet, graph, labels, place_order, queue, told
+from tests.fleets import R0, commanded, fleet, graph, labels, of_kinds, place_order, queue, told
 
 NAMED = {1: "Base", 2: "Consumidores", 3: "Dock 7", 4: "Lab > base", 5: "Joe's", 6: "x-"}
 R1 = "robot_1"
@@ -240,3 +242,9 @@ def test_a_line_begins_as_a_command_or_is_a_search() -> None:
         "robot_0 B",
         "1 x",
     ]
+
+
+def test_an_order_that_waits_here_is_cancelled_by_its_id() -> None:
+    state = of_kinds(fleet(), Kind("goals", keeps_goals=True))
+    state = told(state, graph(1, 2), *commanded(7, place_order(R0, 1, 2), Stage.WAITING))
+    assert parse("cancel robot_0 k1", state).commands == (CancelOrder(R0, "k1"),)

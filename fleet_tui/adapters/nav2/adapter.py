@@ -10,7 +10,7 @@ from fleet_tui.adapters.adapter import Call, Feed, Outgoing, Publication, Site
 from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.nav2 import reading
 from fleet_tui.adapters.nav2.answers import judge_cancel, judge_goal
-from fleet_tui.adapters.nav2.goals import cancel_all, cancel_call, cancel_own, order_goal
+from fleet_tui.adapters.nav2.goals import cancel_all, cancel_call, cancel_own, order_goal, unknown_goals
 from fleet_tui.adapters.nav2.probes import probes
 from fleet_tui.adapters.nav2.settings import Settings
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
@@ -18,7 +18,7 @@ from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.facts import read_map
 from fleet_tui.adapters.ros.names import Names
-from fleet_tui.model import events, kind
+from fleet_tui.model import events, kind, navigation_events
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -195,3 +195,14 @@ class Nav2:
         if isinstance(values, dict) and "success" in values:
             return judge(command, values, result, ())
         return judge_cancel(command, values, result)
+
+    def learned(
+        self, call: Call, values: object, robot: Robot, sent_at: float, at: float
+    ) -> Iterable[events.Event]:
+        """Return which goals an action server does not know: it tells that no other way once it was started
+        anew."""
+        if gone := unknown_goals(self.names, call, values, robot, sent_at):
+            yield navigation_events.GoalsUnknown(robot.name, at, gone)
+
+
+ADAPTER = Nav2

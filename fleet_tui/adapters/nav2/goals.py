@@ -16,6 +16,8 @@ NO_STAMP = {"sec": 0, "nanosec": 0}
 ALL = "AAAAAAAAAAAAAAAAAAAAAA=="
 """The id of all goals: sixteen zeros."""
 CANCEL_TYPE = "action_msgs/srv/CancelGoal"
+NO_ERROR, UNKNOWN_GOAL = 0, 2
+"""Return codes of a cancellation. One of all goals finds no error where there is none."""
 
 
 def order_goal(names: Names, robot: Robot, stops: Sequence[Stop]) -> Goal:
@@ -86,6 +88,21 @@ def cancel_all(names: Names, robot: Robot) -> list[Call]:
     used = {"follow_waypoints", "navigate_to_pose", *robot.goals}
     keys = [key for key in ACTIONS if key in used and names.action(key, robot.name)]
     return [_cancel(names, robot, key, ALL) for key in keys]
+
+
+def unknown_goals(names: Names, call: Call, values: object, robot: Robot, sent_at: float) -> tuple[str, ...]:
+    """Return the ids of goals that should be under way, as far as was heard before a cancellation left, and
+    that its answer says are not."""
+    if not isinstance(values, Mapping) or values.get("goals_canceling"):
+        return ()
+    code = values.get("return_code")
+    return tuple(
+        goal.uuid
+        for goal in active(robot.goals)
+        if (code == UNKNOWN_GOAL and call == _cancel(names, robot, goal.action, goal.uuid))
+        or (code in (NO_ERROR, UNKNOWN_GOAL) and call == _cancel(names, robot, goal.action, ALL))
+        if goal.listed_at < sent_at and not goal.is_ending
+    )
 
 
 def _cancel(names: Names, robot: Robot, action: str, uuid: str) -> Call:

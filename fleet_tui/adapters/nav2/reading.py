@@ -28,6 +28,7 @@ STATES = {
     6: OrderState.FAILED,
 }
 """States of a goal (action_msgs/GoalStatus). One that is being cancelled still drives."""
+CANCELLING = 3
 WORDS = {1: "accepted", 2: "executing", 3: "cancelling", 4: "succeeded", 5: "cancelled", 6: "aborted"}
 LABELS = {"dock_robot": "docking", "undock_robot": "undocking"}
 """Goals that lead to no stop."""
@@ -145,7 +146,8 @@ def _goal(action: str, one: nav.GoalStatus) -> Goal:
     word = WORDS.get(one.status, f"status {one.status}")
     stamp = one.goal_info.stamp.seconds
     label = LABELS.get(action, "")
-    return Goal(short_id(uuid), uuid, action, STATES.get(one.status), word, stamp, label=label)
+    state, is_ending = STATES.get(one.status), one.status == CANCELLING
+    return Goal(short_id(uuid), uuid, action, state, word, stamp, label=label, is_ending=is_ending)
 
 
 def short_id(uuid: str) -> str:
@@ -154,7 +156,8 @@ def short_id(uuid: str) -> str:
         found = base64.b64decode(uuid, validate=True)
     except (binascii.Error, ValueError):
         found = b""
-    if len(found) != 16:
+    # Sixteen zeros stand for all goals: a cancellation of that one would be of all.
+    if len(found) != 16 or not any(found):
         raise WireError(f"goal_id.uuid: {brief(uuid, LONGEST_NAME)!r} is no id of 16 bytes")
     if not any(found):
         # To cancel a goal of this id would cancel all goals.

@@ -101,3 +101,12 @@ class OhRessources:
     ) -> tuple[Stage, str]:
         """Return what an answer means for a command, with the robot's own words."""
         return judge(command, values, result, self._refusals)
+
+    def learned(
+        self, call: Call, values: object, robot: Robot, sent_at: float, at: float
+    ) -> Iterable[events.Event]:
+        """Topics tell everything."""
+        return ()
+
+
+ADAPTER = OhRessources

@@ -58,7 +58,7 @@ def _value(message: Any, path: str) -> Any:
     for step in path.split("."):
         if not isinstance(message, dict) or step not in message:
             raise WireError(
-                f"Object missing required field `{step}` - at `$.{path}`: correct [profile.fields]"
+                f"Object missing required field `{step}` - at `$.{path}`: correct the fields of its profile"
             )
         message = message[step]
     return message

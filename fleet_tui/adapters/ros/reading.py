@@ -2,11 +2,11 @@
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from msgspec.structs import replace
 
-from fleet_tui.adapters.adapter import Adapter, Feed
+from fleet_tui.adapters.adapter import Adapter, Feed, Limit
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros import operations, robot_words
 from fleet_tui.adapters.ros.operations import topic_of
@@ -27,13 +27,6 @@ DecodeApart = Callable[[Profile, Feed, bytes], events.GridReceived]
 _CBOR_TOPIC = re.compile(rb"\x65topic(?:([\x60-\x77])|\x78(.))", re.DOTALL)
 # Facts whose parts are read one by one: what is wrong with one comes with the others.
 _IN_PARTS = events.QueueReported, events.GraphReceived, events.LabelsReceived
-
-
-class Limit(NamedTuple):
-    """Megabytes of the largest message that a link takes, and the key of the config that says so."""
-
-    megabytes: float
-    key: str
 
 
 class Reading:
