@@ -68,12 +68,13 @@ def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) ->
     return kind
 
 
-def _write_graphs(kind: str, path: Path, floors: int) -> None:
+def _announce(graph_file: Path | None, floors: int, url: str) -> None:
+    """Say that the server is there. Before that, its port may not be had, and no file is written."""
     from fleet_tui.simulator.nav2.graph_file import write_graphs
 
-    if not KINDS[kind].graph_files:
-        raise click.UsageError(f"robots of kind {kind} publish their graph: --graph-file is for others")
-    write_graphs(path, floors)
+    if graph_file:
+        write_graphs(graph_file, floors)
+    click.echo(url)
 
 
 @click.group()
@@ -181,7 +182,7 @@ def sim(
     from fleet_tui.simulator.run import run
 
     _check_ros(kind, ros)
-    if graph_file:
-        _write_graphs(kind, graph_file, floors)
-    announce = partial(click.echo, nl=True)
+    if graph_file and not KINDS[kind].graph_files:
+        raise click.UsageError(f"robots of kind {kind} publish their graph: --graph-file is for others")
+    announce = partial(_announce, graph_file, floors)
     run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros or "", kind)

@@ -17,6 +17,9 @@ LOG = logging.getLogger(__name__)
 
 RESTARTED = "this console was started anew"
 
+MOST_KEPT = 100
+"""Orders that wait for one robot."""
+
 Send = Callable[[int, Command, float], None]
 
 
@@ -92,6 +95,8 @@ class Keeper:
         return False
 
     def _keep(self, robot: Robot) -> tuple[Stage, str]:
+        if len(waiting(self._store.state, robot)) >= MOST_KEPT:
+            return Stage.NOT_SENT, f"{robot.name} has {MOST_KEPT} orders that wait here, the most that may"
         busy = "is paused" if robot.paused_by_us else "has an order"
         if self._file is None:
             words = f"{robot.name} {busy}, and keeps no queue: give this one in a console, or wait"

@@ -10,7 +10,7 @@ import msgspec
 from fleet_tui.model.order import Stop
 
 FILE, LOCK = "queue.json", "queue.lock"
-LARGEST = 2**20
+LARGEST = 2**24
 
 
 class Kept(msgspec.Struct, frozen=True):

@@ -18,7 +18,8 @@ class Kind(Struct, frozen=True):
     counts. `unset`: by what is not accepted the key of the profile that is empty for it.
     `frames_are_floors`: the frame of its poses names the floor. `tells_ends`: it lists how an order ended.
     `keeps_goals`: it drives one goal at a time and keeps no queue: this console does. `holds`: to pause it is
-    to cancel its goal, which this console keeps and gives again."""
+    to cancel its goal, which this console keeps and gives again. `changes_floors`: an
+    order can lead it to another floor."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -29,6 +30,7 @@ class Kind(Struct, frozen=True):
     tells_ends: bool = False
     keeps_goals: bool = False
     holds: bool = False
+    changes_floors: bool = True
 
     def can(self, verb: str) -> bool:
         """Tell whether it accepts what a verb asks; an order with or without a start."""

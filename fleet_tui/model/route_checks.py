@@ -129,9 +129,13 @@ def floor_mismatch(state: FleetState, robot: Robot, command: Command) -> Iterato
     stops = [(robot.name, {floor for floor in _graphs(robot) if floor == robot.floor})]
     stops += [(_name(robot, vertex), _floors(robot, vertex)) for vertex in ends_of(command)]
     for (one, here), (other, there) in pairwise(stops):
-        if here and there and not here & there and _lack_lifts(robot, here | there):
-            text = f"{one} is on {min(here)}, {other} on {min(there)}, and no elevator is known"
-            yield Problem("floor mismatch", text, blocks=False)
+        if not here or not there or here & there:
+            continue
+        where = f"{one} is on {min(here)}, {other} on {min(there)}"
+        if not robot.kind.changes_floors:
+            yield Problem("floor mismatch", f"{where}: an order leads to places of one floor")
+        elif _lack_lifts(robot, here | there):
+            yield Problem("floor mismatch", f"{where}, and no elevator is known", blocks=False)
 
 
 def mistakable(robot: Robot, floors: Mapping[str, str]) -> Iterator[Problem]:

@@ -5,6 +5,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from fleet_tui.client import keeper
 from fleet_tui.client.keeper import RESTARTED
 from fleet_tui.client.queue_file import FILE, Kept
 from fleet_tui.model.commands import (
@@ -64,6 +65,19 @@ async def test_a_second_order_waits_here_and_leaves_when_the_first_is_done(
         assert ended.stage is Stage.DONE and record_of(store.state, second).stage is Stage.DONE
         assert not store.state.robots[R0].held
         await store.until(lambda _: not kept(tmp_path))
+
+
+async def test_only_so_many_orders_wait_for_a_robot(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(keeper, "MOST_KEPT", 1)
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        await finished(link, store, site.to("Consumidores"))
+        await reached(store, link.submit(site.to("Base")), Stage.WAITING)
+        surplus = await finished(link, store, site.to("Base"))
+        assert (surplus.stage, surplus.words) == (
+            Stage.NOT_SENT,
+            "robot_0 has 1 orders that wait here, the most that may",
+        )
 
 
 async def test_one_that_waits_here_is_cancelled_here(site: Site) -> None:

@@ -21,6 +21,8 @@ from fleet_tui.model.events import CargoReported, CommandPathChanged, Event, Gra
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.model.kind import ORDER as PLACES
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import Stop, vertices_of
 from fleet_tui.model.problem import Rights
@@ -34,6 +36,7 @@ from tests.fleets import (
     labels,
     link_lost,
     link_up,
+    of_kinds,
     place_order,
     pose,
     queue,
@@ -132,6 +135,11 @@ def test_floors_are_joined_by_elevators_that_the_graphs_name() -> None:
     assert found(cut_off, up) == [("no path", True)]
     none_named = ready(floor(9, 10), floors=2)
     assert found(none_named, up) == [("floor mismatch", False)]
+    (problem,) = problems(
+        of_kinds(none_named, Kind(changes_floors=False, accepts=(PLACES,))), Wish((up,)), Rights()
+    )
+    assert problem.blocks
+    assert problem.text == f"Base is on {F0}, 10 on {F1}: an order leads to places of one floor"
     not_yet = ready(floors=2)
     assert found(not_yet, up) == [("unknown vertex", False)]
 

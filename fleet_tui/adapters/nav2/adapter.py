@@ -73,6 +73,7 @@ class Nav2:
             tells_ends=True,
             keeps_goals=True,
             holds=self._holds,
+            changes_floors=False,
         )
 
     def _silence(self) -> dict[str, float]:
