@@ -21,7 +21,7 @@ from fleet_tui.model.commands import (
     Wish,
 )
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.keeping import all_orders
+from fleet_tui.model.keeping import all_orders, clearable
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
@@ -143,10 +143,10 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
 def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """There is an order to lose."""
     if isinstance(command, ClearOrders) and robot.kind.lists_orders:
-        if any(not order.is_over for order in all_orders(state, robot)):
+        if clearable(state, robot):
             return
-        old = not state.is_fresh(robot, "queue")
-        text = f"{robot.name} had no orders when last heard" if old else f"{robot.name} has no orders"
+        old, ours = not state.is_fresh(robot, "queue"), " of this console" * robot.kind.keeps_goals
+        text = f"{robot.name} {f'had no orders{ours} when last heard' if old else f'has no orders{ours}'}"
         yield Problem("nothing to clear", text, blocks=not old)
 
 

@@ -7,6 +7,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.commands import ClearOrders, CommandRecord, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.goals import own_ids
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.order import Order
@@ -49,6 +50,15 @@ def all_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
     """Return the orders of a robot as they will be driven: its own, then those that wait here."""
     own = robot.orders.in_sequence()
     return own + kept_orders(state, robot) if robot.kind.keeps_goals else own
+
+
+def clearable(state: FleetState, robot: Robot) -> tuple[Order, ...]:
+    """Return the orders that a clear takes back: all, but of goals only those that this console gave."""
+    listed = tuple(order for order in all_orders(state, robot) if not order.is_over)
+    if not robot.kind.keeps_goals:
+        return listed
+    ours = {*own_ids(robot.goals), *(order.id for order in kept_orders(state, robot))}
+    return tuple(order for order in listed if order.id in ours)
 
 
 def next_id(state: FleetState, robot: Robot) -> str:

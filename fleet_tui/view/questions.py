@@ -6,7 +6,7 @@ from typing import assert_never
 from fleet_tui.model.batches import batch_name
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, PlaceOrder, ResumeRobot, Wish
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import all_orders
+from fleet_tui.model.keeping import all_orders, clearable
 from fleet_tui.model.problem import Problem
 from fleet_tui.view.command_line import command_text
 from fleet_tui.view.fleet_rows import mission
@@ -19,12 +19,13 @@ def losses(state: FleetState, wish: Wish) -> Iterator[str]:
     """What will be lost, one line each; none where nothing is."""
     for command in wish.commands:
         robot = state.robots[command.robot]
-        orders = all_orders(state, robot)
         match command:
             case CancelOrder(name, order_id):
                 yield f"Cancel order {visible(order_id)} of {name}?"
+                orders = all_orders(state, robot)
                 yield from (mission(robot, order) for order in orders if order.id == order_id)
             case ClearOrders(name):
+                orders = clearable(state, robot)
                 yield f"Clear all {len(orders)} order{'s' * (len(orders) != 1)} of {name}?"
                 yield from (f"  {visible(order.id)}  {mission(robot, order)}" for order in orders[:SHOWN])
                 if len(orders) > SHOWN:

@@ -23,7 +23,7 @@ async def site(tmp_path: Path) -> AsyncIterator[Site]:
         (floor,) = running.config.floors
         text = (
             f'[rosbridge]\nurl = "{running.server.url}"\n'
-            "[alarms]\nno_answer_after = 1.0\nnot_confirmed_after = 1.0\n"
+            "[alarms]\nno_answer_after = 1.0\nnot_confirmed_after = 4.0\n"
             f'[profile]\nkind = "nav2"\n[[floors]]\nname = "floor_0"\ngraph = "{floor.graph}"\n'
             '[[robots]]\nname = "robot_0"\n[[robots]]\nname = "robot_1"\n'
         )
