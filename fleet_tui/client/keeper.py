@@ -66,7 +66,9 @@ class Keeper:
                 self._of_others.append(kept)
                 continue
             command_id, now = self._new_id(), time.monotonic()
-            self._tell(CommandIssued(command_id, PlaceOrder(robot.name, kept.stops), now, kept.wall))
+            self._tell(
+                CommandIssued(command_id, PlaceOrder(robot.name, kept.stops), now, kept.wall, kept.floor)
+            )
             self._tell(CommandAdvanced(command_id, Stage.WAITING, now, RESTARTED))
             self._tell(QueueHeld(robot.name, RESTARTED))
         if file.problem:
@@ -132,7 +134,7 @@ class Keeper:
                 url = state.links[robot.link].url
                 for record in waiting(state, robot):
                     assert isinstance(record.command, PlaceOrder)
-                    yield Kept(url, robot.name, record.command.stops, record.wall)
+                    yield Kept(url, robot.name, record.command.stops, record.wall, record.before.floor)
 
     def close(self) -> None:
         """Let others keep orders. What waits stays in the file."""

@@ -15,12 +15,13 @@ LARGEST = 2**24
 
 class Kept(msgspec.Struct, frozen=True):
     """An order that waits for its robot behind the bridge at `url`; `wall` is when it was given (Unix
-    time)."""
+    time), `floor` where."""
 
     url: str
     robot: str
     stops: tuple[Stop, ...]
     wall: float
+    floor: str = ""
 
 
 class QueueFile:

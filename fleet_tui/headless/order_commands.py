@@ -63,8 +63,9 @@ def _give(
 @common
 @merged
 def order(robot: str, places: tuple[str, ...], **options: Any) -> None:
-    """Place an order: A B is A -> B, A B C is A -> B and B -> C, TO alone is where the cargo on board goes.
-    Places are labels or vertex ids (id=7 is always the id). Done when it is in the queue."""
+    """Place an order: A B is A -> B, TO alone is where the robot goes from where it is. A B C is A -> B and B
+    -> C, or one order with three stops where the robot takes such. Places are labels or vertex ids (id=7 is
+    always the id). Done when it is in the queue."""
     _give(["order", robot, *places], **options)
 
 

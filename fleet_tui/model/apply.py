@@ -17,7 +17,7 @@ from fleet_tui.model.conditions import conditions
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.floods import without_floods
 from fleet_tui.model.floor_events import apply_to_floor
-from fleet_tui.model.keeping import waiting, with_held_queues
+from fleet_tui.model.keeping import with_held_queues
 from fleet_tui.model.lag import with_lags
 from fleet_tui.model.link import Phase
 from fleet_tui.model.link_events import apply_to_link
@@ -135,11 +135,7 @@ def _apply_to_robot(
 
 
 def _moved(state: FleetState, robot: Robot) -> FleetState:
-    before, floor = robot.floor, _floor_of(state, robot)
-    if before not in (None, floor) and waiting(state, robot):
-        # On another floor the same ids are other places.
-        robot = replace(robot, held=f"{robot.name} left {before}")
-    return with_robot(state, replace(robot, floor=floor))
+    return with_robot(state, replace(robot, floor=_floor_of(state, robot)))
 
 
 def _floor_of(state: FleetState, robot: Robot) -> str | None:

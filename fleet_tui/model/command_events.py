@@ -107,13 +107,14 @@ def issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
     if any(record.id == event.id for record in state.commands):
         return state
     robot = state.robots.get(event.command.robot)
+    known = Before() if robot is None else before(robot, event.at)
     record = CommandRecord(
         event.id,
         event.command,
         event.at,
         event.wall,
         (Step(Stage.CHECKED, event.at),),
-        Before() if robot is None else before(robot, event.at),
+        replace(known, floor=event.floor or known.floor),
     )
     commands = (*state.commands, record)
     # What is under way, or in a queue, stays, however much there is.

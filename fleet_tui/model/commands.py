@@ -173,12 +173,14 @@ class Before(Struct, frozen=True):
     """What the robot had reported when the command was given: telemetry is read against it.
 
     `last_serial` is None where no queue had come; `request_id` is the one that the queue echoed.
-    `counted` is how far its orders had counted by its own word. `moving`: its pose had just changed."""
+    `counted` is how far its orders had counted by its own word. `moving`: its pose had just changed. `floor`
+    is empty where it was not known."""
 
     last_serial: int | None = None
     moving: bool = False
     request_id: int = 0
     counted: int = 0
+    floor: str = ""
 
 
 class CommandRecord(Struct, frozen=True):

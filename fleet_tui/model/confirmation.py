@@ -34,7 +34,7 @@ def before(robot: Robot, now: float) -> Before:
     last = max([queue.last_serial, *(order.serial for order in queue.orders)]) if known else None
     standing = robot.standing
     moving = standing is not None and now - standing.at < STANDS_AFTER
-    return Before(last, moving, queue.request_id, queue.last_serial)
+    return Before(last, moving, queue.request_id, queue.last_serial, robot.floor or "")
 
 
 def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:

@@ -178,12 +178,13 @@ class MessagesUnsourced(Struct, frozen=True, tag=True):
 
 
 class CommandIssued(Struct, frozen=True, tag=True):
-    """An operator gave a command, and it passed the checks."""
+    """An operator gave a command, and it passed the checks: for this floor, else the one its robot is on."""
 
     id: int
     command: Command
     at: float
     wall: float
+    floor: str = ""
 
 
 class CommandAdvanced(Struct, frozen=True, tag=True):

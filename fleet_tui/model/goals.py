@@ -9,8 +9,6 @@ from fleet_tui.model.bounds import MOST_ORDERS
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.order import BEGUN, OVER, Order, OrderQueue, OrderState, Stop
 
-LEADING = "follow_waypoints"
-"""The action that drives by goals of another one: those are its legs, and no orders of their own."""
 LISTED_FOR = 10.0
 """Seconds for which a goal that has ended stays in the queue, for the command that gave it."""
 
@@ -63,20 +61,18 @@ def _with_replaced(before: Mapping[str, Goal], goals: Sequence[Goal]) -> Iterabl
 
 
 def _with_legs(goals: Goals) -> Goals:
-    """Mark the goals that the leading action gave while it was under way."""
-    leaders = [goal for goal in goals.get(LEADING, ()) if goal.state in BEGUN]
+    """Mark the goals that a leading one gave while it was under way."""
+    leaders = [goal for listed in goals.values() for goal in listed if goal.leads and goal.state in BEGUN]
     if not leaders:
         return goals
     return {
-        action: listed
-        if action == LEADING
-        else tuple(replace(goal, is_leg=True) if _is_leg_of(leaders, goal) else goal for goal in listed)
+        action: tuple(replace(goal, is_leg=True) if _is_leg_of(leaders, goal) else goal for goal in listed)
         for action, listed in goals.items()
     }
 
 
 def _is_leg_of(leaders: Sequence[Goal], goal: Goal) -> bool:
-    if goal.is_leg or goal.state in OVER:
+    if goal.leads or goal.is_leg or goal.state in OVER:
         return goal.is_leg
     return any(one.stamp is None or goal.stamp is None or one.stamp <= goal.stamp for one in leaders)
 
@@ -125,7 +121,7 @@ def without(goals: Goals, uuids: Collection[str]) -> Goals:
 
 def is_given_as(goals: Goals, id_: str, stops: Sequence[Stop]) -> bool:
     """Tell whether a goal is of the action by which an order with these stops is given."""
-    leads = any(goal.id == id_ for goal in goals.get(LEADING, ()))
+    leads = any(goal.id == id_ and goal.leads for listed in goals.values() for goal in listed)
     return leads == (len(stops) > 1)
 
 

@@ -129,12 +129,16 @@ def with_held_queues(state: FleetState) -> FleetState:
     held = {
         robot.name: replace(robot, held=reason)
         for robot in state.robots.values()
-        if robot.kind.keeps_goals
-        and not robot.held
-        and waiting(state, robot)
-        and (reason := next(_reasons(state, robot), ""))
+        if robot.kind.keeps_goals and (reason := _held(state, robot)) != robot.held
     }
     return replace(state, robots={**state.robots, **held}) if held else state
+
+
+def _held(state: FleetState, robot: Robot) -> str:
+    """Why its queue is held from now on: the first reason counts, as long as something waits."""
+    if not waiting(state, robot):
+        return ""
+    return robot.held or next(_reasons(state, robot), "")
 
 
 def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
@@ -144,6 +148,10 @@ def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
         yield "the link was lost"
     elif not state.is_online(robot):
         yield f"{robot.name} was offline"
+    for one in waiting(state, robot)[:1]:
+        # On another floor the same ids are other places.
+        if one.before.floor and robot.floor and one.before.floor != robot.floor:
+            yield f"order {one.order_id} is for {one.before.floor}, {robot.name} is on {robot.floor}"
     sent = [one for one in orders_of(state, robot) if one.stage is not Stage.WAITING]
     before = max(sent, key=lambda one: one.time_of(Stage.SENT) or one.issued_at, default=None)
     if before is None or not before.is_decided or before.has_open_order or before.at <= robot.released_at:

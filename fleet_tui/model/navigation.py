@@ -10,10 +10,11 @@ from fleet_tui.model.order import OrderState, Stop
 class Goal(Struct, frozen=True):
     """A goal of an action. `id` is short, for people; `uuid` as it is on the wire. `action` is its key in the
     vocabulary; `stamp` the second at which it was taken, by the robot's clock; `stops` where it leads to, as
-    far as that is known; `serial` grows with each goal seen. `is_leg`: another goal of the same robot gave
-    it, `is_ours`: this console did. `ended_at` is when it was first seen as over (monotonic), infinitely long
-    ago if that was before. `label` says what it does where it leads to no stop;
-    `listed_at` is when its action server listed it last (monotonic); `is_ending`: it is being cancelled."""
+    far as that is known; `serial` grows with each goal seen. `leads`: it drives by goals of its own, of which
+    each `is_leg`: another goal of the same robot gave it, `is_ours`: this console did. `ended_at` is when it
+    was first seen as over (monotonic), infinitely long ago if that was before. `label` says what it does
+    where it leads to no stop; `listed_at` is when its action server listed it last (monotonic); `is_ending`:
+    it is being cancelled."""
 
     id: str
     uuid: str
@@ -23,6 +24,7 @@ class Goal(Struct, frozen=True):
     stamp: float | None = None
     stops: tuple[Stop, ...] = ()
     serial: int = 0
+    leads: bool = False
     is_leg: bool = False
     is_ours: bool = False
     ended_at: float | None = None

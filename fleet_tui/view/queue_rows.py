@@ -155,4 +155,8 @@ def _empty(robot: Robot) -> str:
         return "this kind has no queue"
     if robot.queue is not None:
         return "no orders" + ": o places one" * robot.kind.can(kind.ORDER)
-    return "the queue has not been heard yet" if robot.kind.expects("queue") else "none has been heard of yet"
+    return (
+        "the queue has not been heard yet"
+        if robot.kind.expects("queue")
+        else "no order has been heard of yet"
+    )

@@ -63,7 +63,9 @@ def goal(id_: str, state: OrderState | None = ON, stamp: float | None = None) ->
 
 
 def goals(at: float, *listed: Goal, action: str = TO_POSE, fault: str = "") -> GoalsReported:
-    return GoalsReported(R0, at, action, tuple(replace(one, action=action) for one in listed), fault)
+    return GoalsReported(
+        R0, at, action, tuple(replace(one, action=action, leads=action == WAYPOINTS) for one in listed), fault
+    )
 
 
 def robot(state: FleetState) -> Robot:

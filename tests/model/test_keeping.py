@@ -117,11 +117,11 @@ def test_a_robot_that_moves_on_without_a_goal_has_not_stopped() -> None:
 
 
 def test_one_of_several_stops_is_done_without_its_answer_and_says_what_is_not_known() -> None:
-    several = Goal("3f2a", "3f2a-77", "follow_waypoints", OrderState.IN_PROCESS)
+    several = Goal("3f2a", "3f2a-77", "follow_waypoints", OrderState.IN_PROCESS, leads=True)
     begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0)]
     begun += commanded(1, place_order(R0, "1", "2"), Stage.SENT)
     driving = GoalsReported(R0, T0 + 0.1, several.action, (several,))
-    done = Goal("3f2a", "3f2a-77", "follow_waypoints", OrderState.DONE)
+    done = Goal("3f2a", "3f2a-77", "follow_waypoints", OrderState.DONE, leads=True)
     ended: list[Event] = [GoalsReported(R0, T0 + 1, several.action, (done,)), pose(T0 + 3), tick(T0 + 3)]
     state = after(of_kinds(fleet(), KIND), *begun, driving, pose(T0 + 0.2), tick(T0 + 0.2), *ended)
     assert record(state, 1).stage is Stage.DONE
@@ -165,7 +165,18 @@ def test_orders_that_wait_for_a_robot_that_left_its_floor_are_held() -> None:
     state = after(of_kinds(there, kind), *first, *commanded(1, ORDER_1, Stage.WAITING))
     assert leaving(state) is not None
     state = after(state, FloorReported(R0, T0 + 0.1, "floor_1"), pose(T0 + 0.1))
-    assert state.robots[R0].held == "robot_0 left floor_0" and leaving(state) is None
+    assert leaving(state) is None
+    resume = commanded(2, ResumeRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0 + 0.2)
+    for facts in ([tick(T0 + 0.1)], [tick(T0 + 0.1), *resume, tick(T0 + 0.3)]):
+        then = after(state, *facts)
+        assert then.robots[R0].held == "order k1 is for floor_0, robot_0 is on floor_1"
+        assert leaving(then) is None
+
+
+def test_a_queue_in_which_nothing_waits_any_more_is_not_held() -> None:
+    state = ours(goals(T0 + 1, OrderState.FAILED), pose(T0 + 3), tick(T0 + 3))
+    assert state.robots[R0].held
+    assert not after(state, CommandAdvanced(2, Stage.CANCELLED, T0 + 3), tick(T0 + 3.1)).robots[R0].held
 
 
 def test_a_robot_that_is_not_heard_is_not_said_to_have_stopped() -> None:

@@ -83,7 +83,7 @@ def test_a_value_is_called_old_after_the_silence_of_its_kind() -> None:
 def test_the_queue_pane_of_a_kind_without_a_queue() -> None:
     table = queue_table(heard(BARE), R0, False, 80)
     assert (text_of(table.title), table.empty) == ("Queue robot_0", "this kind has no queue")
-    assert queue_table(heard(LATE), R0, False, 80).empty == "none has been heard of yet"
+    assert queue_table(heard(LATE), R0, False, 80).empty == "no order has been heard of yet"
     assert queue_table(heard(FULL), R0, False, 80).empty == "the queue has not been heard yet"
 
 

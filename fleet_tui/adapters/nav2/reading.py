@@ -28,8 +28,12 @@ STATES = {
     6: OrderState.FAILED,
 }
 """States of a goal (action_msgs/GoalStatus). One that is being cancelled still drives."""
+FARTHEST, MOST_COUNTED = 1e6, 10**6
+"""Metres, and recoveries, beyond which a number is none."""
 CANCELLING = 3
 WORDS = {1: "accepted", 2: "executing", 3: "cancelling", 4: "succeeded", 5: "cancelled", 6: "aborted"}
+LEADING = "follow_waypoints"
+"""The action that drives by goals of another one."""
 LABELS = {"dock_robot": "docking", "undock_robot": "undocking"}
 """Goals that lead to no stop."""
 MONITOR = {0: "", 1: "stop", 2: "slowdown", 3: "approach", 4: "limit"}
@@ -147,7 +151,17 @@ def _goal(action: str, one: nav.GoalStatus) -> Goal:
     stamp = one.goal_info.stamp.seconds
     label = LABELS.get(action, "")
     state, is_ending = STATES.get(one.status), one.status == CANCELLING
-    return Goal(short_id(uuid), uuid, action, state, word, stamp, label=label, is_ending=is_ending)
+    return Goal(
+        short_id(uuid),
+        uuid,
+        action,
+        state,
+        word,
+        stamp,
+        label=label,
+        leads=action == LEADING,
+        is_ending=is_ending,
+    )
 
 
 def short_id(uuid: str) -> str:
@@ -176,10 +190,10 @@ def read_feedback() -> Read:
         progress = Progress(
             goal,
             # 0 stands for "not known": before the first plan, and while it stands.
-            metres if metres and math.isfinite(metres) and metres > 0.0 else None,
+            metres if metres and 0.0 < metres <= FARTHEST else None,
             left.seconds if left and left.seconds > 0.0 else None,
             elapsed.seconds if elapsed else None,
-            told.number_of_recoveries,
+            told.number_of_recoveries if 0 <= (told.number_of_recoveries or 0) <= MOST_COUNTED else None,
             told.current_waypoint,
         )
         yield navigation_events.ProgressReported(robot, at, progress)
