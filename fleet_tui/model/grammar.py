@@ -28,7 +28,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.keeping import all_orders
-from fleet_tui.model.lookup import NUMBER, called, places, plain_id
+from fleet_tui.model.lookup import NUMBER, called, no_graphs, places, plain_id
 from fleet_tui.model.order import natural, vertices_of
 from fleet_tui.model.robot import Robot
 
@@ -151,7 +151,7 @@ def _vertex(robot: Robot, word: str) -> tuple[str, str]:
     if id_ and robot.name_of(id_) is not None:
         found.setdefault(id_, next(iter(found.values())))
     if not found:
-        near = did_you_mean(word, [place.name for place in places(robot)])
+        near = did_you_mean(word, [place.name for place in places(robot)]) or no_graphs(robot)
         raise CommandError(f"{robot.name} knows no place called {_said(word)}{near}")
     if len(found) > 1:
         ids = " or ".join(_id_word(vertex) for vertex in sorted(found, key=natural))

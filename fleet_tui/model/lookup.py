@@ -33,6 +33,12 @@ def places(robot: Robot) -> list[Place]:
     return sorted(found, key=lambda place: (place.floor != robot.floor, place.name.casefold()))
 
 
+def no_graphs(robot: Robot) -> str:
+    """Name the floors of which a robot has no graph, as the rest of a sentence; empty where it has all."""
+    missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
+    return f": there is no graph of {', '.join(missing)}" if missing else ""
+
+
 def recent_ends(state: FleetState, robot: Robot) -> list[str]:
     """The vertices to which the robot was last sent, the newest first: by this console, and by its queue."""
     given = [

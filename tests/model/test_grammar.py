@@ -17,7 +17,7 @@ from fleet_tui.model.completion import complete, is_command
 from fleet_tui.model.events import QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import parse, parse_words, written
-from fleet_tui.model.kind import Kind
+from fleet_tui.model.kind import ORDER_TO, Kind
 from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
 from tests.fleets import R0, commanded, fleet, graph, labels, of_kinds, place_order, queue, told
 
@@ -87,6 +87,13 @@ def test_what_is_wrong_is_named_with_the_nearest_right_word(line: str, said: str
     with pytest.raises(CommandError) as caught:
         parse(line, known(), R0)
     assert str(caught.value) == said
+
+
+def test_where_a_graph_is_missing_an_unknown_place_says_so() -> None:
+    with pytest.raises(
+        CommandError, match=r"knows no place called 'Receiving': there is no graph of floor_0$"
+    ):
+        parse("robot_0 > Receiving", of_kinds(fleet(), Kind("goals", accepts=(ORDER_TO,))), R0)
 
 
 def test_a_word_that_can_mean_two_vertices_means_none_until_it_is_clear() -> None:
