@@ -49,7 +49,9 @@ def _robot(
             f"not on this bridge: none of its {len(topics)} topics is there",
             f"{remedy} in {place} ([{table}.topics] if all are named otherwise), or switch it on",
         )
-    live = [one for one in topics if not one.wanted.floor]
+    # What is latched tells of the past.
+    live = [one for one in topics if not one.wanted.floor and not one.wanted.latched]
+    live.sort(key=lambda one: one.wanted.silent)
     heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
     explained = [cause for one in asked for cause in causes if one.topic in cause.topics]
     if not heard and explained and len(explained) >= len(asked):
