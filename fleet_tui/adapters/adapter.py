@@ -62,11 +62,13 @@ class Goal(NamedTuple):
 
 
 class Publication(NamedTuple):
-    """A message on a topic. Nothing answers to it."""
+    """A message on a topic. Nothing answers to it. `name` is that under which the robot will list the order
+    that it gives, if it gives one. To be taken twice does nothing more than to be taken once."""
 
     address: str
     type: str
     message: Mapping[str, object]
+    name: str = ""
 
 
 Outgoing = Call | Goal | Publication
@@ -110,12 +112,17 @@ class Adapter(Protocol):
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service that is called, the most urgent first."""
 
+    def publications(self, robot: str) -> Iterable[tuple[str, str]]:
+        """Return name and type of each topic that commands are published on."""
+
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return what a doctor looks at beside topics and services."""
 
-    def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Outgoing]:
-        """Return what carries a command, in the order in which it must leave. Raises CommandError for one
-        that must not."""
+    def outgoing(
+        self, command: Command, command_id: int, robot: Robot, unique: str = ""
+    ) -> Sequence[Outgoing]:
+        """Return what carries a command, in the order in which it must leave. `unique`: 32 hexadecimal digits
+        for a name that nothing else has. Raises CommandError for one that must not leave."""
 
     def outcome(
         self, command: Command, values: object, result: bool, status: int | None = None

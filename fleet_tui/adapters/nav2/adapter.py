@@ -98,11 +98,17 @@ class Nav2:
             if name := self.names.service(key, robot):
                 yield key, name, self.names.service_type(key)
 
+    def publications(self, robot: str) -> Iterable[tuple[str, str]]:
+        """Return the topic of a lock, if pauses go over one."""
+        return self._pauses.publications(robot)
+
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return what decides whether such a robot can be driven."""
         return probes(self.names, robot)
 
-    def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Outgoing]:
+    def outgoing(
+        self, command: Command, command_id: int, robot: Robot, unique: str = ""
+    ) -> Sequence[Outgoing]:
         """Return what carries a command, in the order in which it must leave. Raises CommandError for one
         that must not; nothing for one that this console carries out itself."""
         match command:

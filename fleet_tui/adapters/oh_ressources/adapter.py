@@ -90,11 +90,15 @@ class OhRessources:
         named = ((key, self.names.service(key, robot), self.names.service_type(key)) for key in keys)
         return (service for service in named if service[1])
 
+    def publications(self, robot: str) -> Iterable[tuple[str, str]]:
+        """Commands are calls."""
+        return ()
+
     def probes(self, robot: str) -> Iterable[Probe]:
         """Topics and services tell everything."""
         return ()
 
-    def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Call]:
+    def outgoing(self, command: Command, command_id: int, robot: Robot, unique: str = "") -> Sequence[Call]:
         """Return the call of a command. Raises CommandError for one that must not leave."""
         return (call_of(self.names, command, command_id),)
 

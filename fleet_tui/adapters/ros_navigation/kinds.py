@@ -26,17 +26,13 @@ def kind_of_goals(
 ) -> Kind:
     """Return a kind of robots that drive one goal at a time. `reports` are its values beside places, charge
     and maps, `silence` theirs."""
-
-    def has(key: str) -> bool:
-        return key not in names.vocabulary.topics or bool(names.topic(key, "robot", "floor"))
-
     usual = {"battery": BATTERY_SILENCE, **silence}
-    if not has("odometry"):
+    if not _has(names, "odometry"):
         # The localisation of a robot that stands is silent: only wheels tell that it is still there.
         usual["pose"] = math.inf
     return Kind(
         name,
-        tuple(key for key in (*TOPICS, *reports) if has(key)),
+        tuple(key for key in (*TOPICS, *reports) if _has(names, key)),
         (ORDER, ORDER_TO, CANCEL, CLEAR, *pauses.accepted),
         {**usual, **names.profile.silence},
         pauses.unset,
@@ -44,5 +40,10 @@ def kind_of_goals(
         tells_ends=True,
         keeps_goals=True,
         holds=pauses.holds,
+        takes_stops=True,
         changes_floors=False,
     )
+
+
+def _has(names: Names, key: str) -> bool:
+    return key not in names.vocabulary.topics or bool(names.topic(key, "robot", "floor"))
