@@ -42,7 +42,9 @@ def heard_at(robot: Robot, at: float) -> Robot:
 def _take_goals(robot: Robot, event: navigation_events.GoalsReported) -> Robot:
     last, before = robot.orders.last_serial, robot.queue.at if robot.queue else math.inf
     goals = with_reported(robot.goals, event.action, event.goals, event.at, last, not event.fault)
-    robot = _with_queue(replace(robot, goals=goals), event.at, event.fault)
+    is_listed = any(goal.uuid == robot.named for goal in event.goals)
+    robot = replace(robot, goals=goals, named="" if is_listed else robot.named)
+    robot = _with_queue(robot, event.at, event.fault)
     if robot.target is not None and robot.target.at > before:
         return _led_to(robot, robot.target.value, event.at)
     return robot

@@ -94,9 +94,7 @@ class Nav2:
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service, pauses first. Those of actions are in no list."""
-        for key in ("pause", "resume"):
-            if name := self.names.service(key, robot):
-                yield key, name, self.names.service_type(key)
+        return self._pauses.services(robot)
 
     def publications(self, robot: str) -> Iterable[tuple[str, str]]:
         """Return the topic of a lock, if pauses go over one."""

@@ -1,6 +1,6 @@
 """What stands in for a pause, which navigation stacks do not have."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Literal
 
 from msgspec import Struct
@@ -50,6 +50,12 @@ class Pauses:
             topic, type_ = names.topic("pause_navigation", robot), names.type("pause_navigation")
             return (Publication(topic, type_, {"data": key == "pause"}),)
         return ()
+
+    def services(self, robot: str) -> Iterator[tuple[str, str, str]]:
+        """Return key, name and type of each service that pauses or resumes a robot."""
+        for key in ("pause", "resume"):
+            if name := self._names.service(key, robot):
+                yield key, name, self._names.service_type(key)
 
     def publications(self, robot: str) -> Sequence[tuple[str, str]]:
         """Return name and type of the topic of the lock, if there is one."""
