@@ -82,7 +82,7 @@ def graphs_of(kind: str, folder: Path, floors: Sequence[str]) -> dict[str, str]:
 
     if not KINDS[kind].graph_files:
         return {}
-    from fleet_tui.simulator.nav2.graph_file import write_graphs
+    from fleet_tui.simulator.navigating.graph_file import write_graphs
 
     path = folder / "graph.geojson" if len(floors) == 1 else folder
     return dict(zip(floors, map(str, write_graphs(path, len(floors))), strict=True))

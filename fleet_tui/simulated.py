@@ -70,7 +70,7 @@ def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) ->
 
 def _announce(graph_file: Path | None, floors: int, url: str) -> None:
     """Say that the server is there. Before that, its port may not be had, and no file is written."""
-    from fleet_tui.simulator.nav2.graph_file import write_graphs
+    from fleet_tui.simulator.navigating.graph_file import write_graphs
 
     if graph_file:
         write_graphs(graph_file, floors)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from fleet_tui.simulator.faults import FAULTS, wire
+from fleet_tui.simulator.move_base.faults import FAULTS as MOVE_BASE_FAULTS
 from fleet_tui.simulator.nav2.faults import FAULTS as NAV2_FAULTS
 
 if TYPE_CHECKING:
@@ -43,7 +44,14 @@ def _nav2(robots: int, floors: int, seed: int, first: int) -> "Fleet":
     return Nav2Fleet(robots, floors, seed, first=first)
 
 
+def _move_base(robots: int, floors: int, seed: int, first: int) -> "Fleet":
+    from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
+
+    return MoveBaseFleet(robots, floors, seed, first=first)
+
+
 KINDS: Mapping[str, Kind] = {
     "oh_ressources": Kind(_oh_ressources, ("1", "2"), FAULTS),
+    "move_base": Kind(_move_base, ("1",), MOVE_BASE_FAULTS, graph_files=True),
     "nav2": Kind(_nav2, ("2",), NAV2_FAULTS, graph_files=True),
 }

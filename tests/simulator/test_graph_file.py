@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from fleet_tui.errors import FleetError
-from fleet_tui.simulator.nav2.graph_file import write_graphs
+from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.warehouse import build_floor
 
 
