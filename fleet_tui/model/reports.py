@@ -64,8 +64,11 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     standing = robot.standing
     if standing is None or frame_id != robot.frame_id or is_apart(standing.value, event.pose):
         standing = pose
-    driving = robot.paused_at is not None and (
-        math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
+    # Where a pause is that this console holds back what is next, it lasts however the robot is moved.
+    driving = (
+        robot.paused_at is not None
+        and not robot.kind.holds
+        and math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
     )
     stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
     robot = replace(

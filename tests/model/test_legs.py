@@ -11,7 +11,13 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.keeping import foreign, next_to_send, to_keep
 from fleet_tui.model.navigation import Goal
-from fleet_tui.model.navigation_events import Alive, GoalsReported, OdometryReported, TargetReported
+from fleet_tui.model.navigation_events import (
+    Alive,
+    GoalsReported,
+    LocalisationReported,
+    OdometryReported,
+    TargetReported,
+)
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.model.wishes import given_now
 from tests.fleets import F0, R0, T0, fleet, graph, link_up, tick, told
@@ -32,7 +38,8 @@ def site() -> FleetState:
     state = fleet()
     state = replace(state, robots={R0: replace(state.robots[R0], kind=KIND)})
     pose = OdometryReported(R0, T0, Pose(0.0, 0.0), T0)
-    return told(state, link_up(T0), graph(1, 2, 3), pose, goals(T0), tick(T0))
+    placed = LocalisationReported(R0, T0, Pose(0.0, 0.0), "map", T0, 0.01)
+    return told(state, link_up(T0), graph(1, 2, 3), pose, placed, goals(T0), tick(T0))
 
 
 def goal(name: str, state: OrderState = ON, said: str = "") -> Goal:
@@ -126,6 +133,16 @@ def test_a_pause_keeps_the_leg() -> None:
     assert (record(state).stage, record(state).leg) == (Stage.WAITING, 1)
     assert next_to_send(state, state.robots[R0]) is None
     assert record(state, 8).stage is Stage.CONFIRMED
+
+
+def test_a_paused_robot_that_is_pushed_is_still_paused() -> None:
+    state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
+    pause = PauseRobot(R0)
+    state = told(state, CommandIssued(8, pause, T0 + 3, T0), CommandAdvanced(8, Stage.SENT, T0 + 3))
+    state = lived(told(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3)), T0 + 3.2, goal("goal---1", OFF))
+    for n in range(1, 6):
+        state = lived(told(state, OdometryReported(R0, T0 + 3 + n, Pose(2.0 * n, 0.0), T0)), T0 + 3 + n)
+    assert state.is_paused(state.robots[R0]) and next_to_send(state, state.robots[R0]) is None
 
 
 def test_serials_never_start_over_though_lists_become_empty() -> None:

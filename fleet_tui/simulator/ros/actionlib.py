@@ -69,6 +69,8 @@ class SimpleActionServer:
         """The goal that is carried out, or was last."""
         self.next: ActionlibGoal | None = None
         """The goal that waits to be carried out."""
+        self.kept = KEPT
+        """Seconds for which a goal is listed that it has let go of."""
         self.said: deque[Status | list[Status]] = deque(maxlen=LISTED)
         """Results and lists of goals that are still to be published, the oldest first."""
         self._last_cancel = 0
@@ -88,7 +90,7 @@ class SimpleActionServer:
         known = self.goals.get(id_)
         if known is not None:
             if known.status == RECALLING and known.request is None:
-                known.request, known.left = request, KEPT if stamp else math.inf
+                known.request, known.left = request, self.kept if stamp else math.inf
                 self.end(known, RECALLED, "")
             return
         goal = ActionlibGoal(id_ or self._new_id(), stamp or self._clock(), request)
@@ -111,7 +113,7 @@ class SimpleActionServer:
                 self._request_cancel(goal)
         if id_ and id_ not in self.goals:
             # Kept for the goal that may follow; without a stamp the server never forgets it.
-            self._list(ActionlibGoal(id_, stamp, None, RECALLING, left=KEPT if stamp else math.inf))
+            self._list(ActionlibGoal(id_, stamp, None, RECALLING, left=self.kept if stamp else math.inf))
         self._last_cancel = max(self._last_cancel, stamp)
 
     def accept(self) -> ActionlibGoal | None:
@@ -122,7 +124,7 @@ class SimpleActionServer:
         if self.current is not None:
             if not self.current.over:
                 self.end(self.current, PREEMPTED, REPLACED)
-            self.current.left = KEPT
+            self.current.left = self.kept
         self.current = goal
         goal.status = PREEMPTING if goal.status == RECALLING else ACTIVE
         goal.text = TAKEN
@@ -152,13 +154,13 @@ class SimpleActionServer:
 
     def _request_cancel(self, goal: ActionlibGoal) -> None:
         if goal is not self.current and goal is not self.next:
-            goal.left = KEPT
+            goal.left = self.kept
         if goal.status in (PENDING, ACTIVE):
             goal.status = RECALLING if goal.status == PENDING else PREEMPTING
             self.said.append(self.list())
 
     def _drop(self, goal: ActionlibGoal, status: int, text: str) -> None:
-        goal.left = KEPT
+        goal.left = self.kept
         self.end(goal, status, text)
 
     def _list(self, goal: ActionlibGoal) -> None:
