@@ -42,6 +42,7 @@ def kinds(as_json: bool, say: Callable[[str], None]) -> None:
                 "can_report": [value for value in whole.reports if value not in usual.reports],
                 "accepts": list(usual.accepts),
                 "queue_kept_here": usual.keeps_goals,
+                "stops_given_here": usual.gives_stops,
                 "pause_holds": usual.holds,
                 "silence_s": _silence(usual, Site().offline_after),
             }
@@ -58,5 +59,7 @@ def kinds(as_json: bool, say: Callable[[str], None]) -> None:
         say(f"  accepts  {', '.join(usual.accepts)}")
         if usual.keeps_goals:
             say("  queue    kept by the console that gave the orders")
+        if usual.gives_stops:
+            say("  stops    one goal for each: the console gives the next one when the one before is reached")
         if usual.holds:
             say("  pause    cancels the goal; the console keeps it, and resume gives it again")
