@@ -132,10 +132,9 @@ class SimpleActionServer:
         return goal
 
     def end(self, goal: ActionlibGoal, status: int, text: str) -> None:
-        """End a goal and publish its result; it stays as it ended."""
-        if not goal.over:
-            goal.status, goal.text = status, text
-            self.said += [goal.told, self.list()]
+        """End a goal that has not ended, and publish its result."""
+        goal.status, goal.text = status, text
+        self.said += [goal.told, self.list()]
 
     def age(self, dt: float) -> None:
         """Let dt seconds pass."""

@@ -333,49 +333,66 @@ DEEDS = st.lists(
 )
 
 
+Key = tuple[str, int]
+"""Id and stamp: an id that was forgotten may come again."""
+
+
+class Watcher:
+    """Looks at a server after everything that happens to it."""
+
+    def __init__(self, navigation: MoveBase) -> None:
+        self._navigation = navigation
+        self.known, self.ends = set[Key](), Counter[Key]()
+        self._newest: dict[Key, int] = {}
+
+    def look(self) -> None:
+        server = self._navigation.server
+        under_way = [one for one in server.running if one.status in (ACTIVE, PREEMPTING)]
+        assert len(under_way) <= 1 and len(server.running) <= 2
+        assert not self._navigation.robot.driving or under_way == [server.current]
+        self.known.update((goal.id, goal.stamp) for goal in server.running)
+        server.said.append(server.list())  # as again and again
+        while server.said:
+            said = server.said.popleft()
+            if isinstance(said, Status):
+                self._end(said)
+            else:
+                self._list(said)
+        assert {(goal.id, goal.stamp) for goal in server.running} <= self._newest.keys()
+
+    def has(self, id_: str) -> bool:
+        return any(one[0] == id_ for one in self.known | set(self.ends))
+
+    def _end(self, said: Status) -> None:
+        assert said.status in ENDED
+        self._newest[said.id, said.stamp] = said.status
+        self.ends[said.id, said.stamp] += 1
+
+    def _list(self, said: list[Status]) -> None:
+        for one in said:
+            before = self._newest.get((one.id, one.stamp))
+            # Once a goal has ended it stays as it ended, and the result has told it first.
+            assert before == one.status if before in ENDED or one.status in ENDED else True
+        self._newest = {(one.id, one.stamp): one.status for one in said}
+
+
 @settings(max_examples=100, deadline=None)
 @given(DEEDS)
 def test_whatever_is_asked_one_goal_is_driven_and_each_ends_once(deeds: list[tuple[Any, ...]]) -> None:
     it, navigation = world()
-    ends, newest = Counter[tuple[str, int]](), dict[tuple[str, int], int]()
-    known = set[tuple[str, int]]()
-
-    def look() -> None:
-        navigation.server.said.append(navigation.server.list())  # as again and again
-        under_way = [one for one in navigation.server.running if one.status in (ACTIVE, PREEMPTING)]
-        assert len(under_way) <= 1 and len(navigation.server.running) <= 2
-        assert not navigation.robot.driving or under_way == [navigation.server.current]
-        assert {goal.id for goal in navigation.server.running} <= set(stand(navigation))
-        known.update((goal.id, goal.stamp) for goal in navigation.server.running)
-        while navigation.server.said:
-            said = navigation.server.said.popleft()
-            for one in [said] if isinstance(said, Status) else said:
-                before = newest.get((one.id, one.stamp))
-                # Once a goal has ended it stays as it ended.
-                assert before not in ENDED or before == one.status
-                newest[one.id, one.stamp] = one.status
-            if isinstance(said, list):
-                listed = {(one.id, one.stamp) for one in said}
-                for forgotten in newest.keys() - listed:
-                    del newest[forgotten]
-            if isinstance(said, Status):
-                assert said.status in ENDED
-                assert newest[said.id, said.stamp] == said.status
-                ends[said.id, said.stamp] += 1
-
+    watcher = Watcher(navigation)
     for deed, *what in deeds:
         if deed == "goal":
             id_, spot, secs, turn = what
-            if id_ and any(one[0] == id_ for one in known | set(ends)):
-                continue  # an id that has been forgotten may be given again, which is another story
-            navigation.hear_goal(goal(id_, spot, secs, **turn))
+            if not id_ or not watcher.has(id_):  # a forgotten id that is given again is another goal
+                navigation.hear_goal(goal(id_, spot, secs, **turn))
         elif deed == "cancel":
             navigation.hear_cancel(cancelled(*what))
         else:
             it.step(what[0])
-        look()
+        watcher.look()
     navigation.cancel_all()
     it.step(1.0)
-    look()
-    assert not navigation.busy and known <= set(ends)
-    assert set(ends.values()) <= {1}
+    watcher.look()
+    assert not navigation.busy and watcher.known <= set(watcher.ends)
+    assert set(watcher.ends.values()) <= {1}
