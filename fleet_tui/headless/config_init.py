@@ -13,16 +13,16 @@ from fleet_tui.config.check import checked
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.load import shipped
 from fleet_tui.config.schema import DEFAULT_LINK, Config, Link, RobotEntry
+from fleet_tui.discovery.approach import Approach
+from fleet_tui.discovery.config_text import render
+from fleet_tui.discovery.facts import Rosapi
+from fleet_tui.discovery.finding import Verdict
+from fleet_tui.discovery.recognition import Found, discover
+from fleet_tui.discovery.rosapi import ask_publishers, ask_services, look_around
+from fleet_tui.discovery.tools import rosapi_remedy
+from fleet_tui.discovery.wire import Wire
 from fleet_tui.errors import ConfigError, FleetError, LinkError
-from fleet_tui.headless.config_text import render
-from fleet_tui.headless.doctor.approach import Approach
-from fleet_tui.headless.doctor.causes import rosapi_remedy
-from fleet_tui.headless.doctor.facts import Rosapi
-from fleet_tui.headless.doctor.finding import Verdict
 from fleet_tui.headless.doctor.listening import listen
-from fleet_tui.headless.doctor.rosapi import ask_publishers, ask_services, look_around
-from fleet_tui.headless.doctor.wire import Wire
-from fleet_tui.headless.site import Found, discover
 from fleet_tui.model.events import PoseReported
 from fleet_tui.transports.loop import network_loop
 

@@ -15,13 +15,14 @@ from msgspec import structs
 from fleet_tui.config.access import unsafe_places
 from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
+from fleet_tui.discovery.approach import Approach
+from fleet_tui.discovery.facts import BridgeFacts, TopicFacts
+from fleet_tui.discovery.finding import Finding, Verdict
+from fleet_tui.discovery.wire import Wire
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.headless.doctor.approach import Approach
 from fleet_tui.headless.doctor.causes import causes_of, rosapi_finding
 from fleet_tui.headless.doctor.charts import Chart, charts_of
 from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
-from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
-from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
 from fleet_tui.headless.doctor.gather import gather
 from fleet_tui.headless.doctor.names import spelling_finding
@@ -30,7 +31,6 @@ from fleet_tui.headless.doctor.render import as_values, line, summary
 from fleet_tui.headless.doctor.services import service_findings
 from fleet_tui.headless.doctor.terminal import terminal_findings
 from fleet_tui.headless.doctor.topics import robot_findings
-from fleet_tui.headless.doctor.wire import Wire
 from fleet_tui.maps.floor_files import load_floors
 from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
 from fleet_tui.model.grid import OccupancyGrid

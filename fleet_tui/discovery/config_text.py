@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from fleet_tui.adapters.discovery import NAME, Discovery
 from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS
 from fleet_tui.config.schema import Link
-from fleet_tui.headless.site import Found
+from fleet_tui.discovery.recognition import Found
 
 FIRST = [
     "# fleet-tui: what was found behind this bridge. `fleet-tui check` says what is wrong with it.",

@@ -17,8 +17,8 @@ from fleet_tui.adapters.ros.robot_words import complaint, log_line
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.config.schema import Link
+from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.errors import LinkError, WireError
-from fleet_tui.headless.doctor.facts import TopicFacts
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
 from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.transports.rosbridge.connection import Connection

@@ -10,10 +10,10 @@ from contextlib import suppress
 from urllib.parse import urlsplit
 
 from fleet_tui.config.schema import Link, link_key
+from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
+from fleet_tui.discovery.tools import START_BRIDGE, named
+from fleet_tui.discovery.wire import FROZEN, Wire
 from fleet_tui.errors import FleetError, LinkError
-from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
-from fleet_tui.headless.doctor.tools import START_BRIDGE, named
-from fleet_tui.headless.doctor.wire import FROZEN, Wire
 from fleet_tui.transports.rosbridge.reasons import refusal
 from fleet_tui.transports.rosbridge.tls import tls_context
 

@@ -10,9 +10,9 @@ from typing import Any, TypeVar
 import msgspec
 
 from fleet_tui.adapters.ros.messages import Stamp
+from fleet_tui.discovery.facts import Rosapi
+from fleet_tui.discovery.wire import Wire
 from fleet_tui.errors import LinkError
-from fleet_tui.headless.doctor.facts import Rosapi
-from fleet_tui.headless.doctor.wire import Wire
 
 T = TypeVar("T")
 
