@@ -1,6 +1,7 @@
 """Finds, reads and checks a configuration: every problem at once, each with its remedy."""
 
 import os
+import tomllib
 import typing
 from collections.abc import Mapping
 from pathlib import Path
@@ -65,11 +66,26 @@ def read(path: Path) -> tuple[Config, list[str]]:
         raise ConfigError([f"{path}: is not UTF-8 text"]) from None
     except (ValueError, RecursionError) as problem:
         raise ConfigError([f"{path}: is not TOML: {problem}"]) from None
+    config, problems = _config_of(table)
+    return msgspec.structs.replace(config, path=path.absolute()), problems
+
+
+def from_text(text: str) -> Config:
+    """Read and check a configuration that is in no file. Raises ConfigError with every problem found."""
+    try:
+        config, problems = _config_of(tomllib.loads(text))
+    except (ValueError, RecursionError) as problem:
+        raise ConfigError([f"is not TOML: {problem}"]) from None
+    if problems:
+        raise ConfigError(problems)
+    return config
+
+
+def _config_of(table: Mapping[str, object]) -> tuple[Config, list[str]]:
     problems: list[str] = []
     config: Config = _read(Config, table, "", problems) or Config()
     if "path" in table:
         problems.append("path: unknown key")
-    config = msgspec.structs.replace(config, path=path.absolute())
     return config, problems + checked(config)
 
 

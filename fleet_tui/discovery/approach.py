@@ -26,12 +26,13 @@ START_IT = f"start rosbridge there ({named(START_BRIDGE, 0)}), or correct"
 class Approach:
     """Walks to one bridge. Everything runs on the network loop."""
 
-    def __init__(self, name: str, bridge: Link, wire: Wire) -> None:
+    def __init__(self, name: str, bridge: Link, wire: Wire, key: str = "") -> None:
+        """`key`: where its address stands, if not in the config."""
         self._name, self._bridge, self._wire = name, bridge, wire
         parts = urlsplit(bridge.url)
         self._host = parts.hostname or ""
         self._port = parts.port or (443 if bridge.is_secure else 80)
-        self._key = f"{link_key(name)}.url"
+        self._key = key or f"{link_key(name)}.url"
         self.step = STEPS[0]
         """What is being tried."""
 
