@@ -16,7 +16,7 @@ from fleet_tui.adapters.registry import KINDS
 from fleet_tui.config.check import checked
 from fleet_tui.config.schema import Config, expanded
 from fleet_tui.config.small_file import read_toml
-from fleet_tui.errors import ConfigError, did_you_mean
+from fleet_tui.errors import ConfigError, NoConfigError, did_you_mean
 
 _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "true or false"} | {
     "array": "a list",
@@ -26,7 +26,7 @@ _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "
 
 
 def shipped() -> Path:
-    """The default config: package data in a wheel, else beside the checkout."""
+    """The example that comes with the program: package data in a wheel, else beside the checkout."""
     package = Path(__file__).parent.parent
     inside = package / "config_shipped.toml"
     return inside if inside.exists() else package.parent / "config.toml"
@@ -37,13 +37,46 @@ def user_folder() -> Path:
     return platformdirs.user_config_path("fleet-tui")
 
 
+def places() -> list[Path]:
+    """Where a configuration is looked for that nothing names."""
+    return [Path("config.toml"), user_folder() / "config.toml"]
+
+
 def find(given: str | None) -> Path:
-    """The config to use: given, $FLEET_TUI_CONFIG, ./config.toml, the user's, the shipped one."""
+    """The config to use: given, $FLEET_TUI_CONFIG, ./config.toml, the user's. Raises NoConfigError."""
     named = given or os.environ.get("FLEET_TUI_CONFIG")
     if named:
         return expanded(named)
-    places = [Path("config.toml"), user_folder() / "config.toml"]
-    return next((place for place in places if place.is_file()), shipped())
+    found = next((place for place in places() if place.is_file()), None)
+    if found is None:
+        raise NoConfigError(
+            [
+                f"no configuration found: $FLEET_TUI_CONFIG is not set, no ./{places()[0]}, no {places()[1]}",
+                "give one with --config FILE, or the address of a bridge with --url ws://HOST:9090; fleet-tui"
+                " config init prints an example, fleet-tui demo needs none",
+            ]
+        )
+    return found
+
+
+def looked_for() -> list[tuple[str, str]]:
+    """Each place where a configuration is looked for, and what is there."""
+    variable = os.environ.get("FLEET_TUI_CONFIG")
+    here, users = places()
+    named = {"$FLEET_TUI_CONFIG": variable or "not set"}
+    for name, place in ((f"./{here}", here), (str(users).replace(str(Path.home()), "~", 1), users)):
+        named[name] = "there" if place.is_file() else "not there"
+    return list(named.items())
+
+
+def load_if_any(given: str | None) -> Config:
+    """Read the config to use, or an empty one: of a console that has robots from elsewhere. Raises
+    ConfigError."""
+    try:
+        path = find(given)
+    except NoConfigError:
+        return Config()
+    return load(path)
 
 
 def load(path: Path) -> Config:

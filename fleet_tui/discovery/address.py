@@ -1,20 +1,12 @@
 """An address as a person types it."""
 
-import re
-
 import msgspec
 
 from fleet_tui.config.check import checked
 from fleet_tui.config.schema import DEFAULT_LINK, Config, Link, RobotEntry
-from fleet_tui.errors import ConfigError
+from fleet_tui.errors import ConfigError, is_address
 
 _WEB = {"http": "ws", "https": "wss"}
-_HOST_AND_PORT = re.compile(r"[\w.-]+:\d+(/.*)?|\[[\da-fA-F:]+\](:\d+)?(/.*)?")
-
-
-def is_address(word: str) -> bool:
-    """Tell whether a word can only be meant as an address."""
-    return "://" in word or bool(_HOST_AND_PORT.fullmatch(word))
 
 
 def bridge_at(url: str, known: Link | None = None) -> Link:

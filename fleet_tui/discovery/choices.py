@@ -22,6 +22,11 @@ class Choice(NamedTuple):
     options: tuple[str, ...]
     chosen: str
 
+    def __str__(self) -> str:
+        """The question with what holds, and what else could."""
+        others = [option for option in self.options if option != self.chosen]
+        return f"{self.text}: {self.chosen or 'not known'}, could be {', '.join(others)}"
+
 
 def decided(claims: Found, answers: Answers) -> Found:
     """Return what was found, with these answers and the best guess for everything else."""

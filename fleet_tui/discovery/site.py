@@ -5,6 +5,7 @@ import time
 from collections.abc import Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from fleet_tui.config.load import from_text
 from fleet_tui.config.schema import DEFAULT_LINK, Config, Link
@@ -37,17 +38,17 @@ class DiscoveredSite:
     topics: int
     answers: Answers = field(default_factory=dict)
 
-    @property
+    @cached_property
     def found(self) -> Found:
         """The robots, each of one kind."""
         return decided(self.claims, self.answers)
 
-    @property
+    @cached_property
     def text(self) -> str:
         """A configuration, ready to edit."""
         return render(self.bridge, self.found, self.frames, placed(self.answers))
 
-    @property
+    @cached_property
     def config(self) -> Config:
         """The configuration that this text is. Raises FleetError where no robot was found."""
         if not any(one.robots for one in self.found.values()):
@@ -61,6 +62,17 @@ class DiscoveredSite:
     def choices(self) -> list[Choice]:
         """What could be otherwise, too."""
         return choices_of(self.claims, self.found, self.frames, self.answers)
+
+    @property
+    def unclear(self) -> list[str]:
+        """Robots that must not be commanded unseen: it would be in the words of another kind."""
+        how = f"fleet-tui {self.bridge.shown} lets you choose, and :save keeps it"
+        return [f"nothing was sent: {choice}: {how}" for choice in self.choices if choice.id[0] == "kind"]
+
+    @property
+    def warnings(self) -> list[str]:
+        """What is not certain, and what is missing."""
+        return [*map(str, self.choices), *self.lacks]
 
     @property
     def lacks(self) -> list[str]:
