@@ -13,7 +13,9 @@ from fleet_tui.widgets.line_view import LineView
 
 
 class Before(Screen[None]):
-    """One page of rows above a footer."""
+    """One page of rows above a footer. Its keys are the screen's own: nothing has the focus."""
+
+    AUTO_FOCUS = ""
 
     DEFAULT_CSS = """
     Before { layout: vertical; background: $background; }

@@ -28,8 +28,9 @@ class SaveActions(Part):
     say: Callable[[str], None]
 
     def action_save(self) -> None:
-        """Type where to."""
-        self.palette.show(f"{WORD} {USUAL}")
+        """Type where to, where it is in no file yet."""
+        is_kept = self.saving is None or self.saving.path
+        self.palette.show(WORD if is_kept else f"{WORD} {USUAL}")
 
     def as_save(self, line: str) -> "Typed | None":
         """A typed line as a file to save to, None where it is none."""
@@ -38,15 +39,23 @@ class SaveActions(Part):
         word, _, name = line.strip().partition(" ")
         if word.casefold() != WORD:
             return None
-        if self.saving is None:
-            return Typed(problem="nothing to save: this is no console on a fleet of your own")
-        if self.saving.path and not name.strip():
-            where = visible(self.saving.path)
-            return Typed(problem=f"this configuration is in {where}: {WORD} FILE writes a copy")
-        name = name.strip() or USUAL
+        name = name.strip()
+        if problem := self._unsavable(name):
+            return Typed([(problem, partial(self.say, problem))])
+        assert self.saving is not None
+        name = name or USUAL
         return Typed(
             [(f"Save this configuration to {visible(name)}", partial(self._save, self.saving, name))]
         )
+
+    def _unsavable(self, name: str) -> str:
+        """Say why there is nothing to write, empty where there is."""
+        if self.saving is None:
+            return "nothing to save: this is no console on a fleet of your own"
+        path = self.saving.path
+        if path and (not name or expanded(name).resolve() == Path(path).resolve()):
+            return f"this configuration is in {visible(path)} already: {WORD} FILE writes a copy"
+        return ""
 
     def _save(self, saving: Saving, name: str) -> None:
         """Write it, after asking where something is there already."""

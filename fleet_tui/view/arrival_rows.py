@@ -11,9 +11,9 @@ from fleet_tui.view.text import fit, visible
 Rows = list[tuple[Run, ...]]
 
 COMMANDS = (
-    ("fleet-tui demo", "a simulated fleet, without any robot"),
-    ("fleet-tui config init", "an example configuration to edit"),
-    ("fleet-tui doctor --url URL", "what is wrong on the way to a bridge"),
+    ("fleet-tui demo", "a simulated fleet"),
+    ("fleet-tui config init", "an example to edit"),
+    ("fleet-tui doctor --url URL", "what is wrong on the way"),
 )
 
 
