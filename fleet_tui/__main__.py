@@ -10,7 +10,7 @@ import sys
 import traceback
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 
-from fleet_tui.errors import ConfigError, FleetError
+from fleet_tui.errors import ConfigError, FleetError, LinkError, is_address
 from fleet_tui.model.bounds import brief
 from fleet_tui.terminal.ending import PATIENCE, end_within
 from fleet_tui.view.signs import stand_in
@@ -34,13 +34,21 @@ def _end(code: int, *lines: str) -> NoReturn:
     sys.exit(code)
 
 
+def _end_saying(problem: FleetError) -> NoReturn:
+    if isinstance(problem, ConfigError):
+        _end(2, *problem.problems[:MOST], *_more(len(problem.problems) - MOST))
+    _end(3 if isinstance(problem, LinkError) else 1, f"fleet-tui: {problem}")
+
+
 def _console_options() -> dict[str, str] | None:
     """The options of a command line that only opens the console, None for any other."""
     found, args = {}, iter(sys.argv[1:])
     for arg in args:
         name, _, value = arg.partition("=")
-        if name == "--config" and (value or (value := next(args, "-"))) and not value.startswith("-"):
+        if name in ("--config", "--url") and (value or (value := next(args, "-"))) and value[0] != "-":
             found[name] = value
+        elif not arg.startswith("-") and is_address(arg) and "--url" not in found:
+            found["--url"] = arg
         elif arg in ("--read-only", "--debug"):
             found[arg] = arg
         else:
@@ -51,11 +59,11 @@ def _console_options() -> dict[str, str] | None:
 def _open_console(options: dict[str, str]) -> None:
     """Open the console without click, whose import would be a tenth of the way to the first paint."""
     gc.disable()  # until the first paint: it would go through all that is imported again and again
-    from fleet_tui.config.load import find, load
-    from fleet_tui.console import open_console
+    from fleet_tui.arriving import open_with
 
-    config = load(find(options.get("--config")))
-    open_console(config, "--read-only" in options, None, "--debug" in options)
+    open_with(
+        options.get("--config"), options.get("--url"), "--read-only" in options, None, "--debug" in options
+    )
 
 
 def _run_command() -> None:
@@ -108,15 +116,13 @@ def _run() -> None:
             _run_command()
         else:
             _open_console(options)
-    except ConfigError as problem:
-        _end(2, *problem.problems[:MOST], *_more(len(problem.problems) - MOST))
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         _end(1)
     except KeyboardInterrupt:
         _end(130)
     except FleetError as problem:
-        _end(1, f"fleet-tui: {problem}")
+        _end_saying(problem)
     except Exception as problem:
         if debug:
             # As Python would say it, but for what the words of an exception could do to a terminal.

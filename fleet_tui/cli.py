@@ -10,15 +10,19 @@ import click
 from fleet_tui import __version__
 from fleet_tui.config.access import access_problems, unsafe_places
 from fleet_tui.config.check import missing_files
-from fleet_tui.config.load import find, load, read, user_folder
+from fleet_tui.config.load import find, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.options import FileName, NearestGroup, common, merged, screen
+from fleet_tui.options import FileName, NearestGroup, common, fleet, merged, screen, with_url
 from fleet_tui.view.text import visible
 
 
 class Commands(NearestGroup):
     """The commands. Most are imported when one is asked for: the console starts without them."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read an address in a command's place as --url."""
+        return super().parse_args(ctx, with_url(args))
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """A command by its name."""
@@ -42,20 +46,26 @@ class Commands(NearestGroup):
 )
 @click.version_option(__version__, prog_name="fleet-tui")
 @screen
-@common
+@fleet
 @click.pass_context
 def commands(
-    ctx: click.Context, config_file: str | None, debug: bool, read_only: bool, drawing: str | None
+    ctx: click.Context,
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    read_only: bool,
+    drawing: str | None,
 ) -> None:
     """The terminal console for robot fleets behind a rosbridge server.
 
-    Without a command it opens the console. `fleet-tui demo` shows it with simulated robots.
+    Without a command it opens the console; `fleet-tui ws://HOST:9090` opens it on what is behind
+    that address, without a configuration. `fleet-tui demo` shows it with simulated robots.
     """
     if ctx.invoked_subcommand is None:
         gc.disable()  # until the first paint: it would go through all that is imported again and again
-        from fleet_tui.console import open_console
+        from fleet_tui.arriving import open_with
 
-        open_console(load(find(config_file)), read_only, drawing, debug)
+        open_with(config_file, url, read_only, drawing, debug)
 
 
 @commands.command()

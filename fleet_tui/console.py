@@ -18,15 +18,18 @@ from fleet_tui.app import FleetApp
 from fleet_tui.backend import Backend, connect_live
 from fleet_tui.config.access import access_problems, unsafe_places
 from fleet_tui.config.load import user_folder
-from fleet_tui.config.schema import Config
+from fleet_tui.config.saving import Saving
+from fleet_tui.config.schema import Config, Ui
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import ConfigError, FleetError, did_you_mean
 from fleet_tui.log_file import log_to_file, state_folder
 from fleet_tui.store import Store
+from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.drawing import Drawing
 
 if TYPE_CHECKING:
+    from fleet_tui.discovery.site import DiscoveredSite
     from fleet_tui.journal.recordings import Recordings
     from fleet_tui.playback.player import Player
 
@@ -78,7 +81,8 @@ def _terminal(drawing: Drawing, colour: bool) -> str:
     )
 
 
-def _need_terminal() -> None:
+def need_terminal() -> None:
+    """Raise FleetError where there is none."""
     streams = (sys.stdin, sys.stdout, sys.stderr)
     if IN_BROWSER not in os.environ and not all(stream.isatty() for stream in streams):
         raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")
@@ -95,15 +99,44 @@ def _refuse(config: Config, themes: Mapping[str, FleetTheme]) -> None:
 
 
 def open_console(
-    config: Config, read_only: bool, drawing: str | None, debug: bool, demo: bool = False
+    config: Config,
+    read_only: bool,
+    drawing: str | None,
+    debug: bool,
+    demo: bool = False,
+    site: "DiscoveredSite | None" = None,
 ) -> None:
-    """Run the console until the operator leaves. What a `demo` did is marked in the audit log."""
+    """Run the console until the operator leaves. What a `demo` did is marked in the audit log; `site`: where
+    the configuration comes from that is in no file."""
+    saving = None if demo else Saving(config, site)
     if read_only:
         config = msgspec.structs.replace(
             config, operator=msgspec.structs.replace(config.operator, read_only=True)
         )
     store = Store(initial_state(config, time.monotonic()))
-    _run(_ready(config, drawing, debug, partial(FleetApp, config, store)), config, demo)
+    app = _ready(config, drawing, debug, partial(FleetApp, config, store))
+    app.main.saving = saving
+    if site is not None:
+        arrived = f"{site.bridge.shown}: {site.summary}. :save keeps it"
+        app.main.said = f"{arrived}; {app.main.said}" if app.main.said else arrived
+    _run(app, config, demo)
+
+
+def ask_first(site: "DiscoveredSite | None", drawing: str | None, debug: bool) -> "DiscoveredSite | None":
+    """Run the screens before the console: what is not certain of a site, or where to go. Return what was
+    chosen, None where the operator left."""
+    from fleet_tui.config.load import looked_for
+    from fleet_tui.entry import EntryApp
+
+    log_to_file(debug)
+    theme = load_themes(user_folder() / "themes")[0][Ui().theme]
+    app = EntryApp(theme, _colour(), site, looked_for())
+    if _drawing(drawing or Ui().drawing) is Drawing.ASCII and not _has_unicode():
+        from fleet_tui.terminal.plain_driver import PlainDriver
+
+        app.driver_class = PlainDriver
+    _to_the_end(app)
+    return app.chosen
 
 
 def recorded(
@@ -150,7 +183,7 @@ def _ready(
 ) -> FleetApp:
     """What `make` makes of themes, the way the map is drawn, and whether there is colour; fit for this
     terminal. Raises FleetError where it can't run."""
-    _need_terminal()
+    need_terminal()
     themes, problems = load_themes(user_folder() / "themes")
     _refuse(config, themes)
     warnings = [*unsafe_places(config), *(f"theme {problem}" for problem in problems)]
@@ -170,7 +203,7 @@ def _ready(
     return app
 
 
-def _to_the_end(app: FleetApp) -> None:
+def _to_the_end(app: LeanApp) -> None:
     app.run()
     if app.failure is not None:
         raise RuntimeError(app.failure) from app.failure

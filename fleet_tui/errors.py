@@ -16,6 +16,10 @@ class ConfigError(FleetError):
         self.problems = problems
 
 
+class NoConfigError(ConfigError):
+    """No configuration was named, and none was found."""
+
+
 class WireError(FleetError):
     """What came over the wire is not what the interface profile promises."""
 
@@ -34,6 +38,12 @@ class MapError(FleetError):
 
 class GraphError(FleetError):
     """A graph file that can't be read, and why."""
+
+
+def is_address(word: str) -> bool:
+    """Tell whether a word can only be meant as an address: it has a scheme, or a host and a port."""
+    host, colon, rest = word.rpartition(":")
+    return "://" in word or bool(host and colon and rest.partition("/")[0].isdecimal())
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:

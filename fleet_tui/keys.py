@@ -111,6 +111,7 @@ KEYS: tuple[Key, ...] = (
     Key("record", (), "record", "Record: start or stop a recording"),
     Key("audit", ("L",), "audit", "Audit log: every command and alarm, and how it went on"),
     Key("bundle", ("b",), "bundle", "Incident bundle: recording, log, doctor's report in one archive"),
+    Key("save", (), "save", "Save: write the configuration of this console to a file"),
     Key("arm", (), "arm", "Arm: let commands leave this console, or no longer"),
     Key("acknowledge", ("a",), "acknowledge", "Acknowledge the alarm under the cursor", hint="ack"),
     Key("acknowledge_all", ("A",), "acknowledge_all", "Acknowledge all alarms"),

@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 import click
 
-from fleet_tui.errors import did_you_mean
+from fleet_tui.errors import did_you_mean, is_address
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -33,12 +33,43 @@ class FileName(click.Path):
         return super().convert(value, param, ctx)
 
 
+WITH_VALUE = ("--config", "--drawing", "--url")
+"""Options of the console that take the next word."""
+
+
+def with_url(args: list[str]) -> list[str]:
+    """Write an address that stands where a command could as the option that it means."""
+    skip = False
+    for n, arg in enumerate(args):
+        if skip or arg.startswith("-"):
+            skip = not skip and arg in WITH_VALUE
+        else:
+            return [*args[:n], f"--url={arg}", *args[n + 1 :]] if is_address(arg) else args
+    return args
+
+
 def common(command: F) -> F:
     """`--config` and `--debug` work before and after a command's name."""
     command = click.option(
         "--config", "config_file", type=FileName(), metavar="FILE", help="Use this configuration."
     )(command)
     return click.option("--debug", is_flag=True, help="Show tracebacks, log everything.")(command)
+
+
+class Address(click.types.StringParamType):
+    """The address of a bridge. What is wrong with one is said by discovery."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read what was typed: what an unset variable of the shell leaves would mean another fleet."""
+        if not value.strip():
+            self.fail("an empty name is no address; is a variable of the shell not set?", param, ctx)
+        return super().convert(value, param, ctx)
+
+
+def fleet(command: F) -> F:
+    """`--url` in the place of `--config`, for what talks to robots."""
+    text = "Ask the bridge there what it has; no configuration is needed."
+    return click.option("--url", type=Address(), metavar="URL", help=text)(common(command))
 
 
 def drawing_mode(command: F) -> F:

@@ -7,7 +7,7 @@ from tempfile import TemporaryDirectory
 
 import click
 
-from fleet_tui.config.load import find, load
+from fleet_tui.config.load import load_if_any
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
 from fleet_tui.options import FileName, common, merged, screen
@@ -51,7 +51,7 @@ def replay(
     from fleet_tui.console import open_replay
     from fleet_tui.playback.start import playing
 
-    found, path, notes = load(find(config_file)), Path(file), list[str]()
+    found, path, notes = load_if_any(config_file), Path(file), list[str]()
     with TemporaryDirectory(prefix="fleet-tui-") as folder:
         if is_bag(path):
             path, notes = _recording_of(path, found, Path(folder))

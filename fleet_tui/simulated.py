@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 import click
 
-from fleet_tui.config.load import find, load
+from fleet_tui.config.load import load_if_any
 from fleet_tui.errors import did_you_mean
 from fleet_tui.options import common, merged, screen
 from fleet_tui.simulator.faults import parse_faults
@@ -132,7 +132,7 @@ def demo(
         from fleet_tui.console import open_console
         from fleet_tui.demo import demo_config
 
-        found = load(find(config_file))
+        found = load_if_any(config_file)
         config = demo_config(found, url, robots, floors, ros or "", kind, Path(folder))
         open_console(config, read_only, drawing, debug, demo=True)
 

@@ -18,7 +18,10 @@ from typing import Any
 
 PATIENCE, HANGS = 1.0, 8.0
 """Seconds until Ctrl-C, and until it counts as hanging."""
-PARTS = ("cli", "__main__", "headless.commands", "simulated", "headless.orders", "headless.site", "console")
+PARTS = (
+    *("cli", "__main__", "headless.commands", "simulated", "headless.orders", "headless.config_init"),
+    "console",
+)
 
 
 def _only_here(host: object, *more: Any, **named: Any) -> Any:

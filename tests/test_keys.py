@@ -60,7 +60,7 @@ PROMISED = {
 
 
 # The palette reaches them; the config can give them a key.
-WITHOUT_A_KEY = {"arm", "record"}
+WITHOUT_A_KEY = {"arm", "record", "save"}
 
 
 def test_the_defaults_have_no_clash() -> None:

@@ -31,7 +31,9 @@ class Listed(NamedTuple):
 @dataclass
 class Discovery:
     """Robots of one kind with their floors, and where its profile must differ; `notes` is what a person must
-    decide, by the table it belongs to. `is_guess`: only topics speak for it that other kinds have, too."""
+    decide, by the table it belongs to. `candidates`: by table and key several names of which one or none was
+    taken. `absent`: keys of topics and services for which nothing is there. `more_floors`: those on which no
+    robot of it is. `is_guess`: only topics speak for it that other kinds have, too."""
 
     robots: dict[str, list[str]] = field(default_factory=dict)
     topics: dict[str, str] = field(default_factory=dict)
@@ -41,12 +43,17 @@ class Discovery:
     actions: dict[str, str] = field(default_factory=dict)
     live_maps: set[str] = field(default_factory=set)
     notes: dict[str, list[str]] = field(default_factory=dict)
+    candidates: dict[tuple[str, str], list[str]] = field(default_factory=dict)
+    absent: set[str] = field(default_factory=set)
+    more_floors: list[str] = field(default_factory=list)
     is_guess: bool = False
 
     @property
     def floors(self) -> list[str]:
-        """Every floor of any robot."""
-        return list(dict.fromkeys(floor for floors in self.robots.values() for floor in floors))
+        """Every floor of any robot, and those of none."""
+        return list(
+            dict.fromkeys(floor for floors in (*self.robots.values(), self.more_floors) for floor in floors)
+        )
 
     def note(self, table: str, text: str) -> None:
         """Leave something to a person."""
@@ -56,6 +63,8 @@ class Discovery:
         """Return the one candidate there is, or the one that sounds like the usual one; leave the rest to a
         person."""
         candidates = sorted(candidates)
+        if len(candidates) > 1:
+            self.candidates[table, key] = candidates
         names = {template.rpartition("/")[2].lower(): template for template in candidates}
         near = get_close_matches(usual.rpartition("/")[2].lower(), names, n=1, cutoff=0.5)
         near = near or [name for name in names if key in name]
@@ -69,6 +78,8 @@ class Discovery:
                 f", one of {', '.join(candidates)}?" if candidates else f": nothing of type {type_} is there"
             )
             self.note(table, f'{key} = "..."{choice}')
+            if not candidates:
+                self.absent.add(key)
         return chosen
 
 

@@ -5,6 +5,7 @@ import re
 import stat
 from collections.abc import Callable, Iterator
 from functools import partial
+from pathlib import Path
 
 import msgspec
 
@@ -95,8 +96,10 @@ def _exposure(found: os.stat_result, is_private: bool) -> str:
 
 
 def unsafe_places(config: Config) -> Iterator[str]:
-    """One line for each place through which any user of this machine could change the config."""
+    """One line for each place through which any user of this machine could change the config's file."""
     path = config.path
+    if path == Path():  # it is in no file
+        return
     # A link can be replaced where it lies, too.
     for place in dict.fromkeys((path, *path.absolute().parents, *path.resolve().parents)):
         try:

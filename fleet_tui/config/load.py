@@ -1,6 +1,7 @@
 """Finds, reads and checks a configuration: every problem at once, each with its remedy."""
 
 import os
+import tomllib
 import typing
 from collections.abc import Mapping
 from pathlib import Path
@@ -15,7 +16,7 @@ from fleet_tui.adapters.registry import KINDS
 from fleet_tui.config.check import checked
 from fleet_tui.config.schema import Config, expanded
 from fleet_tui.config.small_file import read_toml
-from fleet_tui.errors import ConfigError, did_you_mean
+from fleet_tui.errors import ConfigError, NoConfigError, did_you_mean
 
 _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "true or false"} | {
     "array": "a list",
@@ -25,7 +26,7 @@ _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "
 
 
 def shipped() -> Path:
-    """The default config: package data in a wheel, else beside the checkout."""
+    """The example that comes with the program: package data in a wheel, else beside the checkout."""
     package = Path(__file__).parent.parent
     inside = package / "config_shipped.toml"
     return inside if inside.exists() else package.parent / "config.toml"
@@ -36,13 +37,46 @@ def user_folder() -> Path:
     return platformdirs.user_config_path("fleet-tui")
 
 
+def places() -> list[Path]:
+    """Where a configuration is looked for that nothing names."""
+    return [Path("config.toml"), user_folder() / "config.toml"]
+
+
 def find(given: str | None) -> Path:
-    """The config to use: given, $FLEET_TUI_CONFIG, ./config.toml, the user's, the shipped one."""
+    """The config to use: given, $FLEET_TUI_CONFIG, ./config.toml, the user's. Raises NoConfigError."""
     named = given or os.environ.get("FLEET_TUI_CONFIG")
     if named:
         return expanded(named)
-    places = [Path("config.toml"), user_folder() / "config.toml"]
-    return next((place for place in places if place.is_file()), shipped())
+    found = next((place for place in places() if place.is_file()), None)
+    if found is None:
+        raise NoConfigError(
+            [
+                f"no configuration found: $FLEET_TUI_CONFIG is not set, no ./{places()[0]}, no {places()[1]}",
+                "give one with --config FILE, or the address of a bridge with --url ws://HOST:9090; fleet-tui"
+                " config init prints an example, fleet-tui demo needs none",
+            ]
+        )
+    return found
+
+
+def looked_for() -> list[tuple[str, str]]:
+    """Each place where a configuration is looked for, and what is there."""
+    variable = os.environ.get("FLEET_TUI_CONFIG")
+    here, users = places()
+    named = {"$FLEET_TUI_CONFIG": variable or "not set"}
+    for name, place in ((f"./{here}", here), (str(users).replace(str(Path.home()), "~", 1), users)):
+        named[name] = "there" if place.is_file() else "not there"
+    return list(named.items())
+
+
+def load_if_any(given: str | None) -> Config:
+    """Read the config to use, or an empty one: of a console that has robots from elsewhere. Raises
+    ConfigError."""
+    try:
+        path = find(given)
+    except NoConfigError:
+        return Config()
+    return load(path)
 
 
 def load(path: Path) -> Config:
@@ -65,11 +99,26 @@ def read(path: Path) -> tuple[Config, list[str]]:
         raise ConfigError([f"{path}: is not UTF-8 text"]) from None
     except (ValueError, RecursionError) as problem:
         raise ConfigError([f"{path}: is not TOML: {problem}"]) from None
+    config, problems = _config_of(table)
+    return msgspec.structs.replace(config, path=path.absolute()), problems
+
+
+def from_text(text: str) -> Config:
+    """Read and check a configuration that is in no file. Raises ConfigError with every problem found."""
+    try:
+        config, problems = _config_of(tomllib.loads(text))
+    except (ValueError, RecursionError) as problem:
+        raise ConfigError([f"is not TOML: {problem}"]) from None
+    if problems:
+        raise ConfigError(problems)
+    return config
+
+
+def _config_of(table: Mapping[str, object]) -> tuple[Config, list[str]]:
     problems: list[str] = []
     config: Config = _read(Config, table, "", problems) or Config()
     if "path" in table:
         problems.append("path: unknown key")
-    config = msgspec.structs.replace(config, path=path.absolute())
     return config, problems + checked(config)
 
 

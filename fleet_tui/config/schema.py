@@ -154,9 +154,10 @@ class Config(msgspec.Struct, frozen=True):
 
     @property
     def bridges(self) -> dict[str, Link]:
-        """Every bridge some robot hangs on, by name."""
+        """Every bridge some robot hangs on, by name; of no robots the default one."""
         known = {DEFAULT_LINK: self.rosbridge, **self.links}
-        return {name: known[name] for name in dict.fromkeys(robot.link for robot in self.robots)}
+        used = [robot.link for robot in self.robots] or [DEFAULT_LINK]
+        return {name: known[name] for name in dict.fromkeys(used)}
 
     def bridge(self, name: str) -> Link:
         """One bridge, its files with their whole paths."""

@@ -2,15 +2,16 @@
 
 import math
 import sys
+import time
 from pathlib import Path
 
 import click
 
-from fleet_tui.config.load import find, load
+from fleet_tui.config.schema import Config
 from fleet_tui.headless.config_commands import config
 from fleet_tui.headless.duration import Duration
 from fleet_tui.headless.order_commands import orders
-from fleet_tui.options import FileName, common, merged, timeout
+from fleet_tui.options import FileName, common, fleet, merged, timeout
 from fleet_tui.view.text import visible
 
 
@@ -28,19 +29,26 @@ for command in (config, *orders.commands.values()):
 @click.option("--watch", is_flag=True, help="Go on, and say what changes (as JSON Lines with --json).")
 @click.option("--oneline", is_flag=True, help="One line, for a status bar.")
 @timeout(5.0)
-@common
+@fleet
 @merged
 def status(
-    config_file: str | None, debug: bool, as_json: bool, watch: bool, oneline: bool, timeout: float
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    as_json: bool,
+    watch: bool,
+    oneline: bool,
+    timeout: float,
 ) -> None:
     """The fleet as a table or JSON, without a screen. Exit code 0: all well, 1: something needs attention,
     3: no link."""
     if as_json and oneline:
         raise click.UsageError("--json and --oneline: one of them")
+    from fleet_tui.headless.chosen import chosen
     from fleet_tui.headless.status import status as run
     from fleet_tui.log_file import log_to_file
 
-    config = load(find(config_file))
+    config = chosen(config_file, url)
     log_to_file(debug)
     sys.exit(run(config, timeout, as_json, oneline, watch, click.echo))
 
@@ -61,17 +69,26 @@ def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
 @click.option("--robot", metavar="ROBOT", default="", help="Only this one, its bridge and its floors.")
 @click.option("--bundle", is_flag=True, help="And pack it with recordings, log and audit log, for a ticket.")
 @timeout(20.0)
-@common
+@fleet
 @merged
 def doctor(
-    config_file: str | None, debug: bool, as_json: bool, robot: str, bundle: bool, timeout: float
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    as_json: bool,
+    robot: str,
+    bundle: bool,
+    timeout: float,
 ) -> None:
     """What is wrong between here and the robots, outside in, each with a remedy. Commands nothing. Exit
     code 0: all well, 1: something is wrong or was left out, 3: no link."""
+    from fleet_tui.headless.chosen import chosen_to_examine
     from fleet_tui.headless.doctor.run import doctor as run
     from fleet_tui.log_file import log_to_file
 
-    config = load(find(config_file))
+    began = time.monotonic()
+    config, unnamed = chosen_to_examine(config_file, url, timeout / 2)
+    timeout -= time.monotonic() - began
     log_to_file(debug)
     said: list[str] = []
 
@@ -79,13 +96,17 @@ def doctor(
         click.echo(line)
         said.append(click.unstyle(line))
 
-    code = run(config, timeout, as_json, say, robot)
+    code = run(config, timeout, as_json, say, robot, unnamed)
     if bundle:
-        from fleet_tui.headless.bundle import pack
-
-        # Not into the JSON.
-        click.echo(visible(pack(config, "\n".join([*said, ""]), "json" if as_json else "txt")), err=as_json)
+        _pack(config, said, as_json)
     sys.exit(code)
+
+
+def _pack(config: Config, said: list[str], as_json: bool) -> None:
+    """Pack what the doctor said, and say where it is: not into the JSON."""
+    from fleet_tui.headless.bundle import pack
+
+    click.echo(visible(pack(config, "\n".join([*said, ""]), "json" if as_json else "txt")), err=as_json)
 
 
 @headless.command()
@@ -95,10 +116,11 @@ def doctor(
 @click.option("--rotate-every", type=Duration(), help="A new file after 30m, 1h, ...")
 @click.option("--keep", type=click.IntRange(0), help="How many files stay, 0: all.")
 @click.option("--timeout", type=click.FloatRange(0.1), help="End if there is no link after so many seconds.")
-@common
+@fleet
 @merged
 def record(
     config_file: str | None,
+    url: str | None,
     debug: bool,
     file: Path,
     seconds: float,
@@ -109,11 +131,12 @@ def record(
 ) -> None:
     """Write everything that comes over the wire to FILE, until Ctrl-C or SIGTERM. Commands nothing. Exit code
     0: fine, 3: there never was a link."""
+    from fleet_tui.headless.chosen import chosen
     from fleet_tui.headless.record import record as run
     from fleet_tui.journal.part_files import Limits
     from fleet_tui.log_file import log_to_file
 
-    config = load(find(config_file))
+    config = chosen(config_file, url)
     log_to_file(debug)
     usual = config.recording
     limits = Limits(

@@ -1,17 +1,13 @@
 """`fleet-tui config init` and `config show`."""
 
 import os
-import sys
 
 import click
 
-from fleet_tui.config.load import find, load, shipped, user_folder
+from fleet_tui.config.load import find, load, user_folder
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import LinkError
 from fleet_tui.options import NearestGroup, common, merged, screen, timeout
 from fleet_tui.view.text import visible
-
-NO_LINK = 3
 
 
 @click.group(cls=NearestGroup)
@@ -34,11 +30,7 @@ def init(config_file: str | None, debug: bool, url: str, output: str, force: boo
 
     log_to_file(debug)
     known = load(find(config_file)) if config_file else Config()
-    try:
-        text = from_live(known, url, timeout) if url else example()
-    except LinkError as problem:
-        click.echo(visible(f"fleet-tui: {problem}"), err=True)
-        sys.exit(NO_LINK)
+    text = from_live(known, url, timeout) if url else example()
     write(text, output, force, click.echo)
 
 
@@ -65,7 +57,4 @@ def _why(given: str | None) -> str:
         return "option --config"
     if os.environ.get("FLEET_TUI_CONFIG"):
         return "environment: FLEET_TUI_CONFIG"
-    found = find(None)
-    if found == shipped():
-        return "comes with the program"
-    return "the user's" if found == user_folder() / "config.toml" else "in this folder"
+    return "the user's" if find(None) == user_folder() / "config.toml" else "in this folder"

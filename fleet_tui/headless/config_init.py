@@ -1,32 +1,13 @@
 """`fleet-tui config init`: a configuration to start from, made of what a bridge has."""
 
-import asyncio
-import time
 from collections.abc import Callable
 from pathlib import Path
 
-import msgspec
-
-from fleet_tui.adapters.discovery import Listed
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.config.check import checked
-from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.load import shipped
-from fleet_tui.config.schema import DEFAULT_LINK, Config, Link, RobotEntry
-from fleet_tui.errors import ConfigError, FleetError, LinkError
-from fleet_tui.headless.config_text import render
-from fleet_tui.headless.doctor.approach import Approach
-from fleet_tui.headless.doctor.causes import rosapi_remedy
-from fleet_tui.headless.doctor.facts import Rosapi
-from fleet_tui.headless.doctor.finding import Verdict
-from fleet_tui.headless.doctor.listening import listen
-from fleet_tui.headless.doctor.rosapi import ask_publishers, ask_services, look_around
-from fleet_tui.headless.doctor.wire import Wire
-from fleet_tui.headless.site import Found, discover
-from fleet_tui.model.events import PoseReported
-from fleet_tui.transports.loop import network_loop
-
-OURS = ("/rosapi/", "/rosbridge_")
+from fleet_tui.config.schema import Config
+from fleet_tui.discovery.address import bridge_at
+from fleet_tui.discovery.site import start_discovery
+from fleet_tui.errors import FleetError
 
 
 def example() -> str:
@@ -40,51 +21,8 @@ def from_live(known: Config, url: str, timeout: float) -> str:
     Raises ConfigError for an address that is none, LinkError where there is no way, FleetError
     where rosapi does not tell.
     """
-    bridge = msgspec.structs.replace(known.rosbridge, url=url)
-    config = Config(rosbridge=bridge, robots=[RobotEntry("robot")], path=known.path)
-    wrong = [line for line in checked(config) if line.startswith(DEFAULT_LINK)]
-    if wrong:
-        raise ConfigError(wrong)
-    work = asyncio.run_coroutine_threadsafe(_ask(config, time.monotonic() + timeout), network_loop())
-    found, frames = work.result()
-    return render(config.bridge(DEFAULT_LINK), found, frames)
-
-
-async def _ask(config: Config, until: float) -> tuple[Found, dict[str, str]]:
-    wire = Wire(config.bridge(DEFAULT_LINK))
-    try:
-        async for finding in Approach(DEFAULT_LINK, config.bridge(DEFAULT_LINK), wire).walk():
-            if finding.verdict is Verdict.FAIL:
-                raise LinkError(f"{finding.check}: {finding.measured} -> {finding.remedy}")
-        rosapi = await look_around(wire)
-        if rosapi.problem:
-            remedy = f"{rosapi_remedy(rosapi)}; or edit an example (fleet-tui config init)"
-            raise FleetError(f"it is rosapi that tells what is there: {rosapi.problem}: {remedy}")
-        services = [name for name in rosapi.services if not name.startswith(OURS)]
-        rosapi = await ask_publishers(wire, rosapi, rosapi.topics, until)
-        rosapi = await ask_services(wire, rosapi, services, until)
-    finally:
-        wire.close()
-    published = {name: type_ for name, type_ in rosapi.topics.items() if rosapi.has(name)}
-    typed = {name: rosapi.services[name] or "" for name in services}
-    found = discover(Listed(published, typed, rosapi.actions))
-    return found, await _frames(config.bridge(DEFAULT_LINK), found, rosapi, until)
-
-
-async def _frames(bridge: Link, found: Found, rosapi: Rosapi, until: float) -> dict[str, str]:
-    """The frame_id of each robot's poses, of those that speak and whose frames mean floors."""
-    profiles = {kind: Profile(kind=kind, topics=one.topics) for kind, one in found.items()}
-    robots = [RobotEntry(robot, profile=kind) for kind, one in found.items() for robot in one.robots]
-    config = Config(robots=robots, profiles=profiles)
-    adapters = adapters_of(config)
-    poses = [
-        one
-        for one in feeds_of(config, adapters, DEFAULT_LINK)
-        if one.fast and adapters[one.robot].kind.frames_are_floors
-    ]
-    heard = await listen(bridge, adapters, poses, rosapi, until)
-    events = [facts.event for facts in heard.topics]
-    return {one.robot: one.frame_id.lstrip("/") for one in events if isinstance(one, PoseReported)}
+    bridge = bridge_at(url, known.whole().rosbridge)
+    return start_discovery(bridge, timeout).result().text
 
 
 def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> None:

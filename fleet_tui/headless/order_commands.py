@@ -7,9 +7,8 @@ from typing import Any, TypeVar
 
 import click
 
-from fleet_tui.config.load import find, load
 from fleet_tui.config.schema import Config
-from fleet_tui.options import FileName, common, merged
+from fleet_tui.options import FileName, fleet, merged
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -31,10 +30,11 @@ def _asked(command: F) -> F:
     return click.option("--json", "as_json", is_flag=True, help="As JSON: docs/commands.md.")(command)
 
 
-def _start(config_file: str | None, debug: bool) -> Config:
+def _start(config_file: str | None, url: str | None, debug: bool) -> Config:
+    from fleet_tui.headless.chosen import chosen_to_command
     from fleet_tui.log_file import log_to_file
 
-    config = load(find(config_file))
+    config = chosen_to_command(config_file, url)
     log_to_file(debug)
     return config
 
@@ -42,6 +42,7 @@ def _start(config_file: str | None, debug: bool) -> Config:
 def _give(
     words: Sequence[str],
     config_file: str | None,
+    url: str | None,
     debug: bool,
     as_json: bool,
     yes: bool,
@@ -50,7 +51,7 @@ def _give(
 ) -> None:
     from fleet_tui.headless.orders import command, how
 
-    config = _start(config_file, debug)
+    config = _start(config_file, url, debug)
     seconds = timeout or (DRIVE_TIMEOUT if until_done else TIMEOUT)
     sys.exit(command(config, words, how(config, seconds, yes, until_done), as_json, click.echo))
 
@@ -60,7 +61,7 @@ def _give(
 @click.argument("places", nargs=-1, required=True, metavar="FROM TO [TO ...]")
 @click.option("--until-done", is_flag=True, help="Wait until it is driven, not only in the queue.")
 @_asked
-@common
+@fleet
 @merged
 def order(robot: str, places: tuple[str, ...], **options: Any) -> None:
     """Place an order: A B is A -> B, TO alone is where the robot goes from where it is. A B C is A -> B and B
@@ -73,7 +74,7 @@ def order(robot: str, places: tuple[str, ...], **options: Any) -> None:
 @click.argument("robot")
 @click.argument("id", metavar="ID")
 @_asked
-@common
+@fleet
 @merged
 def cancel(robot: str, id: str, **options: Any) -> None:
     """Cancel one order of a robot."""
@@ -83,7 +84,7 @@ def cancel(robot: str, id: str, **options: Any) -> None:
 @orders.command()
 @click.argument("robot")
 @_asked
-@common
+@fleet
 @merged
 def clear(robot: str, **options: Any) -> None:
     """Clear all orders of a robot."""
@@ -105,12 +106,13 @@ def _fleet(command: F) -> F:
 @orders.command()
 @_fleet
 @_asked
-@common
+@fleet
 @merged
 def pause(
     robot: str | None,
     every: bool,
     config_file: str | None,
+    url: str | None,
     debug: bool,
     as_json: bool,
     yes: bool,
@@ -120,14 +122,14 @@ def pause(
     from fleet_tui.headless.orders import how
     from fleet_tui.headless.orders import pause as run
 
-    name, config = _which(robot, every), _start(config_file, debug)
+    name, config = _which(robot, every), _start(config_file, url, debug)
     sys.exit(run(config, name, how(config, timeout or TIMEOUT, yes), as_json, click.echo))
 
 
 @orders.command()
 @_fleet
 @_asked
-@common
+@fleet
 @merged
 def resume(robot: str | None, every: bool, **options: Any) -> None:
     """Resume a robot, or with --all every one."""
@@ -139,13 +141,14 @@ def resume(robot: str | None, every: bool, **options: Any) -> None:
 @click.option("--dry-run", is_flag=True, help="Say what would be sent, and send nothing.")
 @click.option("--keep-going", is_flag=True, help="Go on after a command that failed.")
 @_asked
-@common
+@fleet
 @merged
 def run(
     file: str,
     dry_run: bool,
     keep_going: bool,
     config_file: str | None,
+    url: str | None,
     debug: bool,
     as_json: bool,
     yes: bool,
@@ -157,7 +160,7 @@ def run(
     from fleet_tui.headless.batch import lines_of, run_batch
     from fleet_tui.headless.orders import how
 
-    config, lines = _start(config_file, debug), lines_of(_text(file))
+    config, lines = _start(config_file, url, debug), lines_of(_text(file))
     asked = how(config, timeout or TIMEOUT, yes)
     sys.exit(run_batch(config, lines, asked, dry_run, keep_going, as_json, click.echo))
 

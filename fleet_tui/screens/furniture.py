@@ -29,7 +29,11 @@ async def furnish(screen: "MainScreen", drawing: Drawing) -> None:
     screen.key_help = Help(screen.keys)
     screen.palette = Palette(
         screen.wishes,
-        lambda line: screen.as_time(line) or typed(line, screen.state, screen.selection.robot, screen.do),
+        lambda line: (
+            screen.as_time(line)
+            or screen.as_save(line)
+            or typed(line, screen.state, screen.selection.robot, screen.do)
+        ),
     )
     screen.why = Why(lambda: (screen.state, screen.selection.robot), screen.keys)
     screen.audit_log = AuditLog(lambda: screen.audit)

@@ -15,6 +15,7 @@ from fleet_tui.screens.diagnostics_actions import DiagnosticsActions
 from fleet_tui.screens.incident_actions import IncidentActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.playback_actions import PlaybackActions
+from fleet_tui.screens.save_actions import SaveActions
 from fleet_tui.view.hints import hidden_keys
 from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
@@ -31,7 +32,13 @@ NOT_WISHED = {"palette", "back", "next_pane", "previous_pane", "help_anywhere", 
 
 
 class Navigation(
-    PlaybackActions, AlarmActions, AuditActions, DiagnosticsActions, IncidentActions, Screen[None]
+    PlaybackActions,
+    AlarmActions,
+    AuditActions,
+    DiagnosticsActions,
+    IncidentActions,
+    SaveActions,
+    Screen[None],
 ):
     """The selection, by key, by mouse and by name."""
 

@@ -5,8 +5,8 @@ import sys
 import click
 
 from fleet_tui.config.load import find, load
-from fleet_tui.errors import FleetError
-from fleet_tui.options import common, drawing_mode, merged
+from fleet_tui.errors import ConfigError, FleetError, NoConfigError
+from fleet_tui.options import drawing_mode, fleet, merged
 
 
 @click.group()
@@ -24,10 +24,11 @@ def served() -> None:
 )
 @click.option("--demo", is_flag=True, help="Every tab with a simulated fleet of its own.")
 @drawing_mode
-@common
+@fleet
 @merged
 def serve(
     config_file: str | None,
+    url: str | None,
     debug: bool,
     port: int,
     host: str,
@@ -36,16 +37,8 @@ def serve(
     drawing: str | None,
 ) -> None:
     """Show the console in a browser, on this machine alone and read-only unless told otherwise."""
-    path = find(config_file)
-    load(path)  # what is wrong with it is said here, not in each tab
-    command = [
-        sys.executable,
-        "-m",
-        "fleet_tui",
-        *(["demo"] if demo else []),
-        "--config",
-        str(path.absolute()),
-    ]
+    command = [sys.executable, "-m", "fleet_tui", *(["demo"] if demo else [])]
+    command += _address(url, config_file, demo, allow_commands) if url else _file(config_file, demo)
     command += [] if allow_commands else ["--read-only"]
     command += ["--debug"] if debug else []
     command += ["--drawing", drawing] if drawing else []
@@ -56,6 +49,31 @@ def serve(
         raise FleetError(f"serve needs {missing.name}, which is not installed: {needed}") from missing
     click.echo(_said(allow_commands), err=True)
     run(command, host, port, debug, click.echo, lambda line: click.echo(line, err=True))
+
+
+def _address(url: str, config_file: str | None, demo: bool, allow_commands: bool) -> list[str]:
+    """Return the option for the fleet at an address. What is wrong with it is said here, not in each tab."""
+    if config_file or demo:
+        raise click.UsageError(f"--url and {'--config' if config_file else '--demo'}: one of them")
+    from fleet_tui.discovery.address import bridge_at
+    from fleet_tui.discovery.awaiting import Discovering
+
+    site = Discovering(bridge_at(url)).result()
+    if site.config.robots and site.unclear and allow_commands:
+        raise ConfigError(site.unclear)
+    return ["--url", url]
+
+
+def _file(config_file: str | None, demo: bool) -> list[str]:
+    """Return the option for a configuration; a demo needs none."""
+    try:
+        path = find(config_file)
+    except NoConfigError:
+        if demo:
+            return []
+        raise
+    load(path)
+    return ["--config", str(path.absolute())]
 
 
 def _said(allow_commands: bool) -> str:

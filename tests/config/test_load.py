@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.config.load import find, load, shipped
+from fleet_tui.config.load import find, load, load_if_any, shipped
 from fleet_tui.config.start import initial_state
-from fleet_tui.errors import ConfigError
+from fleet_tui.errors import ConfigError, NoConfigError
 from tests.adapting import names_of
 
 ENOUGH = """
@@ -222,7 +222,9 @@ def test_which_config_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "home"))
     monkeypatch.delenv("FLEET_TUI_CONFIG", raising=False)
-    assert find(None) == shipped()
+    with pytest.raises(NoConfigError, match=r"(?s)no configuration found.* no ./config.toml, no .*--url"):
+        find(None)
+    assert load_if_any(None).robots == []
     own = tmp_path / "home" / "fleet-tui" / "config.toml"
     own.parent.mkdir(parents=True)
     own.touch()

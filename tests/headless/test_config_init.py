@@ -15,8 +15,8 @@ from fleet_tui.adapters.nav2.vocabulary import VOCABULARY as NAV2
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.config.load import read
 from fleet_tui.config.schema import Config, Link
-from fleet_tui.headless.config_text import render
-from fleet_tui.headless.site import discover
+from fleet_tui.discovery.config_text import render
+from fleet_tui.discovery.recognition import discover
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.headless.plants import PLANTS, only_listened_to, renamed, retyped
 from tests.headless.running import Ended, run

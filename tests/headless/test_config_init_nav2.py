@@ -11,8 +11,8 @@ from fleet_tui.adapters.discovery import Listed
 from fleet_tui.adapters.nav2.discovery import discover as discover_nav2
 from fleet_tui.config.load import read
 from fleet_tui.config.schema import Link
-from fleet_tui.headless.config_text import render
-from fleet_tui.headless.site import discover
+from fleet_tui.discovery.config_text import render
+from fleet_tui.discovery.recognition import discover
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer

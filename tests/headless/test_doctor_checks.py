@@ -11,10 +11,12 @@ from hypothesis import strategies as st
 
 from fleet_tui.adapters.adapter import Feed
 from fleet_tui.config.schema import FloorEntry
+from fleet_tui.discovery.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.discovery.finding import Finding, Verdict
+from fleet_tui.discovery.tools import LOOK_FOR_NODE, named
+from fleet_tui.discovery.wire import Heard
 from fleet_tui.headless.doctor.charts import Chart
 from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
-from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.graphs import connection_finding, label_finding
 from fleet_tui.headless.doctor.render import line, summary
 from fleet_tui.headless.doctor.terminal import (
@@ -26,8 +28,6 @@ from fleet_tui.headless.doctor.terminal import (
     size_finding,
     speed_finding,
 )
-from fleet_tui.headless.doctor.tools import LOOK_FOR_NODE, named
-from fleet_tui.headless.doctor.wire import Heard
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 

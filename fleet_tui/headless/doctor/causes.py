@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.config.schema import Config
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
-from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
-from fleet_tui.headless.doctor.tools import LOOK_FOR_NODE, START_ROSAPI, named
+from fleet_tui.discovery.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.discovery.finding import Finding, Verdict, listed
+from fleet_tui.discovery.tools import LOOK_FOR_NODE, named, rosapi_remedy
 from fleet_tui.model.sourcing import Listening, unsourced_package
 
 FEWEST_TOPICS = 2  # of a node that is called silent: one alone is told as a topic
@@ -35,17 +35,6 @@ def rosapi_finding(facts: BridgeFacts) -> Finding:
     # Some sites run without it; one that is there and does not work is broken.
     verdict = Verdict.WARN if rosapi.is_absent else Verdict.FAIL
     return Finding(facts.name, "rosapi", verdict, lost, f"{remedy}; topics are listened to without it")
-
-
-def rosapi_remedy(rosapi: Rosapi) -> str:
-    """Say how to have a rosapi that answers."""
-    start = named(START_ROSAPI, rosapi.ros)
-    if rosapi.is_absent:
-        renew = "if it runs, a restarted ROS master knows neither it nor the robots' nodes: restart them"
-        return f"start rosapi beside rosbridge ({start})" + f"; {renew}" * (rosapi.ros != 2)
-    if rosapi.is_silent:
-        return f"restart rosapi ({start}), not rosbridge: that answers, and carries commands"
-    return "those are rosapi's own words: see its log"
 
 
 def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:

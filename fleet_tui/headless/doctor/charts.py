@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import assert_never
 
-from fleet_tui.headless.doctor.facts import TopicFacts
+from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.model.events import (
     ChartReceived,
     Event,

@@ -3,8 +3,8 @@
 import statistics
 from collections.abc import Iterator
 
-from fleet_tui.headless.doctor.facts import BridgeFacts
-from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
+from fleet_tui.discovery.facts import BridgeFacts
+from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
 
 SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
 LATE = 0.5  # seconds by which poses get older while they are listened to

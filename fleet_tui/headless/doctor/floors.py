@@ -4,9 +4,9 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from fleet_tui.config.schema import Config, FloorEntry, RobotEntry
+from fleet_tui.discovery.facts import TopicFacts
+from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 from fleet_tui.headless.doctor.charts import OFF_MAP, Chart, charts_of, class_at, live_grid
-from fleet_tui.headless.doctor.facts import TopicFacts
-from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.headless.doctor.graphs import connection_finding, graph_file_finding, label_finding
 from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
 from fleet_tui.model.geometry import MapFrame

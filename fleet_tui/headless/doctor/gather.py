@@ -9,17 +9,17 @@ from fleet_tui.adapters.probes import QueryProbe
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import LinkError
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi
-from fleet_tui.headless.doctor.listening import listen
-from fleet_tui.headless.doctor.rosapi import (
+from fleet_tui.discovery.facts import BridgeFacts, Rosapi
+from fleet_tui.discovery.rosapi import (
     ANSWER_WITHIN,
     ask_publishers,
     ask_services,
     clock_ahead,
     look_around,
 )
-from fleet_tui.headless.doctor.wire import Wire
+from fleet_tui.discovery.wire import Wire
+from fleet_tui.errors import LinkError
+from fleet_tui.headless.doctor.listening import listen
 
 ROUND_TRIPS = 10
 BETWEEN = 0.05  # seconds between two of them while all topics come

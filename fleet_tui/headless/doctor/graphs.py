@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 
 from fleet_tui.config.schema import FloorEntry
+from fleet_tui.discovery.finding import Finding, Verdict, listed
 from fleet_tui.headless.doctor.charts import Chart
-from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import natural

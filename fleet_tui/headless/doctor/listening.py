@@ -11,10 +11,10 @@ from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.schema import Link
+from fleet_tui.discovery.facts import Rosapi, TopicFacts, is_hidden
+from fleet_tui.discovery.rosapi import subscribers
+from fleet_tui.discovery.wire import Wire
 from fleet_tui.errors import LinkError
-from fleet_tui.headless.doctor.facts import Rosapi, TopicFacts, is_hidden
-from fleet_tui.headless.doctor.rosapi import subscribers
-from fleet_tui.headless.doctor.wire import Wire
 
 CONNECT_WITHIN = 4.0
 LOOK_EVERY = 0.05  # seconds

@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterable, Mapping
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.config.schema import Config
-from fleet_tui.headless.doctor.facts import BridgeFacts, Rosapi, TopicFacts
-from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
+from fleet_tui.discovery.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 
 
 def robots_on(names: Names, rosapi: Rosapi) -> set[str]:

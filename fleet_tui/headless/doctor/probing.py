@@ -5,8 +5,8 @@ from typing import assert_never
 
 from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, HeardProbe, QueryProbe
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.headless.doctor.facts import LONG_ENOUGH, BridgeFacts
-from fleet_tui.headless.doctor.finding import Finding, Verdict, nearest
+from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts
+from fleet_tui.discovery.finding import Finding, Verdict, nearest
 
 VERDICTS = {"ok": Verdict.OK, "warn": Verdict.WARN, "fail": Verdict.FAIL}
 

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-from fleet_tui.headless.doctor.finding import Finding, Verdict, listed
+from fleet_tui.discovery.finding import Finding, Verdict, listed
 from fleet_tui.view.text import visible
 
 VERSION = 1

@@ -8,20 +8,22 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import assert_never
 
 from msgspec import structs
 
 from fleet_tui.config.access import unsafe_places
 from fleet_tui.config.fleet import adapters_of
-from fleet_tui.config.schema import Config
+from fleet_tui.config.schema import DEFAULT_LINK, Config
+from fleet_tui.discovery.approach import Approach
+from fleet_tui.discovery.facts import BridgeFacts, TopicFacts
+from fleet_tui.discovery.finding import Finding, Verdict
+from fleet_tui.discovery.wire import Wire
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.headless.doctor.approach import Approach
 from fleet_tui.headless.doctor.causes import causes_of, rosapi_finding
 from fleet_tui.headless.doctor.charts import Chart, charts_of
 from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
-from fleet_tui.headless.doctor.facts import BridgeFacts, TopicFacts
-from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
 from fleet_tui.headless.doctor.gather import gather
 from fleet_tui.headless.doctor.names import spelling_finding
@@ -30,7 +32,6 @@ from fleet_tui.headless.doctor.render import as_values, line, summary
 from fleet_tui.headless.doctor.services import service_findings
 from fleet_tui.headless.doctor.terminal import terminal_findings
 from fleet_tui.headless.doctor.topics import robot_findings
-from fleet_tui.headless.doctor.wire import Wire
 from fleet_tui.maps.floor_files import load_floors
 from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
 from fleet_tui.model.grid import OccupancyGrid
@@ -47,7 +48,7 @@ async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFa
     """One bridge from outside in; None where there is no way to it."""
     bridge = config.bridge(name)
     wire = Wire(bridge)
-    approach = Approach(name, bridge, wire)
+    approach = Approach(name, bridge, wire, "" if config.path != Path() else "the address")
     try:
         is_up = True
         async with asyncio.timeout_at(asyncio.get_running_loop().time() + max(0.1, until - time.monotonic())):
@@ -176,9 +177,16 @@ def _hand_over(findings: Iterable[Finding], take: Take) -> None:
         take(finding)
 
 
-def doctor(config: Config, timeout: float, as_json: bool, say: Callable[[str], None], robot: str = "") -> int:
+def doctor(
+    config: Config,
+    timeout: float,
+    as_json: bool,
+    say: Callable[[str], None],
+    robot: str = "",
+    unnamed: str = "",
+) -> int:
     """Look at everything within `timeout` seconds, or at what concerns one robot, and say what was found;
-    the exit code."""
+    the exit code. `unnamed`: why the configuration has no robots, if it has none."""
     part = only(config, robot) if robot else config
     plain = (sys.stdout.encoding or "ascii").lower().replace("-", "") != "utf8"
     is_tty = sys.stdout.isatty()
@@ -192,6 +200,8 @@ def doctor(config: Config, timeout: float, as_json: bool, say: Callable[[str], N
             say(line(finding, plain, colour, width))
 
     reached = _all(config, part, timeout, take)
+    if unnamed:
+        take(Finding(DEFAULT_LINK, "robots", Verdict.FAIL, unnamed))
     broken = any(finding.is_failure or finding.out_of_time for finding in findings)
     code = NO_LINK if not reached else BROKEN if broken else FINE
     say(json.dumps(as_values(findings, time.time(), code)) if as_json else summary(findings, width))

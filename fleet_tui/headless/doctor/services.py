@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.discovery.facts import BridgeFacts
+from fleet_tui.discovery.finding import Finding, Verdict
 from fleet_tui.headless.doctor.causes import Cause
-from fleet_tui.headless.doctor.facts import BridgeFacts
-from fleet_tui.headless.doctor.finding import Finding, Verdict
 from fleet_tui.headless.doctor.names import near_service
 
 

@@ -9,7 +9,7 @@ import time
 import tty
 from collections.abc import Iterator, Mapping
 
-from fleet_tui.headless.doctor.finding import Finding, Verdict
+from fleet_tui.discovery.finding import Finding, Verdict
 
 TERMINAL = "terminal"
 ASK_PLACE = b"\x1b[6n"  # where is the cursor? It answers when everything before is done

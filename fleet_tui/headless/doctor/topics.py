@@ -4,12 +4,12 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.schema import Config, RobotEntry
+from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts, Rosapi, TopicFacts, is_hidden
+from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
+from fleet_tui.discovery.tools import LATCHED, LOOK_FOR_NODE, named
 from fleet_tui.headless.doctor.causes import Cause
 from fleet_tui.headless.doctor.clocks import falls_behind
-from fleet_tui.headless.doctor.facts import LONG_ENOUGH, BridgeFacts, Rosapi, TopicFacts, is_hidden
-from fleet_tui.headless.doctor.finding import Finding, Verdict, listed, nearest
 from fleet_tui.headless.doctor.names import near_topic, robots_on
-from fleet_tui.headless.doctor.tools import LATCHED, LOOK_FOR_NODE, named
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 UNSEEN = "without rosapi nobody can tell whether it is there"

@@ -2,11 +2,13 @@
 
 import json
 from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 
 from fleet_tui.adapters.discovery import NAME, Discovery
 from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS
 from fleet_tui.config.schema import Link
-from fleet_tui.headless.site import Found
+from fleet_tui.discovery.choices import floors_of, strange_frames
+from fleet_tui.discovery.recognition import Found
 
 FIRST = [
     "# fleet-tui: what was found behind this bridge. `fleet-tui check` says what is wrong with it.",
@@ -16,21 +18,20 @@ FIRST = [
 NOBODY = "# No topic looks like a robot's. Give their names, and in [profile.topics] how theirs are named."
 
 
-def render(bridge: Link, found: Found, frames: Mapping[str, str]) -> str:
-    """Write a configuration. `frames`: of poses whose frame means a floor, by robot."""
-    lines = [*FIRST, *_differing(bridge), "", *_floors(found, frames)]
+def render(
+    bridge: Link, found: Found, frames: Mapping[str, str], placed: Mapping[str, str] = MappingProxyType({})
+) -> str:
+    """Write a configuration. `frames`: of poses whose frame means a floor, by robot; `placed`: those that a
+    person gave to floors."""
+    lines = [*FIRST, *_differing(bridge), "", *_floors(found, frames, placed)]
     usual = next(iter(found))
     for kind, one in found.items():
-        lines += _robots(one, "" if kind == usual else kind, _floors_of(found))
+        lines += _robots(one, "" if kind == usual else kind, floors_of(found))
     if not any(one.robots for one in found.values()):
         return "\n".join([*lines, NOBODY, "[[robots]]", 'name = "robot_0"']) + "\n"
     for kind, one in found.items():
         lines += _profile(kind, one, "profile" if kind == usual else f"profiles.{kind}")
     return "\n".join(lines).rstrip() + "\n"
-
-
-def _floors_of(found: Found) -> list[str]:
-    return list(dict.fromkeys(floor for one in found.values() for floor in one.floors))
 
 
 def _robots(found: Discovery, profile: str, all_floors: list[str]) -> Iterator[str]:
@@ -74,19 +75,19 @@ def _differing(bridge: Link) -> Iterator[str]:
             yield f"{name} = {_text(value)}"
 
 
-def _floors(found: Found, frames: Mapping[str, str]) -> Iterator[str]:
+def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) -> Iterator[str]:
     """Each floor, with the frame in which poses on it come, as far as that can be told."""
-    floors = _floors_of(found)
+    floors = floors_of(found)
     live = {floor for one in found.values() for floor in one.live_maps}
     needs_graph = {floor for kind, one in found.items() if _has_no_graph(kind) for floor in one.floors}
-    strange = sorted(set(frames.values()) - set(floors) - {""})
+    strange = [frame for frame in strange_frames(found, frames) if frame not in placed.values()]
     if not floors:
         yield "# No topic is a floor's: these are named after the frames of the poses."
         floors, strange = [one for one in strange if NAME.fullmatch(one)] or ["floor_0"], []
     for floor in floors:
         yield from ("[[floors]]", f"name = {_text(floor)}")
-        if len(floors) == 1 and len(strange) == 1:
-            yield f"frame_id = {_text(strange[0])}"
+        if floor in placed or len(floors) == 1 == len(strange):
+            yield f"frame_id = {_text(placed.get(floor) or strange[0])}"
         shown = "the live map is shown; a file is" if floor in live else "no live map is there:"
         yield f'# map = "maps/{floor}.yaml"   # {shown} map_server YAML, or a plain PNG/PGM'
         if floor in needs_graph:

@@ -10,10 +10,10 @@ from contextlib import suppress
 from urllib.parse import urlsplit
 
 from fleet_tui.config.schema import Link, link_key
+from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
+from fleet_tui.discovery.tools import START_BRIDGE, named
+from fleet_tui.discovery.wire import FROZEN, Wire
 from fleet_tui.errors import FleetError, LinkError
-from fleet_tui.headless.doctor.finding import Finding, Verdict, milliseconds
-from fleet_tui.headless.doctor.tools import START_BRIDGE, named
-from fleet_tui.headless.doctor.wire import FROZEN, Wire
 from fleet_tui.transports.rosbridge.reasons import refusal
 from fleet_tui.transports.rosbridge.tls import tls_context
 
@@ -26,12 +26,13 @@ START_IT = f"start rosbridge there ({named(START_BRIDGE, 0)}), or correct"
 class Approach:
     """Walks to one bridge. Everything runs on the network loop."""
 
-    def __init__(self, name: str, bridge: Link, wire: Wire) -> None:
+    def __init__(self, name: str, bridge: Link, wire: Wire, key: str = "") -> None:
+        """`key`: where its address stands, if not in the config."""
         self._name, self._bridge, self._wire = name, bridge, wire
         parts = urlsplit(bridge.url)
         self._host = parts.hostname or ""
         self._port = parts.port or (443 if bridge.is_secure else 80)
-        self._key = f"{link_key(name)}.url"
+        self._key = key or f"{link_key(name)}.url"
         self.step = STEPS[0]
         """What is being tried."""
 

@@ -1,5 +1,7 @@
 """The commands that a remedy names: those of the ROS that is there, of both where that is not known. Pure."""
 
+from fleet_tui.discovery.facts import Rosapi
+
 START_BRIDGE = {
     1: "roslaunch rosbridge_server rosbridge_websocket.launch",
     2: "ros2 launch rosbridge_server rosbridge_websocket_launch.xml",
@@ -14,3 +16,14 @@ def named(tools: dict[int, str], ros: int, of: str = "") -> str:
     if ros in tools:
         return f"{tools[ros]} {of}".strip() if ros == 1 else tools[ros]
     return f"{named(tools, 1, of)}, ROS 2: {named(tools, 2, of)}"
+
+
+def rosapi_remedy(rosapi: Rosapi) -> str:
+    """Say how to have a rosapi that answers."""
+    start = named(START_ROSAPI, rosapi.ros)
+    if rosapi.is_absent:
+        renew = "if it runs, a restarted ROS master knows neither it nor the robots' nodes: restart them"
+        return f"start rosapi beside rosbridge ({start})" + f"; {renew}" * (rosapi.ros != 2)
+    if rosapi.is_silent:
+        return f"restart rosapi ({start}), not rosbridge: that answers, and carries commands"
+    return "those are rosapi's own words: see its log"

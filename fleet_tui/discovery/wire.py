@@ -17,8 +17,8 @@ from fleet_tui.adapters.ros.robot_words import complaint, log_line
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.config.schema import Link
+from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.errors import LinkError, WireError
-from fleet_tui.headless.doctor.facts import TopicFacts
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
 from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -98,9 +98,9 @@ class Wire:
     """One bridge, connected once. Everything runs on the network loop."""
 
     def __init__(self, bridge: Link, adapters: Mapping[str, Adapter] = MappingProxyType({})) -> None:
-        """`adapters` by robot, of those whose topics are heard."""
         self.connection = Connection(bridge, self)
-        self._adapters = adapters
+        self.adapters = adapters
+        """By robot, of those whose topics are heard."""
         self.lost = ""
         """Why there is no connection."""
         self.heard: dict[str, Heard] = {}
@@ -109,6 +109,8 @@ class Wire:
         """What the bridge's log says of a topic that it did not subscribe to."""
         self.behind = 0.0
         """Seconds by which we were late at most to look at it."""
+        self.came = asyncio.Event()
+        """Set whenever something has come, or nothing more will."""
         self._settled = asyncio.Event()
         self._calls = Calls(self.connection)
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
@@ -134,7 +136,7 @@ class Wire:
 
     def subscribe(self, wanted: Feed, type_: str, latched: bool) -> None:
         """Hear a topic from now on, every message of it. Raises LinkError."""
-        read = self._adapters[wanted.robot].read
+        read = self.adapters[wanted.robot].read
         self.heard[wanted.address] = Heard(wanted, time.monotonic(), read)
         compression = "cbor" if wanted.large else "none"
         subscription = Subscription(wanted.address, type_, compression=compression, latched=latched)
@@ -172,6 +174,7 @@ class Wire:
         self.connection.shut()
         self._calls.on_lost()
         self._settled.set()
+        self.came.set()
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Take an answer or a message; long ones are read beside the loop."""
@@ -209,6 +212,7 @@ class Wire:
             self.heard[named["topic"]].fragmented = len(piece.data) * piece.total
 
     def _answered(self, response: operations.ServiceResponse | None) -> None:
+        self.came.set()
         if response is not None:
             self._calls.on_response(response)
 

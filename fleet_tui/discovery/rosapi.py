@@ -10,14 +10,18 @@ from typing import Any, TypeVar
 import msgspec
 
 from fleet_tui.adapters.ros.messages import Stamp
+from fleet_tui.discovery.facts import Rosapi
+from fleet_tui.discovery.wire import Wire
 from fleet_tui.errors import LinkError
-from fleet_tui.headless.doctor.facts import Rosapi
-from fleet_tui.headless.doctor.wire import Wire
 
 T = TypeVar("T")
 
 ANSWER_WITHIN = 2.0
 AT_ONCE = 8  # calls under way together: the bridge has a thread for each
+
+
+def _nothing() -> None:
+    """Watch no progress."""
 
 
 class _Time(msgspec.Struct):
@@ -84,14 +88,18 @@ async def _ask(wire: Wire, verb: str, args: dict[str, object], key: str, until: 
     return answer.get(key) if isinstance(answer, dict) else None
 
 
-async def ask_publishers(wire: Wire, rosapi: Rosapi, topics: Iterable[str], until: float) -> Rosapi:
-    """Add who publishes these topics, as far as there is time until the monotonic `until`."""
+async def ask_publishers(
+    wire: Wire, rosapi: Rosapi, topics: Iterable[str], until: float, asked: Callable[[], object] = _nothing
+) -> Rosapi:
+    """Add who publishes these topics, as far as there is time until the monotonic `until`; `asked` is called
+    after each."""
 
     async def publishers_of(topic: str) -> tuple[str, ...] | None:
         nodes = await _ask(wire, "publishers", {"topic": topic}, "publishers", until)
         return tuple(map(str, nodes)) if isinstance(nodes, list) else None
 
-    found = await _each(publishers_of, [topic for topic in topics if topic in rosapi.topics], until)
+    there = [topic for topic in topics if topic in rosapi.topics]
+    found = await _each(publishers_of, there, until, asked)
     return replace(rosapi, publishers={**rosapi.publishers, **found})
 
 
@@ -105,15 +113,23 @@ async def ask_services(wire: Wire, rosapi: Rosapi, services: Iterable[str], unti
     """Add the types of these services, then their nodes, as far as there is time."""
     there = [service for service in services if service in rosapi.services]
 
-    async def type_of(service: str) -> str:
-        return str(await _ask(wire, "service_type", {"service": service}, "type", until) or "")
-
     async def node_of(service: str) -> str:
         return str(await _ask(wire, "service_node", {"service": service}, "node", until) or "")
 
-    types = await _each(type_of, there, until)
-    owners = await _each(node_of, there, until)
-    return replace(rosapi, services={**rosapi.services, **types}, owners=owners)
+    rosapi = await ask_service_types(wire, rosapi, there, until)
+    return replace(rosapi, owners=await _each(node_of, there, until))
+
+
+async def ask_service_types(
+    wire: Wire, rosapi: Rosapi, services: Iterable[str], until: float, asked: Callable[[], object] = _nothing
+) -> Rosapi:
+    """Add the types of these services, as far as there is time; `asked` is called after each."""
+
+    async def type_of(service: str) -> str:
+        return str(await _ask(wire, "service_type", {"service": service}, "type", until) or "")
+
+    types = await _each(type_of, [one for one in services if one in rosapi.services], until, asked)
+    return replace(rosapi, services={**rosapi.services, **types})
 
 
 def _names(answer: object, key: str) -> list[str]:
@@ -121,7 +137,12 @@ def _names(answer: object, key: str) -> list[str]:
     return [str(name) for name in found] if isinstance(found, list) else []
 
 
-async def _each(ask: Callable[[str], Awaitable[T | None]], names: list[str], until: float) -> dict[str, T]:
+async def _each(
+    ask: Callable[[str], Awaitable[T | None]],
+    names: list[str],
+    until: float,
+    asked: Callable[[], object] = _nothing,
+) -> dict[str, T]:
     """The answers that come in time, a few asked at once."""
     free = asyncio.Semaphore(AT_ONCE)
     answers: dict[str, T] = {}
@@ -131,6 +152,7 @@ async def _each(ask: Callable[[str], Awaitable[T | None]], names: list[str], unt
             if time.monotonic() > until:
                 return
             answer = await ask(name)
+            asked()
             if answer is not None:
                 answers[name] = answer
 

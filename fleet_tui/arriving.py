@@ -1,0 +1,50 @@
+"""Opens the console: on a configuration, on what is behind an address, or after asking where to go."""
+
+import os
+from typing import TYPE_CHECKING
+
+from fleet_tui.errors import ConfigError, NoConfigError
+
+if TYPE_CHECKING:
+    from fleet_tui.discovery.site import DiscoveredSite
+
+
+def open_with(
+    config_file: str | None, url: str | None, read_only: bool, drawing: str | None, debug: bool
+) -> None:
+    """Run the console until the operator leaves. Raises FleetError where it can't."""
+    from fleet_tui.config.load import find, load
+
+    if url and config_file:
+        raise ConfigError(["--config and --url: one of them"])
+    site = None
+    try:
+        config = None if url else load(find(config_file))
+    except NoConfigError:
+        config = None
+    if config is None:
+        site = _arrive(url, drawing, debug)
+        if site is None:
+            return
+        config = site.config
+    from fleet_tui.console import open_console
+
+    open_console(config, read_only, drawing, debug, site=site)
+
+
+def _arrive(url: str | None, drawing: str | None, debug: bool) -> "DiscoveredSite | None":
+    """Find out what is there, and ask a person about what is not certain; None where they leave."""
+    from fleet_tui.discovery.address import bridge_at
+    from fleet_tui.discovery.awaiting import Discovering
+
+    discovering = Discovering(bridge_at(url)) if url else None
+    from fleet_tui.console import IN_BROWSER, ask_first, need_terminal  # takes long: discovery goes on
+
+    need_terminal()
+    site = discovering.result() if discovering else None
+    if site is not None:
+        certain = bool(site.config.robots) and not (site.choices or site.lacks)
+        # A browser's tab takes the pictures of one app alone.
+        if certain or IN_BROWSER in os.environ:
+            return site
+    return ask_first(site, drawing, debug)

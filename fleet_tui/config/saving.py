@@ -1,0 +1,58 @@
+"""Writes a configuration to a file that only its owner can read: what it names may be confidential."""
+
+import os
+import tempfile
+from contextlib import suppress
+from pathlib import Path
+from typing import Protocol
+
+from fleet_tui.config.as_toml import as_toml
+from fleet_tui.config.schema import Config, expanded
+from fleet_tui.errors import FleetError
+
+USUAL = "config.toml"
+
+
+class Source(Protocol):
+    """Where a configuration comes from that is in no file."""
+
+    @property
+    def text(self) -> str:
+        """The text that it was read from."""
+
+
+class Saving:
+    """The configuration of a console, to be written to a file."""
+
+    def __init__(self, config: Config, source: Source | None = None) -> None:
+        self._config, self._source = config, source
+        self.path = "" if source is not None else str(config.path)
+        """The file in which it is, empty where it is in none."""
+
+    def write(self, name: str) -> Path:
+        """Write it over whatever is there, and return where. Raises FleetError."""
+        # In a copy elsewhere the names of files must still lead to them.
+        text = as_toml(self._config.whole()) if self._source is None else self._source.text
+        path = write_config(text, name)
+        self.path = self.path or str(path)
+        return path
+
+
+def write_config(text: str, name: str) -> Path:
+    """Write a file of mode 600, whole or not at all, and return its path. Raises FleetError."""
+    path = expanded(name).resolve()
+    try:
+        if path.is_dir():
+            raise FleetError(f"{name}: is a folder: name a file in it")
+        number, made = tempfile.mkstemp(dir=path.parent, prefix=".fleet-tui-")  # mode 600
+    except OSError as problem:
+        raise FleetError(f"{name}: {problem.strerror}") from None
+    try:
+        with os.fdopen(number, "w", encoding="utf-8") as file:
+            file.write(text)
+        Path(made).replace(path)
+    except OSError as problem:
+        with suppress(OSError):
+            Path(made).unlink()
+        raise FleetError(f"{name}: {problem.strerror}") from None
+    return path

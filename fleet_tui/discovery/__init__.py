@@ -1,0 +1,1 @@
+"""Discovery: what is behind the address of a bridge, as a configuration."""

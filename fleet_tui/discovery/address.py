@@ -1,0 +1,38 @@
+"""An address as a person types it."""
+
+import msgspec
+
+from fleet_tui.config.check import checked
+from fleet_tui.config.schema import DEFAULT_LINK, Config, Link, RobotEntry
+from fleet_tui.errors import ConfigError, is_address
+
+_WEB = {"http": "ws", "https": "wss"}
+
+
+def bridge_at(url: str, known: Link | None = None) -> Link:
+    """Return the bridge at an address, reached as a `known` one is. Raises ConfigError for what is none."""
+    bridge = msgspec.structs.replace(known or Link(), url=url.strip())
+    scheme, _, rest = bridge.url.partition("://")
+    if scheme.lower() in ("mqtt", "mqtts") and rest:
+        raise ConfigError(
+            [f"{bridge.shown}: this version does not speak MQTT yet: give a rosbridge's, ws://HOST:9090"]
+        )
+    wrong = [
+        line
+        for line in checked(Config(rosbridge=bridge, robots=[RobotEntry("robot")]))
+        if line.startswith(f"{DEFAULT_LINK}.")
+    ]
+    if wrong:
+        raise ConfigError([_meant(bridge, scheme, rest) or wrong[0].removeprefix(f"{DEFAULT_LINK}.")])
+    return bridge
+
+
+def _meant(bridge: Link, scheme: str, rest: str) -> str:
+    """Say what was probably meant, empty where that can't be told."""
+    if scheme.lower() in _WEB and rest:
+        meant = f"{_WEB[scheme.lower()]}://{rest}"
+    elif not rest and is_address(bridge.url):
+        meant = f"ws://{bridge.url}"
+    else:
+        return ""
+    return f"{bridge.shown} is no address of a rosbridge: did you mean {Link(meant).shown}?"

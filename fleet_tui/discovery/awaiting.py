@@ -1,0 +1,51 @@
+"""Waiting for a discovery, with a line of progress on a terminal where it takes long."""
+
+import os
+import sys
+from concurrent.futures import wait
+
+from fleet_tui.config.schema import Link
+from fleet_tui.discovery.site import WITHIN, DiscoveredSite, start_discovery
+
+QUIET, EVERY = 1.0, 0.2
+"""Seconds until progress is shown, and between two looks at it."""
+
+
+class Discovering:
+    """A discovery under way. Nothing of what it shows is left behind."""
+
+    def __init__(self, bridge: Link, within: float = WITHIN) -> None:
+        self._bridge = bridge
+        self._done, self._total, self._doing = 0, 0, ""
+        self._future = start_discovery(bridge, within, self._watch)
+        self._shown = False
+
+    def _watch(self, done: int, total: int, doing: str) -> None:
+        """Take note of progress, on the network's thread."""
+        self._done, self._total, self._doing = done, total, doing
+
+    def result(self) -> DiscoveredSite:
+        """Wait for it. Raises LinkError where there is no way to the bridge, FleetError where it does not
+        tell."""
+        try:
+            wait([self._future], QUIET)
+            while not self._future.done():
+                self._show()
+                wait([self._future], EVERY)
+        finally:
+            self._future.cancel()
+            self._erase()
+        return self._future.result()
+
+    def _show(self) -> None:
+        if sys.stderr.isatty() and os.environ.get("TERM") != "dumb":
+            count = f" {self._done} of {self._total}" if self._total else ""
+            words = f"{self._bridge.shown}: {self._doing}{count}"
+            sys.stderr.write(f"\r\x1b[K{words[: os.get_terminal_size(2).columns - 1]}")
+            sys.stderr.flush()
+            self._shown = True
+
+    def _erase(self) -> None:
+        if self._shown:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()

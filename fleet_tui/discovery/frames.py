@@ -1,0 +1,51 @@
+"""The frames in which robots tell their poses, heard from the robots themselves."""
+
+import asyncio
+import time
+from collections.abc import Mapping
+from contextlib import suppress
+
+from fleet_tui.adapters.adapter import Feed
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.config.fleet import adapters_of, feeds_of
+from fleet_tui.config.schema import DEFAULT_LINK, Config, RobotEntry
+from fleet_tui.discovery.recognition import Found
+from fleet_tui.discovery.wire import Wire
+from fleet_tui.errors import LinkError
+from fleet_tui.model.events import PoseReported
+
+WITHIN = 2.0
+"""Seconds in which a robot that is on says where it is."""
+MOST, BATCH = 100, 20
+"""Robots that are heard; subscribes at once, of which a real bridge needs 20 ms for each."""
+
+
+async def hear_frames(wire: Wire, found: Found, types: Mapping[str, str], until: float) -> dict[str, str]:
+    """Return the frame_id of each robot's poses, of those that speak and whose frames mean floors. `types` of
+    the topics that are there: with a wrong type one would be spoiled for every client."""
+    poses = [feed for feed in _poses(wire, found) if same_type(types.get(feed.address, ""), feed.type)][:MOST]
+    try:
+        for first in range(0, len(poses), BATCH):
+            for feed in poses[first : first + BATCH]:
+                wire.subscribe(feed, types[feed.address], latched=False)
+            await wire.beat(max(0.1, until - time.monotonic()))
+    except LinkError:
+        return {}
+    with suppress(TimeoutError):
+        async with asyncio.timeout(min(WITHIN, until - time.monotonic())):
+            while not all(one.count for one in wire.heard.values()) and not wire.lost:
+                wire.came.clear()
+                await wire.came.wait()
+    events = [one.event for one in wire.heard.values()]
+    return {one.robot: one.frame_id.lstrip("/") for one in events if isinstance(one, PoseReported)}
+
+
+def _poses(wire: Wire, found: Found) -> list[Feed]:
+    """Return the topics of poses, and have the wire read them."""
+    profiles = {kind: Profile(kind=kind, topics=one.topics) for kind, one in found.items()}
+    robots = [RobotEntry(robot, profile=kind) for kind, one in found.items() for robot in one.robots]
+    config = Config(robots=robots, profiles=profiles)
+    wire.adapters = adapters = adapters_of(config)
+    feeds = feeds_of(config, adapters, DEFAULT_LINK)
+    return [one for one in feeds if one.fast and adapters[one.robot].kind.frames_are_floors]

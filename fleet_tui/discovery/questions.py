@@ -1,0 +1,66 @@
+"""The questions to rosapi by which robots are recognised: a few, and never many at once."""
+
+import time
+from collections.abc import Callable
+from dataclasses import replace
+
+from fleet_tui.adapters.discovery import Listed
+from fleet_tui.discovery.facts import Rosapi
+from fleet_tui.discovery.rosapi import ask_publishers, ask_service_types
+from fleet_tui.discovery.sampling import alike, next_questions, silent, telling_services, telling_topics
+from fleet_tui.discovery.wire import Wire
+
+MOST_TOPICS, MOST_SERVICES = 300, 100
+"""Questions: 8 s of a real bridge. What is beyond is taken as it is listed."""
+
+Watch = Callable[[int, int, str], object]
+"""Told of progress: done, of how many that are known of, doing what."""
+
+
+async def listed_by(wire: Wire, rosapi: Rosapi, until: float, watch: Watch) -> tuple[Listed, Rosapi]:
+    """Return what is published and offered, as far as it can be asked until the monotonic `until`."""
+    rosapi = await _with_publishers(wire, rosapi, until, watch)
+    groups = alike(telling_topics(rosapi.topics))
+    unheard = {name for spaces in groups for name in silent(spaces, rosapi.publishers)}
+    published = {name: type_ for name, type_ in rosapi.topics.items() if name not in unheard}
+    services = await _service_types(wire, rosapi, until, watch)
+    return Listed(published, services, rosapi.actions), replace(rosapi, topics=published)
+
+
+async def _with_publishers(wire: Wire, rosapi: Rosapi, until: float, watch: Watch) -> Rosapi:
+    groups, done = alike(telling_topics(rosapi.topics)), 0
+    while done < MOST_TOPICS and time.monotonic() < until:
+        names = [name for spaces in groups for name in next_questions(spaces, rosapi.publishers)]
+        names = names[: MOST_TOPICS - done]
+        known = len(rosapi.publishers)
+        count = _Count(done, done + len(names), watch, "asking who publishes")
+        rosapi = await ask_publishers(wire, rosapi, names, until, count)
+        done += len(names)
+        if len(rosapi.publishers) == known:  # all is asked, or nothing answers
+            break
+    return rosapi
+
+
+async def _service_types(wire: Wire, rosapi: Rosapi, until: float, watch: Watch) -> dict[str, str]:
+    """Return the types of services by name, "" where not known: each robot's as those of one like it."""
+    groups = alike(telling_services(rosapi.services))
+    names = [name for spaces in groups for name in spaces[0].values()][:MOST_SERVICES]
+    count = _Count(0, len(names), watch, "asking for types of services")
+    known = (await ask_service_types(wire, rosapi, names, until, count)).services
+    return {
+        name: known[spaces[0][rest]] or ""
+        for spaces in groups
+        for space in spaces
+        for rest, name in space.items()
+    }
+
+
+class _Count:
+    """Counts the answers for who watches."""
+
+    def __init__(self, done: int, total: int, watch: Watch, doing: str) -> None:
+        self._done, self._total, self._watch, self._doing = done, total, watch, doing
+
+    def __call__(self) -> None:
+        self._done += 1
+        self._watch(self._done, self._total, self._doing)

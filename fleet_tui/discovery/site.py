@@ -1,0 +1,129 @@
+"""From an address to a configuration: asks rosapi and listens; commands, advertises and publishes nothing."""
+
+import asyncio
+import time
+from collections.abc import Mapping
+from concurrent.futures import Future
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from fleet_tui.config.load import from_text
+from fleet_tui.config.schema import DEFAULT_LINK, Config, Link
+from fleet_tui.discovery.approach import Approach
+from fleet_tui.discovery.choices import Answers, Choice, choices_of, decided, lacks, placed
+from fleet_tui.discovery.config_text import render
+from fleet_tui.discovery.facts import Rosapi
+from fleet_tui.discovery.finding import Verdict
+from fleet_tui.discovery.frames import hear_frames
+from fleet_tui.discovery.questions import Watch, listed_by
+from fleet_tui.discovery.recognition import Found, assigned, claimed
+from fleet_tui.discovery.rosapi import look_around
+from fleet_tui.discovery.tools import rosapi_remedy
+from fleet_tui.discovery.wire import Wire
+from fleet_tui.errors import FleetError, LinkError
+from fleet_tui.transports.loop import network_loop
+
+WITHIN = 20.0
+"""Seconds that discovery may take."""
+
+
+@dataclass(frozen=True)
+class DiscoveredSite:
+    """What is behind a bridge. `claims`: what each kind takes for its own; `frames` of poses by robot;
+    `answers` of a person to its choices. `topics`: how many there are, to be said where nothing is found."""
+
+    bridge: Link
+    claims: Found
+    frames: Mapping[str, str]
+    topics: int
+    answers: Answers = field(default_factory=dict)
+
+    @cached_property
+    def found(self) -> Found:
+        """The robots, each of one kind."""
+        return decided(self.claims, self.answers)
+
+    @cached_property
+    def text(self) -> str:
+        """A configuration, ready to edit."""
+        return render(self.bridge, self.found, self.frames, placed(self.answers))
+
+    @cached_property
+    def config(self) -> Config:
+        """The configuration that this text is. Raises FleetError where no robot was found."""
+        if not any(one.robots for one in self.found.values()):
+            raise FleetError(
+                f"{self.bridge.shown}: no robot found among {self.topics} topics: start the robots' nodes, or"
+                f" name their topics: fleet-tui config init --from-live {self.bridge.shown}"
+            )
+        return from_text(self.text)
+
+    @property
+    def choices(self) -> list[Choice]:
+        """What could be otherwise, too."""
+        return choices_of(self.claims, self.found, self.frames, self.answers)
+
+    @property
+    def unclear(self) -> list[str]:
+        """Robots that must not be commanded unseen: it would be in the words of another kind."""
+        how = f"fleet-tui {self.bridge.shown} lets you choose, and :save keeps it"
+        return [f"nothing was sent: {choice}: {how}" for choice in self.choices if choice.id[0] == "kind"]
+
+    @property
+    def warnings(self) -> list[str]:
+        """What is not certain, and what is missing."""
+        return [*map(str, self.choices), *self.lacks]
+
+    @property
+    def lacks(self) -> list[str]:
+        """What is missing, in sentences."""
+        return lacks(self.found)
+
+    @property
+    def summary(self) -> str:
+        """How many robots of which kinds on how many floors."""
+        kinds = {kind: len(one.robots) for kind, one in self.found.items()}
+        of = ", ".join(kinds if len(kinds) == 1 else (f"{count} {kind}" for kind, count in kinds.items()))
+        robots, floors = sum(kinds.values()), len(self.config.floors)
+        return f"{robots} robot{'s' * (robots != 1)} ({of}), {floors} floor{'s' * (floors != 1)}"
+
+
+def unwatched(_done: int, _total: int, _doing: str) -> None:
+    """Watch no progress."""
+
+
+def start_discovery(
+    bridge: Link, timeout: float = WITHIN, watch: Watch = unwatched
+) -> Future[DiscoveredSite]:
+    """Find out what is behind a bridge; `watch` is called on another thread.
+
+    The result raises LinkError where there is no way to it, FleetError where rosapi does not tell.
+    """
+    return asyncio.run_coroutine_threadsafe(
+        _discover(bridge, time.monotonic() + timeout, watch), network_loop()
+    )
+
+
+async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
+    wire = Wire(bridge)
+    try:
+        watch(0, 0, "connecting")
+        async for finding in Approach(DEFAULT_LINK, bridge, wire, "the address").walk():
+            if finding.verdict is Verdict.FAIL:
+                raise LinkError(f"{bridge.shown}: {finding.measured}: {finding.remedy}")
+        watch(0, 0, "asking rosapi what is there")
+        rosapi = await look_around(wire)
+        if rosapi.problem:
+            raise FleetError(f"{bridge.shown}: {_without_rosapi(rosapi)}")
+        listed, rosapi = await listed_by(wire, rosapi, until, watch)
+        claims = claimed(listed)
+        watch(0, 0, "listening to poses")
+        frames = await hear_frames(wire, assigned(claims, {}), rosapi.topics, until)
+    finally:
+        wire.close()
+    return DiscoveredSite(bridge, claims, frames, len(rosapi.topics))
+
+
+def _without_rosapi(rosapi: Rosapi) -> str:
+    remedy = f"{rosapi_remedy(rosapi)}; or edit an example (fleet-tui config init)"
+    return f"it is rosapi that tells what is there: {rosapi.problem}: {remedy}"

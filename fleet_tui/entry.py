@@ -1,0 +1,74 @@
+"""The Textual app before the console: a person chooses what it is opened on. Nothing is commanded in it."""
+
+import logging
+from collections.abc import Sequence
+from typing import ClassVar
+
+from textual.binding import BindingType
+from textual.screen import Screen
+from textual.theme import Theme
+
+from fleet_tui.discovery.site import DiscoveredSite
+from fleet_tui.screens.arrival import Arrival
+from fleet_tui.screens.first_run import LOCAL, FirstRun
+from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
+from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.themes import FleetTheme
+
+LOG = logging.getLogger(__name__)
+
+
+class EntryApp(LeanApp, inherit_bindings=False):
+    """Begins with `site`, something of which is not certain, or where there is none with what is at an
+    address. `places`: where a configuration was looked for, each with what is there."""
+
+    TITLE = "fleet-tui"
+    BINDINGS: ClassVar[list[BindingType]] = [("ctrl+c", "nothing", "")]
+    ENABLE_COMMAND_PALETTE = False
+
+    def __init__(
+        self,
+        theme: FleetTheme,
+        colour: bool,
+        site: DiscoveredSite | None = None,
+        places: Sequence[tuple[str, str]] = (),
+        address: str = LOCAL,
+    ) -> None:
+        # Without colour Textual must leave the terminal's own, or it sends greys.
+        super().__init__(ansi_color=not colour)
+        self.register_theme(Theme(**theme.textual()))
+        self.theme = f"fleet-{theme.name}"
+        self._inks, self._start, self._places, self._address = theme.styles(colour), site, places, address
+        self._restore = terminal_restorer()
+        self.chosen: DiscoveredSite | None = None
+        """What the console is to be opened on; None where the person left."""
+
+    def get_default_screen(self) -> Screen[None]:
+        """Choices, where it is known what there is to choose."""
+        if self._start is not None:
+            return Arrival(self._inks, self._start, self._end)
+        return FirstRun(self._inks, self._places, self._found, self._address)
+
+    def on_ready(self) -> None:
+        """Leave the terminal as it was, however this ends."""
+        if not self.is_headless:
+            leave_on_signals(self.exit, self._restore)
+
+    def _found(self, site: DiscoveredSite | None) -> None:
+        if site is not None and (site.choices or site.lacks):
+            self.switch_screen(Arrival(self._inks, site, self._end))
+        else:
+            self._end(site)
+
+    def _end(self, site: DiscoveredSite | None) -> None:
+        self.chosen = site
+        self.exit()
+
+    def action_nothing(self) -> None:
+        """Ctrl-C means nothing, as in the console."""
+
+    def worker_failed(self, error: BaseException) -> None:
+        """A fault of our own ends it."""
+        LOG.error("worker", exc_info=error)
+        self.failure = self.failure or RuntimeError(error)
+        self.exit()

@@ -1,0 +1,59 @@
+"""The configuration that a command line names: a file, or the address of a bridge."""
+
+import click
+
+from fleet_tui.config.load import find, load
+from fleet_tui.config.schema import Config
+from fleet_tui.discovery.address import bridge_at
+from fleet_tui.discovery.awaiting import Discovering
+from fleet_tui.discovery.site import DiscoveredSite
+from fleet_tui.errors import ConfigError, FleetError, LinkError
+from fleet_tui.view.text import visible
+
+
+def chosen(config_file: str | None, url: str | None) -> Config:
+    """Return what a file says, or what is behind an address; warn of what is not certain there. Raises
+    ConfigError, LinkError where there is no way, FleetError where nothing is found."""
+    return load(find(config_file)) if not _is_address(config_file, url) else _warned(_discovered(url))
+
+
+def chosen_to_command(config_file: str | None, url: str | None) -> Config:
+    """Return the same, but for robots of which the kind is not certain: they would be commanded in the words
+    of another."""
+    if not _is_address(config_file, url):
+        return load(find(config_file))
+    site = _discovered(url)
+    if site.unclear:
+        raise ConfigError(site.unclear)
+    return _warned(site)
+
+
+def chosen_to_examine(config_file: str | None, url: str | None, within: float) -> tuple[Config, str]:
+    """Return the same; of an address where no robot is found a configuration without one, and why there is
+    none, empty where the way to the bridge itself is broken."""
+    if not _is_address(config_file, url):
+        return load(find(config_file)), ""
+    bridge = bridge_at(url or "")
+    try:
+        return _warned(Discovering(bridge, within).result()), ""
+    except LinkError:
+        return Config(rosbridge=bridge), ""
+    except FleetError as problem:
+        return Config(rosbridge=bridge), str(problem)
+
+
+def _is_address(config_file: str | None, url: str | None) -> bool:
+    if config_file and url:
+        raise click.UsageError("--config and --url: one of them")
+    return bool(url)
+
+
+def _discovered(url: str | None) -> DiscoveredSite:
+    return Discovering(bridge_at(url or "")).result()
+
+
+def _warned(site: DiscoveredSite) -> Config:
+    config = site.config
+    for line in site.warnings:
+        click.echo(visible(f"warning: {line}"), err=True)
+    return config

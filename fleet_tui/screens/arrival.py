@@ -1,0 +1,84 @@
+"""The arrival screen: what was found behind an address and is not certain, to be chosen before anything is
+sent."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import ClassVar
+
+from rich.style import Style
+from textual.binding import BindingType
+
+from fleet_tui.discovery.choices import Choice
+from fleet_tui.discovery.site import DiscoveredSite
+from fleet_tui.screens.before import Before
+from fleet_tui.view.arrival_rows import Line, Rows, arrival_rows
+from fleet_tui.view.roles import Ink
+
+KEYS = (("enter", "open"), ("up/down", "line"), ("left/right", "choose"), ("q", "leave"))
+NONE = {"floor": "any floor", "frame": "no floor"}
+"""What an option that is empty means."""
+
+
+class Arrival(Before):
+    """Every choice has its best guess already: Enter opens."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        ("enter", "open", "Open the console"),
+        ("up,k", "move(-1)", "Line up"),
+        ("down,j", "move(1)", "Line down"),
+        ("left,h", "choose(-1)", "Previous option"),
+        ("right,l,space", "choose(1)", "Next option"),
+        ("q,escape", "leave", "Leave"),
+    ]
+
+    def __init__(
+        self,
+        inks: Mapping[Ink, Style],
+        site: DiscoveredSite,
+        done: Callable[[DiscoveredSite | None], None],
+    ) -> None:
+        super().__init__(inks, KEYS)
+        self._site, self._done = site, done
+        self._cursor = 0
+
+    def rows(self, width: int, height: int) -> Rows:
+        """What was found, and the choices."""
+        site = self._site
+        summary = f"{site.bridge.shown}: {site.summary}"
+        lines = [_line(choice) for choice in site.choices]
+        return arrival_rows(summary, lines, site.lacks, self._cursor, width, height)
+
+    def action_move(self, step: int) -> None:
+        """Another line."""
+        self._cursor = max(0, min(len(self._site.choices) - 1, self._cursor + step))
+        self.show()
+
+    def action_choose(self, step: int) -> None:
+        """Another option of the line."""
+        choices = self._site.choices
+        if choices:
+            choice = choices[self._cursor]
+            options = _options(choice)
+            chosen = options[(options.index(choice.chosen) + step) % len(options)]
+            self._site = replace(self._site, answers={**self._site.answers, choice.id: chosen})
+            # Of another kind there may be fewer choices.
+            self.action_move(0)
+
+    def action_open(self) -> None:
+        """Take it as it is chosen."""
+        self._done(self._site)
+
+    def action_leave(self) -> None:
+        """Open nothing."""
+        self._done(None)
+
+
+def _options(choice: Choice) -> list[str]:
+    """Everything that can be chosen; nothing, where that is an answer or nothing was found better."""
+    is_open = choice.id[0] in NONE or not choice.chosen
+    return [*([""] if is_open else []), *choice.options]
+
+
+def _line(choice: Choice) -> Line:
+    number = choice.options.index(choice.chosen) + 1 if choice.chosen else 0
+    return Line(choice.text, choice.chosen or NONE.get(choice.id[0], "none"), number, len(choice.options))

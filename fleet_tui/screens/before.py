@@ -1,0 +1,51 @@
+"""The screens before the console: rows, a field for an address, and the keys."""
+
+from collections.abc import Mapping, Sequence
+
+from rich.style import Style
+from textual.app import ComposeResult
+from textual.screen import Screen
+
+from fleet_tui.view.arrival_rows import Rows, footer
+from fleet_tui.view.roles import Ink
+from fleet_tui.widgets.ink_view import InkView
+from fleet_tui.widgets.line_view import LineView
+
+
+class Before(Screen[None]):
+    """One page of rows above a footer. Its keys are the screen's own: nothing has the focus."""
+
+    AUTO_FOCUS = ""
+
+    DEFAULT_CSS = """
+    Before { layout: vertical; background: $background; }
+    Before #rows { width: 1fr; height: 1fr; }
+    Before Input { border: none; height: 1; display: none; }
+    Before Input.-open { display: block; }
+    """
+
+    def __init__(self, inks: Mapping[Ink, Style], keys: Sequence[tuple[str, str]]) -> None:
+        super().__init__()
+        self._keys = keys
+        self.page, self._footer = InkView(inks, id="rows"), LineView(id="keys")
+        self._footer.set_inks(inks)
+
+    def compose(self) -> ComposeResult:
+        """The page, and its keys below."""
+        yield self.page
+        yield self._footer
+
+    def rows(self, width: int, height: int) -> Rows:
+        """What the page shows."""
+        raise NotImplementedError
+
+    def show(self) -> None:
+        """Show what holds now."""
+        width, height = self.page.size
+        if width and height:
+            self.page.paint_rows(self.rows(width, height))
+            self._footer.show(footer(self._keys))
+
+    def on_resize(self) -> None:
+        """Fill the page at its new size."""
+        self.call_after_refresh(self.show)

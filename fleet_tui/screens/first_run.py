@@ -1,0 +1,125 @@
+"""The first-run screen: no configuration was found. Shows where one was looked for and what the local bridge
+has; opens nothing by itself."""
+
+import asyncio
+from collections.abc import Callable, Mapping, Sequence
+from typing import ClassVar
+
+from rich.style import Style
+from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.worker import Worker
+
+from fleet_tui.discovery.address import bridge_at
+from fleet_tui.discovery.site import WITHIN, DiscoveredSite, start_discovery
+from fleet_tui.errors import FleetError
+from fleet_tui.screens.before import Before
+from fleet_tui.view.arrival_rows import Asked, Rows, first_run_rows
+from fleet_tui.view.roles import Ink
+from fleet_tui.widgets.field import Field
+
+KEYS = (("enter", "open"), ("a", "another address"), ("r", "ask again"), ("q", "leave"))
+LOCAL = "ws://127.0.0.1:9090"
+EVERY = 0.1
+"""Seconds between two looks at how far it is."""
+
+
+class FirstRun(Before):
+    """Asks at one address at a time."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        ("enter", "open", "Open the console"),
+        ("a", "address", "Another address"),
+        ("r", "ask", "Ask again"),
+        ("q,escape", "leave", "Leave"),
+    ]
+
+    def __init__(
+        self,
+        inks: Mapping[Ink, Style],
+        places: Sequence[tuple[str, str]],
+        done: Callable[[DiscoveredSite | None], None],
+        address: str = LOCAL,
+    ) -> None:
+        super().__init__(inks, KEYS)
+        self._places, self._done = places, done
+        self._address, self._asked = address, Asked(address, "asking what is there")
+        self._site: DiscoveredSite | None = None
+        self._asking: Worker[None] | None = None
+        self._field = Field({"enter": self._typed, "escape": self._close}, id="address")
+
+    def compose(self) -> ComposeResult:
+        """The page, the field for an address, and the keys."""
+        page, keys = super().compose()
+        yield from (page, self._field, keys)
+
+    def on_mount(self) -> None:
+        """Ask at once: discovery commands nothing."""
+        self.set_interval(EVERY, self.show)
+        self.action_ask()
+
+    def rows(self, width: int, height: int) -> Rows:
+        """Where a configuration was looked for, and how it stands at the address."""
+        return first_run_rows(self._places, self._asked, width, height)
+
+    def action_ask(self) -> None:
+        """Ask what is at the address."""
+        self._site = None
+        if self._asking is not None:
+            self._asking.cancel()
+        self._asking = self.run_worker(self._ask())
+
+    async def _ask(self) -> None:
+        address = self._address
+        self._asked = Asked(address, "asking what is there")
+        try:
+            asking = start_discovery(bridge_at(address), WITHIN, self._watch)
+            site = await asyncio.wrap_future(asking)
+            self._asked = _found(site)
+            self._site = site
+        except FleetError as problem:
+            shown = self._asked.address
+            said = str(problem).removeprefix(f"{shown}: ")
+            self._asked = Asked(shown, said, is_over=True)
+
+    def _watch(self, done: int, total: int, doing: str) -> None:
+        """Take note of progress, on the network's thread."""
+        count = f", {done} of {total}" if total else ""
+        self._asked = self._asked._replace(words=f"asking what is there: {doing}{count}")
+
+    def action_open(self) -> None:
+        """Open the console on what was found."""
+        if self._site is not None:
+            self._done(self._site)
+
+    def action_leave(self) -> None:
+        """Open nothing."""
+        self._done(None)
+
+    def action_address(self) -> None:
+        """Type another address."""
+        self._field.value = "ws://"
+        self._field.select_on_focus = False
+        self._field.add_class("-open")
+        self.set_focus(self._field)
+
+    def _close(self) -> None:
+        self._field.remove_class("-open")
+        self.set_focus(None)
+
+    def _typed(self) -> None:
+        self._address = self._field.value.strip()
+        self._close()
+        self.action_ask()
+
+
+def _found(site: DiscoveredSite) -> Asked:
+    """Say what was found. Raises FleetError where no robot was."""
+    names, floors = [robot.name for robot in site.config.robots], [floor.name for floor in site.config.floors]
+    more = [_listed(names), _listed(floors), "Enter opens the console. Nothing is sent before."]
+    return Asked(site.bridge.shown, site.summary, tuple(more), is_found=True, is_over=True)
+
+
+def _listed(names: Sequence[str], most: int = 6) -> str:
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more

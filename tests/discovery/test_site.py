@@ -1,0 +1,152 @@
+"""Discovery on the wire: what it asks, what it never does, and how it ends where there is nothing to find."""
+
+import asyncio
+from collections import Counter
+from collections.abc import AsyncIterator, Iterable
+from contextlib import asynccontextmanager
+
+import pytest
+
+from fleet_tui.config.load import from_text
+from fleet_tui.config.schema import Link
+from fleet_tui.discovery.questions import MOST_SERVICES, MOST_TOPICS
+from fleet_tui.discovery.rosapi import AT_ONCE
+from fleet_tui.discovery.site import DiscoveredSite, start_discovery
+from fleet_tui.errors import FleetError, LinkError
+from fleet_tui.simulator.calls import Call
+from fleet_tui.simulator.frames import Frame
+from fleet_tui.simulator.kinds import KINDS
+from fleet_tui.simulator.run import DIALECTS
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.world import World
+from tests.headless.plants import PLANTS
+
+HARMLESS = {"subscribe", "unsubscribe", "call_service"}
+
+
+async def discovered(url: str, watch: list[tuple[int, int, str]] | None = None) -> DiscoveredSite:
+    told: list[tuple[int, int, str]] = [] if watch is None else watch
+    future = start_discovery(Link(url), watch=lambda *progress: told.append(progress))
+    return await asyncio.wrap_future(future)
+
+
+@asynccontextmanager
+async def serving(kind: str, robots: int, floors: int) -> AsyncIterator[RosbridgeServer]:
+    fleet = KINDS[kind].build(robots, floors, 1, 0)
+    server = RosbridgeServer(fleet, dialect=DIALECTS[KINDS[kind].ros[0]])
+    await server.start()
+    yield server
+    await server.stop()
+
+
+def only_asked(server: RosbridgeServer) -> bool:
+    """Whether nothing came but subscriptions and questions."""
+    calls = [one["service"] for one in server.received if one["op"] == "call_service"]
+    return {one["op"] for one in server.received} <= HARMLESS and all(
+        service.startswith("/rosapi/") for service in calls
+    )
+
+
+@pytest.mark.parametrize("kind", KINDS)
+async def test_it_listens_and_asks_rosapi_and_nothing_else(kind: str) -> None:
+    async with serving(kind, 3, 2) as server:
+        found = await discovered(server.url)
+        assert server.received and only_asked(server)
+        assert not server.calls
+    assert [robot.name for robot in found.config.robots] == ["robot_0", "robot_1", "robot_2"]
+    assert found.summary == f"3 robots ({kind}), 2 floors"
+    assert found.choices == [] and found.lacks == []
+    assert found.config == from_text(found.text)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+async def test_a_hundred_robots_cost_few_questions(kind: str) -> None:
+    async with serving(kind, 100, 2) as server:
+        found = await discovered(server.url)
+        asked = Counter(one.get("service") for one in server.received)
+    assert len(found.config.robots) == 100
+    assert asked["/rosapi/publishers"] <= 200 and asked["/rosapi/service_type"] <= 50
+
+
+async def test_a_bridge_with_two_thousand_topics_is_neither_flooded_nor_asked_for_minutes(
+    server: RosbridgeServer,
+) -> None:
+    server.types |= {f"/thing_{n % 37}/part_{n}": "std_msgs/String" for n in range(2000)}
+    under_way, most = 0, 0
+
+    def answer(call: Call, frame: Frame) -> None:
+        nonlocal under_way
+        under_way -= 1
+        call.reply(frame)
+
+    def deliver(call: Call, frame: Frame) -> None:
+        nonlocal under_way, most
+        under_way += 1
+        most = max(most, under_way)
+        asyncio.get_running_loop().call_later(0.002, answer, call, frame)
+
+    server.deliveries |= {"/rosapi/publishers": deliver, "/rosapi/service_type": deliver}
+    progress: list[tuple[int, int, str]] = []
+    found = await discovered(server.url, progress)
+    asked = Counter(one.get("service") for one in server.received)
+    assert asked["/rosapi/publishers"] <= MOST_TOPICS and asked["/rosapi/service_type"] <= MOST_SERVICES
+    assert most <= AT_ONCE
+    assert found.summary == "2 robots (oh_ressources), 2 floors"
+    counted = [(done, total) for done, total, doing in progress if doing == "asking who publishes"]
+    assert counted[-1][0] == counted[-1][1] <= MOST_TOPICS
+
+
+@pytest.mark.parametrize(
+    ("plant", "error", "words"),
+    [
+        ("a web server", LinkError, "that is a web server, not rosbridge"),
+        ("no rosapi", FleetError, "start rosapi beside rosbridge"),
+        ("a frozen rosapi", FleetError, "restart rosapi"),
+    ],
+)
+async def test_what_can_not_be_asked(
+    server: RosbridgeServer, plant: str, error: type[FleetError], words: str
+) -> None:
+    url = server.url
+    web = await asyncio.start_server(_serve_a_page, "127.0.0.1", 0) if plant == "a web server" else None
+    if web is not None:
+        url = f"ws://127.0.0.1:{web.sockets[0].getsockname()[1]}"
+    else:
+        PLANTS[plant](server, from_text('[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n'))
+    with pytest.raises(error, match=words) as caught:
+        await discovered(url)
+    assert str(caught.value).startswith(f"{url}: ") and isinstance(caught.value, LinkError) == (
+        error is LinkError
+    )
+    if web is not None:
+        web.close()
+
+
+async def _serve_a_page(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+    await reader.readuntil(b"\r\n\r\n")
+    writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nhi")
+    writer.close()
+
+
+def _remove(server: RosbridgeServer, names: Iterable[str]) -> None:
+    for name in names:
+        server.topics.pop(name, None)
+        server.types.pop(name, None)
+
+
+async def test_a_bridge_without_a_robot_invents_none(server: RosbridgeServer) -> None:
+    _remove(server, [name for name in server.types if name.startswith("/robot_")])
+    found = await discovered(server.url)
+    with pytest.raises(
+        FleetError, match=r"no robot found among \d+ topics: start the robots' nodes, or name"
+    ):
+        _ = found.config
+
+
+async def test_the_world_goes_on_untouched() -> None:
+    world = World(robots=2, floors=1, seed=1, quiet=True)
+    server = RosbridgeServer(world)
+    await server.start()
+    await discovered(server.url)
+    await server.stop()
+    assert not any(robot.orders for robot in world.robots.values())
