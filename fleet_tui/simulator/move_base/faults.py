@@ -1,12 +1,12 @@
 """Faults of robots with move_base."""
 
 import asyncio
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from fleet_tui.simulator.faults import FAULTS as OF_ALL
-from fleet_tui.simulator.faults import wire
+from fleet_tui.simulator.faults import Faults, wire
 from fleet_tui.simulator.navigating.faults import AWHILE, BODY, at_once, often
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def _unlocalised(server: "RosbridgeServer", robot: str) -> None:
     server.muted.add(f"/{robot}/amcl_pose")
 
 
-FAULTS: Mapping[str, tuple[str, wire.Play]] = {
+FAULTS: Faults = {
     **BODY,
     "reject": ("every goal is rejected: status 5", at_once(_rejects)),
     "no-plan": ("there is no way to any goal: recoveries, then an abort", at_once(_no_plan)),
@@ -117,4 +117,3 @@ FAULTS: Mapping[str, tuple[str, wire.Play]] = {
     ),
     "unsourced": ("the bridge lacks the package move_base_msgs", _unsourced),
 } | {name: OF_ALL[name] for name in GENERIC}
-"""Each fault by its name: the text of the help, and how it is played on one robot."""

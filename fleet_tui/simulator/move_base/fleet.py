@@ -25,8 +25,10 @@ class MoveBaseFleet(MoveBaseWorld):
     faults = FAULTS
     actions: Mapping[str, ActionServer] = {}
 
-    def __init__(self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0) -> None:
-        super().__init__(robots, floors, seed, quiet, first, clock=time.time_ns)
+    def __init__(
+        self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
+    ) -> None:
+        super().__init__(robots, floors, seed, quiet, first, time.time_ns, step)
         self._news = MoveBaseNews(self)
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:

@@ -1,7 +1,6 @@
 """move_base of one robot: it takes goals and lets the robot drive. Pure."""
 
 import math
-import random
 from collections import deque
 from typing import Any
 
@@ -34,7 +33,7 @@ REACHED = "Goal reached."
 class MoveBase:
     """Its attributes are for tests and faults to read and change. `clock`: nanoseconds since 1970."""
 
-    def __init__(self, robot: NavigatingRobot, _rng: random.Random, clock: Clock) -> None:
+    def __init__(self, robot: NavigatingRobot, clock: Clock) -> None:
         self.robot, self._clock = robot, clock
         robot.moved, robot.turned = MOVED, TURNED
         self.server = SimpleActionServer(f"/{robot.name}/move_base", clock)

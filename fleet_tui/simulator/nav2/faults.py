@@ -1,10 +1,9 @@
 """Faults of robots with Nav2."""
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.simulator.faults import FAULTS as OF_ALL
-from fleet_tui.simulator.faults import wire
+from fleet_tui.simulator.faults import Faults, wire
 from fleet_tui.simulator.navigating.faults import AWHILE, BODY, at_once, often
 
 if TYPE_CHECKING:
@@ -81,7 +80,7 @@ def _humble(server: "RosbridgeServer", robot: str) -> None:
         navigation.distro = "humble"
 
 
-FAULTS: Mapping[str, tuple[str, wire.Play]] = {
+FAULTS: Faults = {
     **BODY,
     "inactive": ("Nav2 is not active: every goal is rejected, and is_active says so", at_once(_inactive)),
     "reject": ("every goal is rejected though Nav2 is active", at_once(_reject)),
@@ -97,4 +96,3 @@ FAULTS: Mapping[str, tuple[str, wire.Play]] = {
     "unsourced": ("the bridge lacks the package nav2_msgs", _unsourced),
     "never": ("its services never answer and do nothing", wire.never),
 } | {name: OF_ALL[name] for name in GENERIC}
-"""Each fault by its name: the text of the help, and how it is played on one robot."""

@@ -32,8 +32,10 @@ class Nav2Fleet(Nav2World):
 
     faults = FAULTS
 
-    def __init__(self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0) -> None:
-        super().__init__(robots, floors, seed, quiet, first, clock=time.time_ns)
+    def __init__(
+        self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
+    ) -> None:
+        super().__init__(robots, floors, seed, quiet, first, time.time_ns, step)
         if robots > 1:
             self.robots[next(reversed(self.robots))].percent = float("nan")
         self._news = Nav2News(self)

@@ -1,24 +1,20 @@
 """Simulated robots with Nav2 as a value that steps: no I/O; the seed is the only chance in it."""
 
+import random
+
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.nav2.navigation import DOCK, TO_POSE, WAYPOINTS, Navigation
 from fleet_tui.simulator.navigating.poses import stamped
+from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.navigating.world import Clock, NavigatingWorld
 
 
 class Nav2World(NavigatingWorld[Navigation]):
     """`robots` robots on `floors` floors, as NavigatingWorld has it."""
 
-    def __init__(
-        self,
-        robots: int,
-        floors: int,
-        seed: int = 0,
-        quiet: bool = False,
-        first: int = 0,
-        clock: Clock | None = None,
-    ) -> None:
-        super().__init__(Navigation, robots, floors, seed, quiet, first, clock)
+    def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> Navigation:
+        """Make the navigation stack of a robot."""
+        return Navigation(robot, ids, clock)
 
     def _dock(self, navigation: Navigation) -> None:
         """Let a robot dock."""

@@ -1,9 +1,9 @@
 """Faults of robots that navigate, whichever stack they run."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from fleet_tui.simulator.faults import wire
+from fleet_tui.simulator.faults import Faults, wire
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
@@ -99,7 +99,7 @@ def _percent(navigation: "Navigating") -> None:
     navigation.robot.percent = 1.0
 
 
-BODY: Mapping[str, tuple[str, wire.Play]] = {
+BODY: Faults = {
     "stuck": ("its wheels stand still: recoveries, then an abort", at_once(_stuck)),
     "foreign-goal": (f"another client gives it a goal every {EVERY:g} s", often(_foreign_goal, idle=True)),
     "foreign-cancel": (f"another client cancels every goal after {AWHILE:g} s", often(_foreign_cancel)),
@@ -111,4 +111,3 @@ BODY: Mapping[str, tuple[str, wire.Play]] = {
     "percent": ("its battery's percentage is 0 to 100 instead of 0 to 1", at_once(_percent)),
     "silent": ("nothing is heard of it", at_once(_silent)),
 }
-"""Each fault by its name: the text of the help, and how it is played on one robot."""

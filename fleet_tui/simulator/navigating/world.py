@@ -1,12 +1,13 @@
 """Simulated robots that navigate as a value that steps: no I/O; the seed is the only chance in it."""
 
 import random
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from typing import Generic, Protocol, TypeVar
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
-from fleet_tui.simulator.robot import LOW, STEP
+from fleet_tui.simulator.robot import LOW, STEP, robot_numbers
 from fleet_tui.simulator.warehouse import build_building
 
 Clock = Callable[[], int]
@@ -35,8 +36,8 @@ class Navigating(Protocol):
 N = TypeVar("N", bound=Navigating)
 
 
-class NavigatingWorld(Generic[N]):
-    """`robots` robots on `floors` floors; `navigate` makes a robot's navigation stack.
+class NavigatingWorld(ABC, Generic[N]):
+    """`robots` robots on `floors` floors, the numbers in their names from `first` on, each `step`th.
 
     `quiet`: no goals of other clients, no obstacles, no silence. `clock`: the wall time, for the goals'
     stamps; where None it is the world's own. Every second robot is driven by another client, who leaves the
@@ -45,23 +46,23 @@ class NavigatingWorld(Generic[N]):
 
     def __init__(
         self,
-        navigate: Callable[[NavigatingRobot, random.Random, Clock], N],
         robots: int,
         floors: int,
-        seed: int,
-        quiet: bool,
-        first: int,
-        clock: Clock | None,
+        seed: int = 0,
+        quiet: bool = False,
+        first: int = 0,
+        clock: Clock | None = None,
+        step: int = 1,
     ) -> None:
         self._rng = random.Random(seed)
         self._quiet = quiet
         self.building = build_building(floors)
-        self.robots = {f"robot_{i}": self._new_robot(i) for i in range(first, first + robots)}
+        self.robots = {f"robot_{i}": self._new_robot(i) for i in robot_numbers(robots, first, step)}
         self.time = 0.0
         """Seconds since the start."""
         ids = random.Random(seed)
         self.navigation: Mapping[str, N] = {
-            name: navigate(robot, ids, clock or (lambda: round(self.time * 1e9)))
+            name: self.navigate(robot, ids, clock or (lambda: round(self.time * 1e9)))
             for name, robot in self.robots.items()
         }
         """The navigation stack of each robot."""
@@ -70,6 +71,10 @@ class NavigatingWorld(Generic[N]):
         self._owed = 0.0
         self._silence_in = self._rng.uniform(180.0, 240.0)
         self._rest = {name: self._rng.uniform(6.0, 15.0) for name in self.robots}
+
+    @abstractmethod
+    def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> N:
+        """Make the navigation stack of a robot."""
 
     def step(self, dt: float) -> None:
         """Let dt seconds pass, in steps of fixed length; a remainder waits for the next call."""
