@@ -60,7 +60,7 @@ PICTURES = {
 async def take(name: str, picture: Picture) -> None:
     """Let the robots drive for a while, press the keys, and take the picture."""
     fleet = simulated(3, picture.floors, picture.faults, kind=picture.kind)
-    with fleet as url, TemporaryDirectory() as folder:
+    with fleet as (url,), TemporaryDirectory() as folder:
         found = load(shipped())
         config = demo_config(found, url, 3, picture.floors, kind=picture.kind, folder=Path(folder))
         store = Store(initial_state(config, time.monotonic()))

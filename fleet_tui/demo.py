@@ -3,17 +3,21 @@
 import importlib
 import subprocess
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import DEFAULT_KIND
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.adapters.registry import KINDS as ADAPTERS
+from fleet_tui.config.schema import DEFAULT_LINK, Config, FloorEntry, Link, RobotEntry
 from fleet_tui.errors import FleetError
+
+if TYPE_CHECKING:
+    from fleet_tui.simulator.site import SitedBridge
 
 # Seconds for the simulator to end by itself.
 PATIENCE = 1.0
@@ -22,27 +26,23 @@ PATIENCE = 1.0
 @contextmanager
 def simulated(
     robots: int, floors: int, faults: str = "", speed: float = 1.0, ros: str = "", kind: str = DEFAULT_KIND
-) -> Iterator[str]:
-    """Start the simulator on a free port; its URL. It ends with us, even if we are killed."""
+) -> Iterator[list[str]]:
+    """Start the simulator on free ports; the URLs of its bridges. It ends with us, even if we are killed."""
     command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0", "--stop-with-stdin"]
     command += ["--robots", str(robots), "--floors", str(floors), "--fault", faults]
     command += ["--speed", str(speed), "--kind", kind, *(["--ros", ros] if ros else [])]
-    with subprocess.Popen(
-        command,
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    ) as child:
+    pipe, nothing = subprocess.PIPE, subprocess.DEVNULL
+    with subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=nothing, start_new_session=True) as child:
         # While it starts, import what takes long.
         importlib.import_module("fleet_tui.app")
+        from fleet_tui.simulator.site import site_of
 
         assert child.stdout is not None
         try:
-            url = child.stdout.readline().decode().strip()
-            if not url.startswith("ws://"):
+            urls = [child.stdout.readline().decode().strip() for _ in site_of(kind, robots)]
+            if not all(url.startswith("ws://") for url in urls):
                 raise FleetError("the simulator did not start: try `fleet-tui sim` to see why")
-            yield url
+            yield urls
         finally:
             child.terminate()
             try:
@@ -56,53 +56,67 @@ def demo_config(
     url: str,
     robots: int,
     floors: int,
-    ros: str = "1",
+    ros: str = "",
     kind: str = DEFAULT_KIND,
     folder: Path = Path(),
+    further: Sequence[str] = (),
 ) -> Config:
-    """Theme and keys of the config found; links, floors and robots of the simulator. The route graphs of a
-    kind that publishes none are written to the folder."""
+    """Theme and keys of the config found; links, floors and robots of the simulator. The route graphs of
+    kinds that publish none are written to the folder. `further`: the URLs of all bridges but the first."""
+    from fleet_tui.simulator.site import site_of
+
+    site = site_of(kind, robots, ros)
+    links = dict(zip([DEFAULT_LINK, *(f"ros{bridge.ros}" for bridge in site[1:])], site, strict=True))
     names = [f"floor_{n}" for n in range(floors)]
     graphs = graphs_of(kind, folder, names)
+    profiles = {one.kind: _profile(one.kind, floors, bridge.ros) for bridge in site for one in bridge.crews}
+    alone = len(profiles) == 1
     return msgspec.structs.replace(
         found,
         rosbridge=Link(url),
-        links={},
+        links={name: Link(other) for name, other in zip([*links][1:], further, strict=True)},
         floors=[FloorEntry(name, graph=graphs.get(name, "")) for name in names],
-        robots=[RobotEntry(f"robot_{n}") for n in range(robots)],
-        profile=_of_nav2(floors) if kind == "nav2" else _of_source(ros),
-        profiles={},
+        robots=_robots(links, alone),
+        profile=profiles[kind] if alone else Profile(),
+        profiles={} if alone else profiles,
     )
 
 
-def graphs_of(kind: str, folder: Path, floors: Sequence[str]) -> dict[str, str]:
-    """Write the route graph of each floor, and return the files by floor; none for a kind that publishes
-    them."""
-    from fleet_tui.simulator.kinds import KINDS
+def _robots(links: "Mapping[str, SitedBridge]", alone: bool) -> list[RobotEntry]:
+    """The robots behind all links; `alone`: there is only one kind of them."""
+    entries = {
+        number: RobotEntry(f"robot_{number}", link=link, profile="" if alone else crew.kind)
+        for link, bridge in links.items()
+        for crew in bridge.crews
+        for number in crew.numbers
+    }
+    return [entries[number] for number in sorted(entries)]
 
-    if not KINDS[kind].graph_files:
+
+def graphs_of(kind: str, folder: Path, floors: Sequence[str]) -> dict[str, str]:
+    """Write the route graph of each floor, and return the files by floor; none where every robot publishes
+    it."""
+    from fleet_tui.simulator.site import needs_graph_files
+
+    if not needs_graph_files(kind):
         return {}
-    from fleet_tui.simulator.nav2.graph_file import write_graphs
+    from fleet_tui.simulator.navigating.graph_file import write_graphs
 
     path = folder / "graph.geojson" if len(floors) == 1 else folder
     return dict(zip(floors, map(str, write_graphs(path, len(floors))), strict=True))
 
 
-def _of_nav2(floors: int) -> Profile:
-    # Of several floors the simulated robots say on which one they are, and each has a map.
-    several = {"floor": "/{robot}/floor", "map": "/{floor}/map"} if floors > 1 else {}
-    return Profile(kind="nav2", topics=several)
+def _profile(kind: str, floors: int, ros: str) -> Profile:
+    """How the simulated robots of a kind differ from the usual ones, which run on their usual ROS."""
+    from fleet_tui.simulator.kinds import KINDS
+    from fleet_tui.simulator.run import DIALECTS
 
-
-def _of_source(ros: str) -> Profile:
-    # The simulated robots tell whether they are paused.
-    topics = {"paused": "/{robot}/paused"}
-    if ros != "2":
-        return Profile(topics=topics)
-    from fleet_tui.simulator.ros.ros2 import ROS2
-
-    return Profile(
-        topics=topics,
-        types={key: ROS2.message_type(type_) for key, (_, type_) in VOCABULARY.topics.items()},
-        service_types={key: ROS2.service_type(type_) for key, (_, type_) in VOCABULARY.services.items()},
+    profile = msgspec.convert({"kind": kind, **KINDS[kind].profile(floors)}, Profile)
+    if ros == KINDS[kind].ros[0]:
+        return profile
+    usual, dialect = ADAPTERS[kind].vocabulary, DIALECTS[ros]
+    return msgspec.structs.replace(
+        profile,
+        types={key: dialect.message_type(type_) for key, (_, type_) in usual.topics.items()},
+        service_types={key: dialect.service_type(type_) for key, (_, type_) in usual.services.items()},
     )

@@ -1,6 +1,6 @@
 """The commands that simulate robots. The command line imports this module when one of them is asked for."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -11,8 +11,9 @@ import click
 from fleet_tui.config.load import load_if_any
 from fleet_tui.errors import did_you_mean
 from fleet_tui.options import common, merged, screen
-from fleet_tui.simulator.faults import parse_faults
+from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.kinds import KINDS
+from fleet_tui.simulator.site import MIXED, faults_of, needs_graph_files, site_of
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -21,8 +22,10 @@ def _fault_list(kind: str) -> str:
     return "\n".join(f"  {name:<15}{text}" for name, (text, _) in KINDS[kind].faults.items())
 
 
-USUAL = "oh_ressources"
+USUAL = next(iter(KINDS))
 FAULT_LIST = "\b\nFaults:\n" + _fault_list(USUAL)
+WORDS = (*KINDS, MIXED)
+LAST_PORT = 65535
 ALL_FAULTS = FAULT_LIST + "".join(
     f"\n\n\b\nFaults of --kind {kind}:\n{_fault_list(kind)}" for kind in KINDS if kind != USUAL
 )
@@ -56,25 +59,26 @@ def _ros(command: F) -> F:
         *("--ros", "ros"),
         type=click.Choice(["1", "2"]),
         default=None,
-        show_default="1; 2 for nav2",
+        show_default="the usual one of the kind",
         help="Generation of ROS.",
     )(command)
 
 
 def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) -> str:
-    if kind not in KINDS:
-        near = did_you_mean(kind, KINDS) or f": {', '.join(KINDS)}"
+    if kind not in WORDS:
+        near = did_you_mean(kind, WORDS) or f": {', '.join(WORDS)}"
         raise click.BadParameter(f"no such kind of robots: {kind}{near}")
     return kind
 
 
-def _announce(graph_file: Path | None, floors: int, url: str) -> None:
-    """Say that the server is there. Before that, its port may not be had, and no file is written."""
-    from fleet_tui.simulator.nav2.graph_file import write_graphs
+def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None:
+    """Say that the servers are there. Before that, a port may not be had, and no file is written."""
+    from fleet_tui.simulator.navigating.graph_file import write_graphs
 
     if graph_file:
         write_graphs(graph_file, floors)
-    click.echo(url)
+    for url in urls:
+        click.echo(url)
 
 
 @click.group()
@@ -88,14 +92,20 @@ def _kind(command: F) -> F:
         *("--kind", "kind"),
         default=USUAL,
         callback=_known_kind,
-        metavar="|".join(KINDS),
+        metavar="|".join(WORDS),
         show_default=True,
-        help="What the robots are.",
+        help=f"What the robots are; {MIXED}: of all kinds in turn, on two bridges.",
     )(command)
 
 
-def _check_ros(kind: str, ros: str | None) -> None:
-    if ros and ros not in KINDS[kind].ros:
+def _check(kind: str, robots: int, ros: str | None) -> None:
+    """Refuse what such robots can't be. Raises UsageError."""
+    if kind == MIXED:
+        if robots < len(KINDS):
+            raise click.UsageError(f"robots of all {len(KINDS)} kinds are at least --robots {len(KINDS)}")
+        if ros:
+            raise click.UsageError("robots of all kinds run on ROS 1 and 2: --ros is for one kind")
+    elif ros and ros not in KINDS[kind].ros:
         raise click.UsageError(f"robots of kind {kind} run on ROS {' and '.join(KINDS[kind].ros)} only")
 
 
@@ -123,17 +133,18 @@ def demo(
     """Open the console on a simulated fleet. No ROS, no network."""
     from fleet_tui.demo import simulated as running
 
-    _check_ros(kind, ros)
-    parse_faults(fault, [f"robot_{n}" for n in range(robots)], KINDS[kind].faults)
+    _check(kind, robots, ros)
+    parse_faults_of(fault, faults_of(site_of(kind, robots, ros or "")))
     with (
         TemporaryDirectory(prefix="fleet-tui-") as folder,
-        running(robots, floors, fault, speed, ros or "", kind) as url,
+        running(robots, floors, fault, speed, ros or "", kind) as urls,
     ):
         from fleet_tui.console import open_console
         from fleet_tui.demo import demo_config
 
         found = load_if_any(config_file)
-        config = demo_config(found, url, robots, floors, ros or "", kind, Path(folder))
+        first, *further = urls
+        config = demo_config(found, first, robots, floors, ros or "", kind, Path(folder), further)
         open_console(config, read_only, drawing, debug, demo=True)
 
 
@@ -142,7 +153,11 @@ def demo(
 @click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
 @click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
 @click.option(
-    "--port", type=click.IntRange(0, 65535), default=9090, show_default=True, help="0 takes a free one."
+    "--port",
+    type=click.IntRange(0, LAST_PORT),
+    default=9090,
+    show_default=True,
+    help=f"0 takes a free one. A {MIXED} fleet takes the next one too.",
 )
 @click.option(
     "--rate", type=click.FloatRange(0.1, 100), default=10.0, show_default=True, help="Poses per second."
@@ -156,7 +171,8 @@ def demo(
     "--graph-file",
     metavar="PATH",
     type=click.Path(path_type=Path),
-    help="Write the route graph for nav2 here: a GeoJSON file, with several floors a folder of them.",
+    help="Write the route graph, for robots that publish none, here: a GeoJSON file, with several floors a"
+    " folder of them.",
 )
 @_ros
 @_simulation
@@ -181,8 +197,10 @@ def sim(
     """Serve a simulated fleet to several consoles, until Ctrl-C."""
     from fleet_tui.simulator.run import run
 
-    _check_ros(kind, ros)
-    if graph_file and not KINDS[kind].graph_files:
+    _check(kind, robots, ros)
+    if kind == MIXED and port == LAST_PORT:
+        raise click.UsageError(f"a {MIXED} fleet takes two ports: --port {LAST_PORT} is the last one")
+    if graph_file and not needs_graph_files(kind):
         raise click.UsageError(f"robots of kind {kind} publish their graph: --graph-file is for others")
     announce = partial(_announce, graph_file, floors)
     run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros or "", kind)

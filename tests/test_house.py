@@ -16,8 +16,9 @@ PACKAGE = ROOT / "fleet_tui"
 FILES = sorted(PACKAGE.rglob("*.py"))
 PURE = ["model", "view", "adapters", "keys.py", "keymap.py", "store.py"]
 PURE_SIMULATOR = [
-    *("world.py", "warehouse.py", "robot.py", "floorplan.py", "ros/goals.py"),
-    *(f"nav2/{name}.py" for name in ("world", "robot", "navigation", "paths", "poses", "messages")),
+    *("world.py", "warehouse.py", "robot.py", "floorplan.py", "ros/goals.py", "ros/actionlib.py"),
+    *(f"navigating/{name}.py" for name in ("world", "robot", "paths", "poses", "messages")),
+    *(f"{kind}/{name}.py" for kind in ("nav2", "move_base") for name in ("world", "navigation", "messages")),
 ]
 FORBIDDEN_NAMES = ("Manager", "Helper", "Utils", "Handler", "Data", "Info")
 IMPURE_CALLS = {"open", "print", "input", "now", "today", "monotonic", "perf_counter", "time_ns", "read_text"}

@@ -1,7 +1,7 @@
 """The seam: what a kind of robots reports, what it accepts, and how both are said."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple, Protocol
+from typing import Literal, NamedTuple, Protocol
 
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.ros.names import Names
@@ -16,9 +16,10 @@ class Feed(NamedTuple):
     values.
 
     `rate_ms`: milliseconds between two messages, 0 for every one. `latched`: its last message comes to who
-    subscribes late. `on_demand`: only while somebody looks. `large`: asked for as CBOR and decoded beside the
-    loop. `fast`: comes as often as poses do. `silent`: nothing may come for hours, and all is well.
-    `is_shared`: one topic may tell of all robots."""
+    subscribes late. `wanted_for`: only while that is wanted, a `map` that somebody looks at, or the `target`
+    of a goal that nothing else tells. `large`: asked for as CBOR and decoded beside the loop. `fast`: comes
+    as often as poses do. `silent`: nothing may come for hours, and all is well. `is_shared`: one topic may
+    tell of all robots."""
 
     key: str
     robots: tuple[str, ...]
@@ -27,7 +28,7 @@ class Feed(NamedTuple):
     type: str
     rate_ms: int = 0
     latched: bool = False
-    on_demand: bool = False
+    wanted_for: Literal["", "map", "target"] = ""
     large: bool = False
     fast: bool = False
     silent: bool = False
@@ -37,6 +38,11 @@ class Feed(NamedTuple):
     def robot(self) -> str:
         """The first robot it tells of."""
         return self.robots[0]
+
+    @property
+    def on_demand(self) -> bool:
+        """Tell whether it is asked for only now and then."""
+        return bool(self.wanted_for)
 
 
 class Call(NamedTuple):
@@ -56,11 +62,13 @@ class Goal(NamedTuple):
 
 
 class Publication(NamedTuple):
-    """A message on a topic. Nothing answers to it."""
+    """A message on a topic. Nothing answers to it. `name` is that under which the robot will list the order
+    that it gives, if it gives one. To be taken twice does nothing more than to be taken once."""
 
     address: str
     type: str
     message: Mapping[str, object]
+    name: str = ""
 
 
 Outgoing = Call | Goal | Publication
@@ -104,12 +112,17 @@ class Adapter(Protocol):
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service that is called, the most urgent first."""
 
+    def publications(self, robot: str) -> Iterable[tuple[str, str]]:
+        """Return name and type of each topic that commands are published on."""
+
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return what a doctor looks at beside topics and services."""
 
-    def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Outgoing]:
-        """Return what carries a command, in the order in which it must leave. Raises CommandError for one
-        that must not."""
+    def outgoing(
+        self, command: Command, command_id: int, robot: Robot, unique: str = ""
+    ) -> Sequence[Outgoing]:
+        """Return what carries a command, in the order in which it must leave. `unique`: 32 hexadecimal digits
+        for a name that nothing else has. Raises CommandError for one that must not leave."""
 
     def outcome(
         self, command: Command, values: object, result: bool, status: int | None = None

@@ -3,21 +3,23 @@
 import asyncio
 import logging
 import time
-from collections.abc import Mapping, Sequence
+import uuid
+from collections.abc import Iterable, Mapping, Sequence
 
 from fleet_tui.adapters import adapter as outgoings
-from fleet_tui.adapters.adapter import Adapter, Goal, Outgoing
+from fleet_tui.adapters.adapter import Adapter, Goal, Outgoing, Publication
 from fleet_tui.adapters.answers import said
 from fleet_tui.adapters.ros import operations
 from fleet_tui.client.calls import Call, Calls, LinkLostError, NoAnswerError
 from fleet_tui.client.goal_channel import Goals
 from fleet_tui.client.heartbeat import Heartbeat
+from fleet_tui.client.publishing import Publishing
 from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.model.bounds import brief
-from fleet_tui.model.commands import Command, PauseRobot, Stage
+from fleet_tui.model.commands import UNANSWERED, Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -45,8 +47,10 @@ class CommandChannel:
         writer: Writer,
         timeout: float,
         telemetry: Telemetry,
+        advertised: Iterable[tuple[str, str]],
     ) -> None:
-        """`timeout` of an answer in seconds; `telemetry` of the same bridge, whose silence counts here."""
+        """`timeout` of an answer in seconds; `telemetry` of the same bridge, whose silence counts here;
+        `advertised`: names and types of topics on which commands may be published."""
         self._link = link
         self._goals = Goals(link, bridge, adapters, writer, self._advance)
         self._adapters = adapters
@@ -58,6 +62,7 @@ class CommandChannel:
         self._in_turn = asyncio.Lock()
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
+        self._publishing = Publishing(self.connection, advertised)
         self._heartbeat = Heartbeat(
             link, self._calls, self._services, telemetry.counter.round_trips, writer.take
         )
@@ -68,10 +73,12 @@ class CommandChannel:
     def on_open(self) -> None:
         """Find out whether commands get through, and keep finding out."""
         self._heartbeat.start()
+        self._publishing.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """Every command under way ends now: its answer can't come any more."""
         self._calls.on_lost()
+        self._publishing.stop()
         self._heartbeat.stop(reason or "connection lost")
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
@@ -128,11 +135,12 @@ class CommandChannel:
         except (LinkError, CommandError) as problem:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
             return
-        self._advance(command_id, Stage.SENT, at=at)
+        names = [one.name for one in outgoing if isinstance(one, Publication)]
+        self._advance(command_id, Stage.SENT, at=at, name=names[0] if names else "")
         if calls:
             self._keep(asyncio.ensure_future(self._wait(command_id, command, calls, at)))
-        else:
-            self._advance(command_id, Stage.ACCEPTED, "nothing answers to it" if outgoing else "")
+        elif not isinstance(command, PlaceOrder):  # which is taken when the robot lists it
+            self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
 
     def _keep(self, task: "asyncio.Task[None]") -> None:
         """A task that nobody holds may be collected in the middle."""
@@ -152,7 +160,8 @@ class CommandChannel:
                 # What goes into a frozen connection may come out, and be obeyed, much later.
                 raise LinkError(f"nothing has come from the bridge for {silent:.1f} s")
         adapter = self._adapters[command.robot]
-        outgoing = adapter.outgoing(command, command_id, self._writer.store.state.robots[command.robot])
+        robot = self._writer.store.state.robots[command.robot]
+        outgoing = adapter.outgoing(command, command_id, robot, uuid.uuid4().hex)
         for one in outgoing:
             if mismatch := self._services.mismatch(one.address):
                 table = adapter.names.table
@@ -166,8 +175,8 @@ class CommandChannel:
             match one:
                 case outgoings.Call(address, _, args):
                     calls.append((one, self._calls.start(address, args, self._timeout)))
-                case outgoings.Publication(address, type_, message):
-                    self.connection.send(operations.publish(address, type_, message))
+                case Publication():
+                    self._publishing.send(one)
                 case Goal():
                     raise CommandError("a goal goes alone")
         return calls
@@ -207,15 +216,18 @@ class CommandChannel:
             self._advance(command_id, Stage.NO_ANSWER, str(problem))
         return await self._calls.wait(call, LATE_ANSWER)
 
-    def _advance(self, command_id: int, stage: Stage, words: str = "", at: float | None = None) -> None:
+    def _advance(
+        self, command_id: int, stage: Stage, words: str = "", at: float | None = None, name: str = ""
+    ) -> None:
         level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
         LOG.log(level, "command %d: %s %s", command_id, stage.value, brief(words))
         at = time.monotonic() if at is None else at
-        self._writer.take(CommandAdvanced(command_id, stage, at, words))
+        self._writer.take(CommandAdvanced(command_id, stage, at, words, name))
 
     def close(self) -> None:
         """Close for good; what is under way ends as unknown."""
         self._heartbeat.close()
         self._calls.on_lost()
+        self._publishing.stop()
         self.connection.shut()
         self._goals.close()

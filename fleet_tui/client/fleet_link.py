@@ -18,6 +18,7 @@ from fleet_tui.errors import ConfigError
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
+from fleet_tui.model.wishes import given_now
 from fleet_tui.store import Store
 
 # request_id is an int32 on the wire: each console and each run starts anywhere in its lower half.
@@ -74,7 +75,8 @@ class FleetLink:
 
     def _keep_or_send(self, command_id: int, command: Command, given_at: float) -> None:
         if not self._keeper.takes(command_id, command, given_at):
-            self._send(command_id, command, given_at)
+            kind = self._store.state.robots[command.robot].kind
+            self._send(command_id, given_now(command, kind), given_at)
 
     def _send(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command. On the loop."""

@@ -8,9 +8,10 @@ from fleet_tui.client.queue_file import Kept, QueueFile
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import is_busy, next_to_send, waiting
+from fleet_tui.model.keeping import is_busy, next_to_send, to_keep, waiting
 from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.wishes import given_now
 from fleet_tui.store import Store
 
 LOG = logging.getLogger(__name__)
@@ -120,7 +121,7 @@ class Keeper:
                 record = next_to_send(state, robot)
                 if record is not None and record.id not in self._leaving:
                     self._leaving.add(record.id)
-                    self._send(record.id, record.command, now)
+                    self._send(record.id, given_now(record.command, robot.kind, record.leg), now)
 
     def _save(self, state: FleetState) -> None:
         kept = [*self._of_others, *self._kept(state)]
@@ -132,9 +133,8 @@ class Keeper:
         for robot in state.robots.values():
             if robot.kind.keeps_goals:
                 url = state.links[robot.link].url
-                for record in waiting(state, robot):
-                    assert isinstance(record.command, PlaceOrder)
-                    yield Kept(url, robot.name, record.command.stops, record.wall, record.before.floor)
+                for record, stops in to_keep(state, robot):
+                    yield Kept(url, robot.name, stops, record.wall, record.before.floor)
 
     def close(self) -> None:
         """Let others keep orders. What waits stays in the file."""

@@ -7,6 +7,7 @@ from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.client.command_channel import CommandChannel
 from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
+from fleet_tui.config.fleet import publications_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import Command
 
@@ -25,7 +26,8 @@ class Link:
         timeout = config.alarms.no_answer_after
         bridge = config.bridge(name)
         self.counter = self._telemetry.counter
-        self._commands = CommandChannel(name, bridge, adapters, writer, timeout, self._telemetry)
+        advertised = publications_of(config, adapters, name)
+        self._commands = CommandChannel(name, bridge, adapters, writer, timeout, self._telemetry, advertised)
 
     def open(self) -> None:
         """Connect, and stay connected; commands first, so that no subscribing delays a pause."""

@@ -217,7 +217,7 @@ class Subscriber:
             (
                 feed
                 for feed in self._feeds
-                if feed.key == "map" and feed.floor == floor and robot in feed.robots
+                if feed.wanted_for == "map" and feed.floor == floor and robot in feed.robots
             ),
             None,
         )

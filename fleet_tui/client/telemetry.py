@@ -63,7 +63,7 @@ class Telemetry:
         self._subscriber = Subscriber(
             self.connection, self._calls, feeds, adapters, self._reading, self._take
         )
-        self._plans = [feed for feed in feeds if feed.key == "plan"]
+        self._targets = [feed for feed in feeds if feed.wanted_for == "target"]
         self.services = Services(self._calls, services_of(config, adapters, link))
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.take
@@ -84,10 +84,10 @@ class Telemetry:
             self._next_look = now + LOOK_EVERY
             self._subscriber.look(now, self._robots_spoke)
             self.services.heard(self._robots_spoke)
-            self._subscriber.watch(feed for feed in self._plans if self._wants_plan(feed.robot))
+            self._subscriber.watch(feed for feed in self._targets if self._wants_target(feed.robot))
 
-    def _wants_plan(self, robot: str) -> bool:
-        """Tell whether a robot drives a goal of which only its path tells where it leads to."""
+    def _wants_target(self, robot: str) -> bool:
+        """Tell whether a robot drives a goal of which nothing has told where it leads to."""
         known = self._writer.store.state.robots.get(robot)
         current = known.orders.current if known else None
         return current is not None and not current.stops and not current.label

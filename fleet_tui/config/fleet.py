@@ -58,6 +58,16 @@ class Service(NamedTuple):
     type: str
 
 
+def publications_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> list[tuple[str, str]]:
+    """Return name and type of every topic of a link on which commands are published, none where none may
+    leave."""
+    operator = config.operator
+    if operator.read_only or not operator.armed:
+        return []
+    robots = [robot.name for robot in config.robots if robot.link == link]
+    return [one for robot in robots for one in adapters[robot].publications(robot)]
+
+
 def services_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> dict[str, Service]:
     """Return every service of a link's robots by its name, pauses first."""
     found: list[tuple[int, str, Service]] = []

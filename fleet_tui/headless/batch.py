@@ -9,9 +9,9 @@ from fleet_tui.errors import CommandError
 from fleet_tui.headless.orders import Say, await_reports, forbidden, said, sending, unreachable
 from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, Outcome, exit_code, unsent
 from fleet_tui.headless.sending import How, Sending, divide
-from fleet_tui.model.commands import Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import find_robot, parse, tokens
+from fleet_tui.model.wishes import Wish
 from fleet_tui.view.text import visible
 
 Line = tuple[int, str]

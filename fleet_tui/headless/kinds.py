@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from fleet_tui.adapters.adapter import Site
 from fleet_tui.adapters.profile import Profile
@@ -34,29 +34,38 @@ def kinds(as_json: bool, say: Callable[[str], None]) -> None:
     """Say what each kind reports and accepts, in the order of the registry."""
     described = {name: _of(registered) for name, registered in KINDS.items()}
     if as_json:
-        found = [
-            {
-                "name": name,
-                "default": name == DEFAULT_KIND,
-                "reports": list(usual.reports),
-                "can_report": [value for value in whole.reports if value not in usual.reports],
-                "accepts": list(usual.accepts),
-                "queue_kept_here": usual.keeps_goals,
-                "pause_holds": usual.holds,
-                "silence_s": _silence(usual, Site().offline_after),
-            }
-            for name, (usual, whole) in described.items()
-        ]
+        found = [_values(name, *both) for name, both in described.items()]
         say(json.dumps({"version": VERSION, "kinds": found}))
         return
-    for name, (usual, whole) in described.items():
-        more = [value for value in whole.reports if value not in usual.reports]
-        say(f"{name} (default)" if name == DEFAULT_KIND else name)
-        say(f"  reports  {', '.join(usual.reports)}")
-        if more:
-            say(f"           with [profile.topics]: {', '.join(more)}")
-        say(f"  accepts  {', '.join(usual.accepts)}")
-        if usual.keeps_goals:
-            say("  queue    kept by the console that gave the orders")
-        if usual.holds:
-            say("  pause    cancels the goal; the console keeps it, and resume gives it again")
+    for name, both in described.items():
+        for line in _lines(name, *both):
+            say(line)
+
+
+def _values(name: str, usual: Kind, whole: Kind) -> dict[str, object]:
+    return {
+        "name": name,
+        "default": name == DEFAULT_KIND,
+        "reports": list(usual.reports),
+        "can_report": [value for value in whole.reports if value not in usual.reports],
+        "accepts": list(usual.accepts),
+        "queue_kept_here": usual.keeps_goals,
+        "stops_given_here": usual.gives_stops,
+        "pause_holds": usual.holds,
+        "silence_s": _silence(usual, Site().offline_after),
+    }
+
+
+def _lines(name: str, usual: Kind, whole: Kind) -> Iterator[str]:
+    more = [value for value in whole.reports if value not in usual.reports]
+    yield f"{name} (default)" if name == DEFAULT_KIND else name
+    yield f"  reports  {', '.join(usual.reports)}"
+    if more:
+        yield f"           with [profile.topics]: {', '.join(more)}"
+    yield f"  accepts  {', '.join(usual.accepts)}"
+    if usual.keeps_goals:
+        yield "  queue    kept by the console that gave the orders"
+    if usual.gives_stops:
+        yield "  stops    one goal for each: the console gives the next one when the one before is reached"
+    if usual.holds:
+        yield "  pause    cancels the goal; the console keeps it, and resume gives it again"

@@ -17,11 +17,12 @@ from fleet_tui.journal.audit import auditing
 from fleet_tui.log_file import state_folder
 from fleet_tui.model.batches import summary
 from fleet_tui.model.checks import no_link
-from fleet_tui.model.commands import PauseRobot, ResumeRobot, Wish
+from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import ALL, find_robot, parse_words
 from fleet_tui.model.problem import Rights
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.wishes import Wish
 from fleet_tui.view.command_line import command_text
 from fleet_tui.view.questions import question
 from fleet_tui.view.text import visible
@@ -102,6 +103,8 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
 def _say_what_is_open(given: Sending, say: Say) -> None:
     for record in given.under_way:
         known = f"order {record.order_id} is in the queue, and stays there"
+        if record.has_further_leg(given.state.robots[record.command.robot].kind):
+            known += ", but nobody gives the robot its other stops now"
         known = known if record.is_decided else f"it was {record.stage.value}, and may still be carried out"
         say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
 

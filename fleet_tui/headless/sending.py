@@ -10,11 +10,20 @@ from fleet_tui.headless.driving import follow_order
 from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, ended, unsent
 from fleet_tui.headless.session import WaitingStore
 from fleet_tui.model.checks import acceptable, problems, unaccepted
-from fleet_tui.model.commands import ClearOrders, Command, CommandRecord, PauseRobot, ResumeRobot, Stage, Wish
+from fleet_tui.model.commands import (
+    ClearOrders,
+    Command,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+)
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.problem import Problem, Rights
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.wishes import Wish
 
 LINK_WITHIN = 5.0
 """Seconds to wait at most for a link and for what a robot reports."""
@@ -22,7 +31,7 @@ LINK_WITHIN = 5.0
 HANDOVER = 2.0
 """Seconds until the link has sent a command, or refused it, at most: one that comes later it refuses."""
 
-CODES = {"no link": NO_LINK, "unknown vertex": USAGE}
+CODES = {"no link": NO_LINK, "unknown vertex": USAGE, "unattended": USAGE}
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +72,15 @@ def _losses(state: FleetState, wish: Wish) -> Iterator[Problem]:
             count = len(robot.orders.open)
             text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
             yield Problem("losses", text, blocks=False)
+
+
+def _unattended(state: FleetState, wish: Wish) -> Iterator[Problem]:
+    """Name the orders whose later stops nobody would give once this command has ended."""
+    for command in wish.commands:
+        robot = state.robots.get(command.robot)
+        if isinstance(command, PlaceOrder) and robot and robot.kind.gives_stops and len(command.stops) > 1:
+            stays = f"{robot.name} takes one stop at a time: with --until-done this command stays"
+            yield Problem("unattended", f"{stays}, and gives the next one")
 
 
 def divide(state: FleetState, wish: Wish) -> tuple[Wish, list[Outcome]]:
@@ -146,6 +164,8 @@ class Sending:
 
     def _problems(self, wish: Wish) -> list[Problem]:
         found = [*problems(self.state, wish, self._how.rights), *_losses(self.state, wish)]
+        if not self._how.until_done:
+            found += _unattended(self.state, wish)
         asked = [command for command in wish.commands if not isinstance(command, PauseRobot | ResumeRobot)]
         for name in dict.fromkeys(command.robot for command in asked):
             absent = unreported(self.state.robots[name])

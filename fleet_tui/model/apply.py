@@ -17,12 +17,13 @@ from fleet_tui.model.conditions import conditions
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.floods import without_floods
 from fleet_tui.model.floor_events import apply_to_floor
+from fleet_tui.model.goal_reports import without_ended, without_unlisted
 from fleet_tui.model.keeping import with_held_queues
 from fleet_tui.model.lag import with_lags
 from fleet_tui.model.link import Phase
 from fleet_tui.model.link_events import apply_to_link
 from fleet_tui.model.navigation_events import Navigation
-from fleet_tui.model.navigation_reports import apply_navigation, without_ended, without_unlisted
+from fleet_tui.model.navigation_reports import apply_navigation
 from fleet_tui.model.reports import apply_chart, apply_report
 from fleet_tui.model.robot import Robot, with_fault
 

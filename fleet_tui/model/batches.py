@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fleet_tui.model.bounds import some
 from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.pauses import FOREIGN_STOPPED
 
 TOGETHER = 0.3
 """Commands of one kind with less than so many seconds in between are one request."""
@@ -66,6 +67,9 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str
         found[_WORDS.get(record.stage, "open")].append(record)
     words = dict.fromkeys([*_WELL, *_WORDS.values(), "open"])
     parts = [_part(word, found[word]) for word in words if word in found]
+    foreign = [record.command.robot for record in batch if record.words == FOREIGN_STOPPED]
+    if foreign:
+        parts.append(f"goals of others were stopped, which can't be resumed from here ({some(foreign)})")
     return batch_name(state, [record.command for record in batch]), ", ".join(parts)
 
 

@@ -11,15 +11,7 @@ from msgspec.structs import replace
 
 from fleet_tui.errors import did_you_mean
 from fleet_tui.model.bounds import some
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-    Wish,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.keeping import all_orders, clearable
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
@@ -36,6 +28,7 @@ from fleet_tui.model.route_checks import (
     same_place,
     unknown_vertex,
 )
+from fleet_tui.model.wishes import Wish
 
 _NOT_POSITIVE = re.compile(r"-[0-9]+|0+", re.ASCII)
 SAME_WITHIN = 1.0

@@ -20,8 +20,8 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.confirmation import before, confirm
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.follow_up import follow_up
+from fleet_tui.model.goal_reports import know_stops
 from fleet_tui.model.keeping import next_id
-from fleet_tui.model.navigation_reports import know_stops
 
 COMMANDS_KEPT = 200
 
@@ -75,6 +75,9 @@ def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetSt
         record = replace(
             record, order_id=None, order_serial=None, answer=None, before=before(robot, event.at)
         )
+    if record.stage is Stage.SENT and robot is not None and event.name:
+        record = replace(record, name=event.name)
+        state = with_robot(state, replace(robot, named=event.name))
     return _after_step(_with_record(state, record), record)
 
 

@@ -1,14 +1,13 @@
 """What an operator may ask of a robot, and the life of each wish, from the key to its one end."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from enum import Enum
-from itertools import pairwise
 
-from msgspec import Struct, field
+from msgspec import Struct
 from msgspec.structs import replace
 
 from fleet_tui.model.kind import Kind
-from fleet_tui.model.order import Order, Stop, at_vertices
+from fleet_tui.model.order import Order, Stop
 
 
 class PlaceOrder(Struct, frozen=True, tag=True):
@@ -60,25 +59,6 @@ class ResumeRobot(Struct, frozen=True, tag=True):
 
 
 Command = PlaceOrder | CancelOrder | ClearOrders | PauseRobot | ResumeRobot
-
-
-class Wish(Struct, frozen=True):
-    """What an operator asks in one go: commands in sequence. `floors`: the floor of each vertex that
-    was chosen by name, since the wire knows only ids, and floors may have the same ones."""
-
-    commands: tuple[Command, ...]
-    floors: Mapping[str, str] = field(default_factory=dict)
-
-
-def chain(
-    robot: str, vertices: Sequence[str], with_cargo: bool = False, in_one: bool = False
-) -> tuple[Command, ...]:
-    """Orders that visit the vertices one after the other: A, B, C is A -> B and B -> C. `with_cargo`:
-    what is on board goes to the first one. `in_one`: such robots take one order with all stops."""
-    if in_one:
-        return (PlaceOrder(robot, at_vertices(*vertices)),)
-    first = [PlaceOrder(robot, at_vertices(vertices[0]))] if with_cargo else []
-    return (*first, *(PlaceOrder(robot, at_vertices(*ends)) for ends in pairwise(vertices)))
 
 
 class Stage(Enum):
@@ -161,6 +141,10 @@ FAILURES = frozenset(
 """The stages that need a person."""
 
 
+UNANSWERED = "nothing answers to it"
+"""Words of a command that was published: only telemetry can tell what became of it."""
+
+
 class Step(Struct, frozen=True):
     """A command reached a stage at `at` (monotonic). `words` are the robot's own, or the reason."""
 
@@ -185,8 +169,10 @@ class Before(Struct, frozen=True):
 
 class CommandRecord(Struct, frozen=True):
     """One command from the key to its end. `issued_at` is monotonic, `wall` Unix seconds; `order_id` and
-    `order_serial` are those of the order in the robot's queue that a placed one was recognised as. `answer`:
-    what the robot told this console of the end of a goal."""
+    `order_serial` are those of the order in the robot's queue that a placed one was recognised as; `name` is
+    that which this console gave it on the wire, empty where the robot names it. `leg` is the stop that it
+    leads to now, of orders whose stops this console gives one after the other. `answer`: what the robot told
+    this console of the end of a goal."""
 
     id: int
     command: Command
@@ -197,6 +183,8 @@ class CommandRecord(Struct, frozen=True):
     order_id: str | None = None
     order_serial: int | None = None
     answer: Step | None = None
+    name: str = ""
+    leg: int = 0
 
     @property
     def stage(self) -> Stage:
@@ -232,6 +220,12 @@ class CommandRecord(Struct, frozen=True):
         """The step that decided it, None while it is open. An order that waits here again is open again."""
         waited = max((n for n, step in enumerate(self.steps) if step.stage is Stage.WAITING), default=0)
         return next((step for step in self.steps[waited:] if step.stage not in OPEN), None)
+
+    def has_further_leg(self, kind: Kind) -> bool:
+        """Tell whether stops are left that its robot does not know of yet."""
+        if not kind.gives_stops or not isinstance(self.command, PlaceOrder):
+            return False
+        return self.leg + 1 < len(self.command.stops)
 
     def time_of(self, stage: Stage) -> float | None:
         """When it reached a stage last, None if never."""

@@ -6,6 +6,8 @@ An answer is only the robot's word; the queue and the pose have the last one.
 from typing import assert_never
 
 from fleet_tui.model.commands import (
+    NEXT,
+    UNANSWERED,
     Before,
     CancelOrder,
     ClearOrders,
@@ -57,8 +59,15 @@ def _is_of_another_life(other: CommandRecord, record: CommandRecord, last: int) 
 
 
 def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool = True) -> Order | None:
-    """Find the order in the queue that a command placed: same stops, new, nobody else's. `by_echo`:
-    not where the queue says that another request placed it."""
+    """Find the order in the queue that a command placed: by the name that this console gave it, else by what
+    it is. `by_echo`: not where the queue says that another request placed it."""
+    if record.name:
+        return next((order for order in robot.orders.orders if order.name == record.name), None)
+    return _find_alike(state, robot, record, by_echo)
+
+
+def _find_alike(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool) -> Order | None:
+    """Find an order with the same stops, new, nobody else's."""
     queue, command, last = _queue_since(robot, record), record.command, record.before.last_serial
     if queue is None or last is None or not isinstance(command, PlaceOrder):
         return None
@@ -157,6 +166,8 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
             order = find_order(state, robot, record, by_echo)
             if order is None:
                 return record
+            if order.state is OrderState.REFUSED and Stage.REFUSED in NEXT[record.stage]:
+                return record.advanced(Step(Stage.REFUSED, state.now, order.said))
             if record.stage is Stage.SENT:  # a goal, whose acceptance has no other answer
                 record = record.advanced(Step(Stage.ACCEPTED, state.now))
             step = Step(Stage.CONFIRMED, state.now, f"seen in the queue as order {order.id}")
@@ -184,7 +195,8 @@ def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
             return "its queue has not been heard since"
         case PlaceOrder() if robot.kind.tells_ends:
             new = [one for one in robot.orders.orders if one.serial > (record.before.last_serial or 0)]
-            return "not confirmed whose: several new goals" if len(new) > 1 else "no new goal was seen"
+            several = len(new) > 1 and not record.name
+            return "not confirmed whose: several new goals" if several else "no new goal was seen"
         case PlaceOrder():
             unknown = record.before.last_serial is None
             return "its queue was not known before" if unknown else "no such order in its queue"
@@ -220,7 +232,7 @@ def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
         return looked
     if record.stage is Stage.SENT:
         record = record.advanced(Step(Stage.NO_ANSWER, state.now))
-    said = record.stage.value
+    said = UNANSWERED if record.words == UNANSWERED else record.stage.value
     if record.words and record.stage is not Stage.ACCEPTED:
         said += f": {record.words}"
     words = f"{said}; {_instead(state, robot, record)}"

@@ -1,7 +1,5 @@
-"""Facts. Each one turns the picture of the world into the next one.
-
-`at` is the monotonic time, in seconds, at which the fact reached us; `wall` is Unix time.
-"""
+"""Facts. Each one turns the picture of the world into the next one. `at` is the monotonic time, in seconds,
+at which the fact reached us; `wall` is Unix time."""
 
 from collections.abc import Mapping
 
@@ -188,12 +186,14 @@ class CommandIssued(Struct, frozen=True, tag=True):
 
 
 class CommandAdvanced(Struct, frozen=True, tag=True):
-    """The link brought a command a stage further: sent, answered, or not."""
+    """The link brought a command a stage further. `name`: that under which the robot will list the order that
+    was sent, empty where this console does not name it."""
 
     id: int
     stage: Stage
     at: float
     words: str = ""
+    name: str = ""
 
 
 class AlarmAcknowledged(Struct, frozen=True, tag=True):
@@ -212,15 +212,14 @@ class AlarmShelved(Struct, frozen=True, tag=True):
 
 
 class AlarmUnshelved(Struct, frozen=True, tag=True):
-    """An operator wants to hear of it again."""
+    """The end of that, before its time."""
 
     source: str
     kind: str
 
 
 class TimePassed(Struct, frozen=True, tag=True):
-    """The writer's clock: deadlines, offline and alarms advance with it. `behind`: seconds that the oldest
-    message has waited for this console to read it."""
+    """The writer's clock. `behind`: seconds that the oldest message has waited to be read."""
 
     at: float
     wall: float

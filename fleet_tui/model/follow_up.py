@@ -68,20 +68,28 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     gone = latest(robot.gone, record.order_id, record.issued_at) or _listed(robot, record.order_id)
     if gone is None:
         return record
-    if robot.kind.keeps_goals and record.answer is None and state.now - gone.at < ANSWER_WITHIN:
+    answers = robot.kind.keeps_goals and not record.name
+    if answers and record.answer is None and state.now - gone.at < ANSWER_WITHIN:
         return record  # its own answer tells why
     stage = _end_stage(state, record, gone)
     if stage is Stage.WAITING:
-        kept = record.advanced(Step(stage, state.now, f"order {record.order_id}: stopped, goal kept here"))
-        return replace(kept, order_id=next_id(state, robot), order_serial=None)
+        return _waiting_again(state, robot, record, "stopped, goal kept here")
+    if stage is Stage.DONE and record.has_further_leg(robot.kind):
+        record = replace(record, leg=record.leg + 1)
+        return _waiting_again(state, robot, record, "at its stop: the next goal follows")
     reason = "by this console" if stage is Stage.CANCELLED else gone.reason
     answer = record.answer
     if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
         # What the robot missed on the way only its answer tells.
         stage, reason = answer.stage, answer.words or reason
-    elif robot.kind.keeps_goals and stage is Stage.DONE and _is_of_several_stops(record):
+    elif answers and stage is Stage.DONE and _is_of_several_stops(record):
         reason = "succeeded; whether it reached all stops only its answer tells, which never came"
     return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
+
+
+def _waiting_again(state: FleetState, robot: Robot, record: CommandRecord, why: str) -> CommandRecord:
+    kept = record.advanced(Step(Stage.WAITING, state.now, f"order {record.order_id}: {why}"))
+    return replace(kept, order_id=next_id(state, robot), order_serial=None)
 
 
 def _is_of_several_stops(record: CommandRecord) -> bool:

@@ -17,33 +17,41 @@ Goals = Mapping[str, tuple[Goal, ...]]
 
 
 def with_reported(
-    known: Goals, action: str, reported: Sequence[Goal], at: float, is_whole: bool = True
+    known: Goals, action: str, reported: Sequence[Goal], at: float, last: int, is_whole: bool = True
 ) -> Goals:
     """Return the goals after an action server has listed its own, oldest first; what is missing in a list
-    that is not whole stays as it was."""
+    that is not whole stays as it was. `last` is the highest serial so far."""
     before = {goal.uuid: goal for goal in known.get(action, ())}
     if not is_whole:
         reported = [
             *(goal for id_, goal in before.items() if id_ not in {one.uuid for one in reported}),
             *reported,
         ]
-    is_first = action not in known
-    serial = max((goal.serial for goals in known.values() for goal in goals), default=0)
+    seen_at = at if action in known else -math.inf
     merged = list[Goal]()
     for goal in list({goal.uuid: goal for goal in reported}.values())[-MOST_ORDERS:]:
         old = before.get(goal.uuid)
         if old is None:
-            serial += 1
-            old = replace(goal, serial=serial)
-        ended = old.ended_at
-        if ended is None and goal.state in OVER:
-            ended = -math.inf if is_first else at
-        merged.append(
-            replace(
-                old, state=goal.state, word=goal.word, ended_at=ended, listed_at=at, is_ending=goal.is_ending
-            )
-        )
+            last += 1
+            old = replace(goal, serial=last)
+        merged.append(_listed(old, goal, at, seen_at))
     return _with_legs({**known, action: tuple(_with_replaced(before, merged))})
+
+
+def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
+    """A goal as it was, with what a list tells of it now."""
+    begun = seen_at if old.begun_at is None and goal.state in BEGUN else old.begun_at
+    ended = seen_at if old.ended_at is None and goal.state in OVER else old.ended_at
+    return replace(
+        old,
+        state=goal.state,
+        word=goal.word,
+        said=goal.said,
+        is_ending=goal.is_ending,
+        begun_at=begun,
+        ended_at=ended,
+        listed_at=at,
+    )
 
 
 def _with_replaced(before: Mapping[str, Goal], goals: Sequence[Goal]) -> Iterable[Goal]:
@@ -77,14 +85,14 @@ def _is_leg_of(leaders: Sequence[Goal], goal: Goal) -> bool:
     return any(one.stamp is None or goal.stamp is None or one.stamp <= goal.stamp for one in leaders)
 
 
-def queue_of(goals: Goals, at: float, offset: float | None) -> OrderQueue:
+def queue_of(goals: Goals, at: float, offset: float | None, last: int = 0) -> OrderQueue:
     """Return the goals as a queue: those under way, and those that have just ended. `offset`: by how many
-    seconds our clock is ahead of the robot's."""
+    seconds our clock is ahead of the robot's; `last`: the highest serial before."""
     own = sorted(
         (goal for listed in goals.values() for goal in listed if not goal.is_leg),
         key=lambda goal: goal.serial,
     )
-    last = max((goal.serial for listed in goals.values() for goal in listed), default=0)
+    last = max([last, *(goal.serial for listed in goals.values() for goal in listed)])
     shown = [goal for goal in own if goal.ended_at is None or at - goal.ended_at < LISTED_FOR]
     begun = [goal.id for goal in shown if goal.state in BEGUN]
     orders = tuple(
@@ -96,6 +104,8 @@ def queue_of(goals: Goals, at: float, offset: float | None) -> OrderQueue:
             goal.serial,
             None if goal.stamp is None or offset is None else goal.stamp + offset,
             goal.label,
+            goal.uuid,
+            goal.said,
         )
         for goal in shown[-MOST_ORDERS:]
     )

@@ -16,21 +16,13 @@ from typing import assert_never
 from msgspec import Struct
 
 from fleet_tui.errors import CommandError, did_you_mean
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-    Wish,
-    chain,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.keeping import all_orders
 from fleet_tui.model.lookup import NUMBER, called, no_graphs, places, plain_id
 from fleet_tui.model.order import natural, vertices_of
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.wishes import Wish, chain
 
 USAGE = {
     "order": "order ROBOT FROM TO, or ROBOT FROM > TO",
@@ -165,7 +157,7 @@ def _order(robot: Robot, named: Sequence[str], only_to: bool = False) -> Wish:
     found = [_vertex(robot, word) for word in named]
     vertices = [vertex for vertex, _ in found]
     floors = {vertex: floor for vertex, floor in found if floor}
-    return Wish(chain(robot.name, vertices, only_to or len(named) == 1, robot.kind.keeps_goals), floors)
+    return Wish(chain(robot.name, vertices, only_to or len(named) == 1, robot.kind.takes_stops), floors)
 
 
 def _route(line: str, found: list[Token], state: FleetState) -> Wish:

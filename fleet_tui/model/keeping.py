@@ -10,7 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.goals import own_ids
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import QueueHeld
-from fleet_tui.model.order import Order
+from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Robot
 
 PREFIX = "k"
@@ -35,6 +35,17 @@ def orders_of(state: FleetState, robot: Robot) -> list[CommandRecord]:
 def waiting(state: FleetState, robot: Robot) -> list[CommandRecord]:
     """Return the orders that wait here, the next one first."""
     return [one for one in orders_of(state, robot) if one.stage is Stage.WAITING]
+
+
+def to_keep(state: FleetState, robot: Robot) -> Iterator[tuple[CommandRecord, tuple[Stop, ...]]]:
+    """Return the orders of which something is to be driven that the robot does not know of, with the stops
+    that are left."""
+    for one in orders_of(state, robot):
+        if isinstance(one.command, PlaceOrder):
+            if one.stage is Stage.WAITING:
+                yield one, one.command.stops[one.leg :]
+            elif one.has_further_leg(robot.kind) and (one.has_open_order or one.stage in _GOING):
+                yield one, one.command.stops[one.leg + 1 :]
 
 
 def kept_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:

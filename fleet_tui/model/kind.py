@@ -18,8 +18,9 @@ class Kind(Struct, frozen=True):
     counts. `unset`: by what is not accepted the key of the profile that is empty for it.
     `frames_are_floors`: the frame of its poses names the floor. `tells_ends`: it lists how an order ended.
     `keeps_goals`: it drives one goal at a time and keeps no queue: this console does. `holds`: to pause it is
-    to cancel its goal, which this console keeps and gives again. `changes_floors`: an
-    order can lead it to another floor."""
+    to cancel its goal, which this console keeps and gives again. `takes_stops`: one order leads to any number
+    of stops; `gives_stops`: of those this console gives one after the other. `changes_floors`: an order can
+    lead it to another floor."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -30,6 +31,8 @@ class Kind(Struct, frozen=True):
     tells_ends: bool = False
     keeps_goals: bool = False
     holds: bool = False
+    takes_stops: bool = False
+    gives_stops: bool = False
     changes_floors: bool = True
 
     def can(self, verb: str) -> bool:

@@ -11,10 +11,11 @@ class Goal(Struct, frozen=True):
     """A goal of an action. `id` is short, for people; `uuid` as it is on the wire. `action` is its key in the
     vocabulary; `stamp` the second at which it was taken, by the robot's clock; `stops` where it leads to, as
     far as that is known; `serial` grows with each goal seen. `leads`: it drives by goals of its own, of which
-    each `is_leg`: another goal of the same robot gave it, `is_ours`: this console did. `ended_at` is when it
-    was first seen as over (monotonic), infinitely long ago if that was before. `label` says what it does
-    where it leads to no stop; `listed_at` is when its action server listed it last (monotonic); `is_ending`:
-    it is being cancelled."""
+    each `is_leg`: another goal of the same robot gave it, `is_ours`: this console did. `begun_at` and
+    `ended_at` are when it was first seen to be driven and to be over (monotonic), infinitely long ago if that
+    was before. `label` says what it does where it leads to no stop; `listed_at` is when its action server
+    listed it last (monotonic); `is_ending`: it is being cancelled; `said` are the robot's words on how it
+    ended."""
 
     id: str
     uuid: str
@@ -27,10 +28,12 @@ class Goal(Struct, frozen=True):
     leads: bool = False
     is_leg: bool = False
     is_ours: bool = False
+    begun_at: float | None = None
     ended_at: float | None = None
     label: str = ""
     listed_at: float = -math.inf
     is_ending: bool = False
+    said: str = ""
 
 
 class Progress(Struct, frozen=True):

@@ -73,6 +73,21 @@ class PlanReported(Struct, frozen=True, tag=True):
     end: Pose
 
 
+class TargetReported(Struct, frozen=True, tag=True):
+    """Where a goal leads to that a robot has just begun, whoever gave it."""
+
+    robot: str
+    at: float
+    pose: Pose
+
+
+class Alive(Struct, frozen=True, tag=True):
+    """A robot gave a sign of life."""
+
+    robot: str
+    at: float
+
+
 class FloorReported(Struct, frozen=True, tag=True):
     """The floor a robot is on, by its own word."""
 
@@ -105,16 +120,16 @@ class QueueHeld(Struct, frozen=True, tag=True):
     reason: str
 
 
+GoalFact = GoalsReported | GoalsUnknown | PlanReported | TargetReported
 Navigation = (
     OdometryReported
     | LocalisationReported
     | BlockedReported
     | ProgressReported
-    | GoalsReported
-    | GoalsUnknown
-    | PlanReported
+    | GoalFact
+    | Alive
     | FloorReported
     | Unmeasured
 )
-Live = OdometryReported | BlockedReported | ProgressReported | Unmeasured
+Live = OdometryReported | BlockedReported | ProgressReported | Unmeasured | TargetReported | Alive
 """Signs of life: the others are latched."""

@@ -73,7 +73,8 @@ class Order(Struct, frozen=True):
 
     `state` is None where the robot's own `word` for it says nothing to us. `serial` grows with each order
     that the robot takes: a new order has a higher one than all before it. `taken_at`: the monotonic second at
-    which it took it, None where it does not tell. `label` says what it is where it leads to no stop.
+    which it took it, None where it does not tell. `label` says what it is where it leads to no stop. `name`
+    is what it is called on the wire, where that is not the id; `said` the robot's words on how it ended.
     """
 
     id: str
@@ -83,6 +84,8 @@ class Order(Struct, frozen=True):
     serial: int
     taken_at: float | None = None
     label: str = ""
+    name: str = ""
+    said: str = ""
 
     @property
     def is_over(self) -> bool:

@@ -163,7 +163,7 @@ _ENDS = {
 def listed_end(order: Order, at: float) -> GoneOrder:
     """The end of an order that the robot lists as over."""
     assert order.state is not None
-    return GoneOrder(order, at, _ENDS[order.state], "as the robot reports")
+    return GoneOrder(order, at, _ENDS[order.state], order.said or "as the robot reports")
 
 
 def latest(gone: Iterable[GoneOrder], order_id: str, since: float) -> GoneOrder | None:

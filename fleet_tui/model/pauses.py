@@ -8,6 +8,9 @@ from fleet_tui.model.robot import Robot
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot stands, and with which it counted as moving."""
 
+FOREIGN_STOPPED = "stopped, and someone else's goal with it, which can't be resumed from here"
+"""Words of a pause that cancelled a goal of another client."""
+
 WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Where telemetry decides."""
 
@@ -77,7 +80,7 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     ours = {one.order_id for one in orders_of(state, robot)}
     stopped = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
     if not kept and any(gone.order.id not in ours for gone in stopped):
-        words = "stopped, and someone else's goal with it, which can't be resumed from here"
+        words = FOREIGN_STOPPED
     return Step(Stage.CONFIRMED, state.now, words)
 
 

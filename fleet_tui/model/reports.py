@@ -53,6 +53,15 @@ def _jumps(robot: Robot, pose: Pose, frame_id: str, at: float) -> tuple[Reading[
     return (*recent, Reading(metres, at))[-JUMPS_KEPT:]
 
 
+def _drives_on(robot: Robot, pose: Pose) -> bool:
+    """Tell whether it moves though we paused it. Where a pause is that this console holds back what is next,
+    it lasts however the robot is moved."""
+    at = robot.paused_at
+    if at is None or robot.kind.holds:
+        return False
+    return math.dist((pose.x, pose.y), (at.x, at.y)) > BRAKING_DISTANCE
+
+
 def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     """What arrives late must not look new: the pose is as old as its stamp lags the freshest."""
     clock, true_at = robot.clock, event.at
@@ -64,9 +73,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     standing = robot.standing
     if standing is None or frame_id != robot.frame_id or is_apart(standing.value, event.pose):
         standing = pose
-    driving = robot.paused_at is not None and (
-        math.dist((event.pose.x, event.pose.y), (robot.paused_at.x, robot.paused_at.y)) > BRAKING_DISTANCE
-    )
+    driving = _drives_on(robot, event.pose)
     stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
     robot = replace(
         robot,

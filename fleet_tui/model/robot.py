@@ -62,8 +62,9 @@ class Robot(Struct, frozen=True, eq=False):
     found itself on the map last, `anchor` where on the map the frame of its wheels begins; `variance` that of
     its place in square metres; `own_floor` the floor it says that it is on; `held` is why this console sends
     it no order that waits here, empty while it does, and `released_at` when the operator let it go on last;
-    `unmeasured` are values that it says it does
-    not measure; `counts_percent`: its battery was seen to count to 100."""
+    `named` is a goal that this console gave under a name of its own, and that was not listed yet; `target`
+    where it said last that a goal leads to which it had just begun; `unmeasured` are values that it says it
+    does not measure; `counts_percent`: its battery was seen to count to 100."""
 
     name: str
     number: int
@@ -91,6 +92,8 @@ class Robot(Struct, frozen=True, eq=False):
     own_floor: str = ""
     held: str = ""
     released_at: float = -math.inf
+    named: str = ""
+    target: Reading[Pose] | None = None
     traces: Mapping[str, OrderTrace] = field(default_factory=dict)
     gone: tuple[GoneOrder, ...] = ()
     says_paused: bool = False

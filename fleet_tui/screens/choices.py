@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 
-from fleet_tui.model.commands import Wish, chain
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.lookup import Place, matches, places, recent_ends
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.wishes import Wish, chain
 from fleet_tui.view.text import visible
 
 SHOWN = 8
@@ -38,7 +38,7 @@ def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Wish:
     """Orders that visit the places one after the other; `only_to`: without a start."""
     floors = {place.vertex: place.floor for place in visited}
     vertices = [place.vertex for place in visited]
-    return Wish(chain(robot.name, vertices, only_to, robot.kind.keeps_goals), floors)
+    return Wish(chain(robot.name, vertices, only_to, robot.kind.takes_stops), floors)
 
 
 def wanted_now(robot: Robot, only_to: bool) -> str:

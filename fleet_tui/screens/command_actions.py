@@ -5,9 +5,10 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from fleet_tui.model import kind
-from fleet_tui.model.commands import PauseRobot, ResumeRobot, Wish
+from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.events import Event
 from fleet_tui.model.keeping import hold_all
+from fleet_tui.model.wishes import Wish
 from fleet_tui.screens.order_actions import OrderActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.view.text import visible

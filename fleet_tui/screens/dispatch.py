@@ -5,8 +5,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from fleet_tui.model.commands import Command, Wish
+from fleet_tui.model.commands import Command
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.wishes import Wish
 from fleet_tui.screens.held import Held
 from fleet_tui.screens.part import Part
 from fleet_tui.store import Store

@@ -4,8 +4,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from fleet_tui.model import kind
-from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Wish
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
 from fleet_tui.model.lookup import Place
+from fleet_tui.model.wishes import Wish
 from fleet_tui.screens.dispatch import Dispatch
 from fleet_tui.view.fleet_rows import mission, way
 from fleet_tui.view.selection import Selection

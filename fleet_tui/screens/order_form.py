@@ -10,10 +10,10 @@ from textual.containers import Horizontal
 from textual.widget import Widget
 from textual.widgets import Button, Input, Static
 
-from fleet_tui.model.commands import Wish
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.lookup import Place, destination_only, may_skip_start
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.wishes import Wish
 from fleet_tui.screens.choices import Choices, choices, is_in_label, line, missing, order, wanted_now
 from fleet_tui.screens.legs import SIGN, LegField, Legs
 from fleet_tui.screens.overlay import MouseButton, Overlay

@@ -5,8 +5,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from fleet_tui.errors import FleetError
-from fleet_tui.model.commands import Wish
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.wishes import Wish
 from fleet_tui.screens.audit_actions import AuditActions
 from fleet_tui.screens.dispatch import Dispatch
 from fleet_tui.screens.recording_actions import RecordingActions

@@ -6,10 +6,10 @@ from functools import partial
 
 from fleet_tui.errors import CommandError
 from fleet_tui.model.checks import acceptable, not_accepted
-from fleet_tui.model.commands import Wish
 from fleet_tui.model.completion import complete, is_command
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import parse
+from fleet_tui.model.wishes import Wish
 from fleet_tui.view.questions import wish_text
 from fleet_tui.view.text import visible
 

@@ -1,7 +1,7 @@
 """Topics that clients publish and services that clients offer, through the bridge."""
 
 import time
-from collections.abc import Mapping, MutableMapping
+from collections.abc import Collection, Mapping, MutableMapping
 from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import TYPE_CHECKING
@@ -33,7 +33,8 @@ class _Offer:
 class Guests:
     """Keeps what clients publish and offer in `topics`, `types` and `services` while they are there.
 
-    `listened`: the topics to which robots listen, with their types.
+    `listened`: the topics to which robots listen, with their types; `unsourced`: packages that the bridge
+    doesn't have.
     """
 
     def __init__(
@@ -43,12 +44,17 @@ class Guests:
         types: MutableMapping[str, str],
         services: MutableMapping[str, ServiceType],
         listened: Mapping[str, str],
+        unsourced: Collection[str] = (),
     ) -> None:
         self._dialect = dialect
         self._topics, self._types, self._services = topics, types, services
         self._listened = listened
         self._offers: dict[str, _Offer] = {}
         self._advertised: dict[str, set[Session]] = {}
+        self._unsourced = unsourced
+        self.connects_in = 0.0
+        """Seconds after which robots hear a client that has begun to publish a topic."""
+        self._since: dict[tuple[Session, str], float] = {}
 
     def owns(self, name: str) -> bool:
         """Tell whether a topic or a service is a client's."""
@@ -62,12 +68,14 @@ class Guests:
         """Let a client publish a topic. Raises ServiceError."""
         name = resolve(name)
         short = self._dialect.short(type_)
-        if self._dialect.fields(short) is None:
-            raise ServiceError(self._dialect.unknown_package(short.partition("/")[0], "msg"))
+        package = short.partition("/")[0]
+        if self._dialect.fields(short) is None or package in self._unsourced:
+            raise ServiceError(self._dialect.unknown_package(package, "msg"))
         known = self._topics.get(name)
         established = known.type if known else self._listened.get(name)
         if established is not None and self._dialect.short(established) != short:
             raise ServiceError(f"Tried to advertise {name} with type {type_}, established is {established}")
+        self._since.setdefault((session, name), time.monotonic())
         if known is None:
             told = self._dialect.message_type(short)
             nothing = tuple[Payload, ...]()
@@ -82,6 +90,7 @@ class Guests:
     def unadvertise(self, session: "Session", name: str) -> None:
         """End what `advertise` began."""
         name = resolve(name)
+        self._since.pop((session, name), None)
         sessions = self._advertised.get(name, set())
         sessions.discard(session)
         if name in self._advertised and not sessions:
@@ -92,8 +101,8 @@ class Guests:
         """The topic and the message that a client publishes, completed. Raises ServiceError."""
         name = resolve(operation["topic"])
         known = self._topics.get(name)
-        if known is None or operation.get("type"):
-            type_ = operation.get("type") or self._listened.get(name, "")
+        if known is None or operation.get("type") or (session, name) not in self._since:
+            type_ = operation.get("type") or self._listened.get(name) or (known.type if known else "")
             self.advertise(session, name, type_, bool(operation.get("latch")))
             known = self._topics[name]
         short, now = self._dialect.short(known.type), time.time()
@@ -102,6 +111,10 @@ class Guests:
         if known.latched and name in self._advertised:
             self._topics[name] = replace(known, history=lambda: (payload,))
         return name, payload
+
+    def connected(self, session: "Session", name: str) -> bool:
+        """Tell whether robots hear what a client publishes on a topic."""
+        return time.monotonic() - self._since[session, name] >= self.connects_in
 
     def offer(self, session: "Session", name: str, type_: str) -> None:
         """Let a client offer a service. Raises ServiceError."""
@@ -140,7 +153,7 @@ class Guests:
 
     def gone(self, session: "Session") -> None:
         """End everything that a client published and offered."""
-        for name in [name for name, sessions in self._advertised.items() if session in sessions]:
+        for name in [name for one, name in self._since if one is session]:
             self.unadvertise(session, name)
         for name in [name for name, offer in self._offers.items() if offer.session is session]:
             self.withdraw(session, name)

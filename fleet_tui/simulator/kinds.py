@@ -1,11 +1,14 @@
 """The kinds of simulated robots: one line each."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
-from fleet_tui.simulator.faults import FAULTS, wire
+from fleet_tui.simulator.faults import FAULTS, Faults
+from fleet_tui.simulator.move_base.faults import FAULTS as MOVE_BASE_FAULTS
 from fleet_tui.simulator.nav2.faults import FAULTS as NAV2_FAULTS
+from fleet_tui.simulator.navigating.profile import profile as navigating
+from fleet_tui.simulator.oh_ressources.profile import profile as oh_ressources
 
 if TYPE_CHECKING:
     # The command line lists kinds and faults: it must not wait for the fleets to be imported.
@@ -13,37 +16,49 @@ if TYPE_CHECKING:
 
 
 class Build(Protocol):
-    """Makes a fleet; `first` is the number in the first robot's name."""
+    """Makes a fleet; the numbers in the robots' names are from `first` on, each `step`th."""
 
-    def __call__(self, robots: int, floors: int, seed: int, first: int) -> "Fleet":
+    def __call__(self, robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet":
         """Make it."""
 
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of robots: the generations of ROS it runs on, the usual one first, and its faults."""
+    """A kind of robots: the generations of ROS it runs on, the usual one first, and its faults.
+
+    `profile`: the table of the configuration that says how the simulated ones differ from the usual, by the
+    number of floors.
+    """
 
     build: Build
     ros: tuple[str, ...]
-    faults: Mapping[str, tuple[str, wire.Play]]
+    faults: Faults
+    profile: Callable[[int], Mapping[str, Any]]
     graph_files: bool = False
     """Their graph is no topic but a file."""
 
 
-def _oh_ressources(robots: int, floors: int, seed: int, first: int) -> "Fleet":
+def _oh_ressources(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet":
     from fleet_tui.simulator.oh_ressources.fleet import OhFleet
     from fleet_tui.simulator.world import World
 
-    return OhFleet(World(robots, floors, seed, first=first))
+    return OhFleet(World(robots, floors, seed, first=first, step=step))
 
 
-def _nav2(robots: int, floors: int, seed: int, first: int) -> "Fleet":
+def _move_base(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet":
+    from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
+
+    return MoveBaseFleet(robots, floors, seed, first=first, step=step)
+
+
+def _nav2(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet":
     from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 
-    return Nav2Fleet(robots, floors, seed, first=first)
+    return Nav2Fleet(robots, floors, seed, first=first, step=step)
 
 
 KINDS: Mapping[str, Kind] = {
-    "oh_ressources": Kind(_oh_ressources, ("1", "2"), FAULTS),
-    "nav2": Kind(_nav2, ("2",), NAV2_FAULTS, graph_files=True),
+    "oh_ressources": Kind(_oh_ressources, ("1", "2"), FAULTS, oh_ressources),
+    "move_base": Kind(_move_base, ("1",), MOVE_BASE_FAULTS, navigating, graph_files=True),
+    "nav2": Kind(_nav2, ("2",), NAV2_FAULTS, navigating, graph_files=True),
 }

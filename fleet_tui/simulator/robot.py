@@ -20,6 +20,11 @@ EMPTY, LOW, FULL = 10.0, 25.0, 80.0  # per cent: orders wait / an idle robot doc
 Work = Iterator[None]
 
 
+def robot_numbers(robots: int, first: int, step: int) -> range:
+    """The numbers in the names of so many robots, from `first` on, each `step`th."""
+    return range(first, first + robots * step, step)
+
+
 @dataclass
 class Order:
     """A transport order; status is `Q` queued, `W` in process or `C` cancelled."""

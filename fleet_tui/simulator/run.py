@@ -4,14 +4,16 @@ import asyncio
 import os
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 
-from fleet_tui.simulator.faults import parse_faults, play
+from fleet_tui.simulator.faults import parse_faults_of, play
+from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.site import SitedBridge, faults_of, site_of
 from fleet_tui.stopping import stop, stopped_by_signal
 
 DIALECTS = {"1": ROS1, "2": ROS2}
@@ -23,7 +25,7 @@ def run(
     port: int,
     rate: float,
     seed: int,
-    announce: Callable[[str], None],
+    announce: Callable[[Sequence[str]], None],
     stop_with_stdin: bool = False,
     faults: str = "",
     first: int = 0,
@@ -31,34 +33,46 @@ def run(
     ros: str = "",
     kind: str = "oh_ressources",
 ) -> None:
-    """Serve a simulated fleet on loopback and announce its ws:// URL; returns on SIGTERM.
+    """Serve a simulated site on loopback and announce the URLs of its bridges; returns on SIGTERM.
 
-    `rate`: poses per robot in Hz; port 0: a free one. `stop_with_stdin`: also return when stdin closes,
-    so that the death of the parent, however sudden, is the end of this process too. `faults`: what goes
-    wrong, as `parse_faults` reads it; `first`: the number in the first robot's name; `speed`: seconds of
-    the robots' time in a second; `ros`: the generation of ROS, `1` or `2`, or empty: the one that is usual
-    for the `kind`. Raises ConfigError for a fault that is none, FleetError where the port can't be had,
-    SystemExit(130) on Ctrl-C.
-    """
-    fleet = KINDS[kind].build(robots, floors, seed, first)
-    dialect = DIALECTS[ros or KINDS[kind].ros[0]]
-    server = RosbridgeServer(fleet, port=port, rate=rate, speed=speed, dialect=dialect)
-    play(server, parse_faults(faults, fleet.robots, fleet.faults))
-    if asyncio.run(_serve(server, announce, stop_with_stdin)):
+    `rate`: poses per robot in Hz; port 0: free ones, else that of the first bridge. `stop_with_stdin`: also
+    return when stdin closes, so that the parent's death, however sudden, ends this process. `faults`: as
+    `parse_faults_of` reads them; `speed`: seconds of the robots' time in a second; `kind`, `ros`, `first`: as
+    `site_of` has them. Raises ConfigError, FleetError, and SystemExit(130) on Ctrl-C."""
+    site = site_of(kind, robots, ros, first)
+    wanted = parse_faults_of(faults, faults_of(site))
+    servers = []
+    for at, bridge in enumerate(site, port):
+        fleets, dialect = _fleets(bridge, floors, seed), DIALECTS[bridge.ros]
+        server = RosbridgeServer(fleets, port=port and at, rate=rate, speed=speed, dialect=dialect)
+        play(server, [one for one in wanted if one[1] in server.robots])
+        servers.append(server)
+    if asyncio.run(_serve(servers, announce, stop_with_stdin)):
         raise SystemExit(130)
 
 
-async def _serve(server: RosbridgeServer, announce: Callable[[str], None], stop_with_stdin: bool) -> bool:
+def _fleets(bridge: SitedBridge, floors: int, seed: int) -> list[Fleet]:
+    return [
+        KINDS[crew.kind].build(len(crew.numbers), floors, seed, crew.numbers.start, crew.numbers.step)
+        for crew in bridge.crews
+    ]
+
+
+async def _serve(
+    servers: Sequence[RosbridgeServer], announce: Callable[[Sequence[str]], None], stop_with_stdin: bool
+) -> bool:
     """Serve until something ends it, and say whether that was Ctrl-C."""
     stopped = stopped_by_signal()
-    await server.start()
     try:
-        announce(server.url)
+        for server in servers:
+            await server.start()
+        announce([server.url for server in servers])
         if stop_with_stdin:
             threading.Thread(target=_await_stdin, args=(stopped,), daemon=True).start()
         return await stopped
     finally:
-        await server.stop()
+        for server in servers:
+            await server.stop()
 
 
 def _await_stdin(stopped: asyncio.Future[bool]) -> None:

@@ -12,6 +12,7 @@ from fleet_tui.simulator.fleets import Body, Fleet
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.guests import Guests
 from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.ros.actionlib import servers_among
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError
@@ -72,8 +73,12 @@ class ServiceDesk:
         self.heard = {name: take for name, (_, take) in heard.items()}
         """The listeners to messages that clients publish to robots, by topic."""
         listened = {name: dialect.message_type(type_) for name, (type_, _) in heard.items()}
-        self.guests = Guests(dialect, self.topics, self.types, self.services, listened)
-        graph = Graph(self.types, listened, self.services, subscribed, lambda: self.actions.names)
+        self.guests = Guests(dialect, self.topics, self.types, self.services, listened, self.unsourced)
+
+        def action_servers() -> list[str]:
+            return [*self.actions.names, *servers_among({**listened, **self.types})]
+
+        graph = Graph(self.types, listened, self.services, subscribed, action_servers)
         self.rosapi = Rosapi(dialect, graph, time.time, self.guests.owns)
 
     def fleet_of(self, robot: str) -> Fleet:

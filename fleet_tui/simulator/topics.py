@@ -68,6 +68,8 @@ class TopicDesk(ServiceDesk):
     def publish_for(self, session: Session, operation: Operation) -> None:
         """Publish a client's message, to robots too. Raises BridgeError."""
         name, payload = self.guests.published(session, operation)
+        if not self.guests.connected(session, name):
+            return
         self.publish(name, payload)
         if name in self.heard:
             self.heard[name](payload.msg)

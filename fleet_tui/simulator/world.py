@@ -4,7 +4,7 @@ import random
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from fleet_tui.simulator.robot import LOW, STEP, Robot
+from fleet_tui.simulator.robot import LOW, STEP, Robot, robot_numbers
 from fleet_tui.simulator.warehouse import build_building
 
 Values = dict[str, Any]
@@ -16,11 +16,13 @@ class World:
     """`robots` robots on `floors` floors. The same seed and the same answers asked at the same steps
     give the same run. `quiet`: no orders of its own, no obstacles, no silence, no low batteries."""
 
-    def __init__(self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0) -> None:
+    def __init__(
+        self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
+    ) -> None:
         self._rng = random.Random(seed)
         self._quiet = quiet
         self.building = build_building(floors)
-        self.robots = {f"robot_{i}": self._new_robot(i) for i in range(first, first + robots)}
+        self.robots = {f"robot_{i}": self._new_robot(i) for i in robot_numbers(robots, first, step)}
         self.time = 0.0
         """Seconds since the start."""
         self.troubles: list[Callable[[float], None]] = []

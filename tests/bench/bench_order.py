@@ -81,7 +81,7 @@ async def direct(it: Console) -> list[float]:
 
 
 async def measure(robots: int) -> Row:
-    with simulated(robots, 2) as url:
+    with simulated(robots, 2) as (url,):
         config = demo_config(Config(path=Path("bench")), url, robots, 2)
         store = WatchedStore(initial_state(config, time.monotonic()))
         app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE)

@@ -54,7 +54,7 @@ class Watched(FleetApp):
 
 def main() -> None:
     FleetApp.LEAN = sys.argv[2] == "lean"
-    with simulated(ROBOTS, 1) as url:
+    with simulated(ROBOTS, 1) as (url,):
         config = demo_config(Config(path=Path("bench")), url, ROBOTS, 1)
         store = Store(initial_state(config, time.monotonic()))
         Watched(config, store, load_themes(None)[0], Drawing.BRAILLE).run()

@@ -10,6 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.why import reasons
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.nav2 import faults
+from fleet_tui.simulator.navigating import faults as shared_faults
 from fleet_tui.transports.rosbridge import connection
 from tests.linked import finished, linked
 from tests.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
@@ -22,6 +23,7 @@ def soon(monkeypatch: pytest.MonkeyPatch) -> None:
     """A lost connection comes back at once."""
     monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
     monkeypatch.setattr(faults, "AWHILE", 0.3)
+    monkeypatch.setattr(shared_faults, "AWHILE", 0.3)
 
 
 def plant(site: Site, text: str) -> None:

@@ -51,6 +51,12 @@ async def test_every_kind_is_listed(tmp_path: Path) -> None:
         assert one["name"] in plain.out and set(one["silence_s"]) <= set(one["reports"])
 
 
+async def test_the_docs_have_the_same_table(tmp_path: Path) -> None:
+    docs = (Path(__file__).parents[2] / "docs" / "kinds.md").read_text()
+    said = (await run(tmp_path, "kinds")).out
+    assert f"```text\n{said}```\n" in docs
+
+
 @pytest.mark.parametrize("words", [("clear", "robot_1"), ("resume", "robot_1"), ("pause", "robot_1")])
 async def test_what_a_kind_lacks_is_1_and_nothing_leaves(
     config: Config, server: RosbridgeServer, words: tuple[str, str]

@@ -82,6 +82,8 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         navigation_events.GoalsUnknown, ROBOTS, AT, st.lists(GOALS.map(lambda goal: goal.uuid)).map(tuple)
     ),
     navigation_events.PlanReported: st.builds(navigation_events.PlanReported, ROBOTS, AT, PLACES),
+    navigation_events.TargetReported: st.builds(navigation_events.TargetReported, ROBOTS, AT, PLACES),
+    navigation_events.Alive: st.builds(navigation_events.Alive, ROBOTS, AT),
     navigation_events.Unmeasured: st.builds(navigation_events.Unmeasured, ROBOTS, AT, st.text(max_size=4)),
     navigation_events.FloorReported: st.builds(navigation_events.FloorReported, ROBOTS, AT, FLOORS),
     navigation_events.QueueHeld: st.builds(navigation_events.QueueHeld, ROBOTS, st.text(max_size=4)),
@@ -135,7 +137,7 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     ),
     events.CommandIssued: st.builds(events.CommandIssued, COMMAND_IDS, COMMANDS, AT, AT),
     events.CommandAdvanced: st.builds(
-        events.CommandAdvanced, COMMAND_IDS, st.sampled_from(Stage), AT, st.text(max_size=9)
+        events.CommandAdvanced, COMMAND_IDS, st.sampled_from(Stage), AT, st.text(max_size=9), IDS
     ),
     events.AlarmAcknowledged: st.builds(
         events.AlarmAcknowledged,

@@ -14,7 +14,6 @@ from fleet_tui.model.commands import (
     PauseRobot,
     ResumeRobot,
     Stage,
-    Wish,
 )
 from fleet_tui.model.events import CommandAdvanced, Event
 from fleet_tui.model.fleet import FleetState
@@ -25,6 +24,7 @@ from fleet_tui.model.navigation_events import FloorReported, GoalsReported
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.problem import Rights
 from fleet_tui.model.why import reasons
+from fleet_tui.model.wishes import Wish
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.questions import question
 from tests.fleets import (

@@ -8,7 +8,7 @@ import pytest
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.nav2.graph_file import write_graphs
+from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import console

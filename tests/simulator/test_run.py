@@ -21,7 +21,7 @@ from tests.adapting import names_of
 
 PROGRAM = """
 from fleet_tui.simulator.run import run
-run(1, 1, 0, 10.0, 1, lambda url: print(url, flush=True), stop_with_stdin=True)
+run(1, 1, 0, 10.0, 1, lambda urls: print(*urls, flush=True), stop_with_stdin=True)
 """
 
 
@@ -43,7 +43,7 @@ def process() -> Iterator[subprocess.Popen[str]]:
 @pytest.fixture
 def fast() -> Iterator[str]:
     """The URL of a fleet on ROS 2 whose time runs fifty times as fast."""
-    with simulated(3, 1, speed=50.0, ros="2") as url:
+    with simulated(3, 1, speed=50.0, ros="2") as (url,):
         yield url
 
 

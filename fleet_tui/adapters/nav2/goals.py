@@ -1,11 +1,11 @@
 """Orders and cancellations of Nav2 as goals and calls, and what their answers mean."""
 
-import math
 from collections.abc import Mapping, Sequence
 
 from fleet_tui.adapters.adapter import Call, Goal
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS
 from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros_navigation.places import pose_of_stop, stamped
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.goals import active
@@ -26,12 +26,12 @@ def order_goal(names: Names, robot: Robot, stops: Sequence[Stop]) -> Goal:
     if not stops:
         raise CommandError("an order needs a place to go to")
     for stop in stops:
-        here = _pose(robot, stop, here)
+        here = pose_of_stop(robot, stop, here)
         poses.append(here)
     if len(poses) == 1:
-        args: dict[str, object] = {"pose": _stamped(poses[0]), "behavior_tree": ""}
+        args: dict[str, object] = {"pose": stamped(poses[0]), "behavior_tree": ""}
         return Goal(_action(names, "navigate_to_pose", robot), names.action_type("navigate_to_pose"), args)
-    args = {"poses": [_stamped(pose) for pose in poses]}
+    args = {"poses": [stamped(pose) for pose in poses]}
     return Goal(_action(names, "follow_waypoints", robot), names.action_type("follow_waypoints"), args)
 
 
@@ -40,31 +40,6 @@ def _action(names: Names, key: str, robot: Robot) -> str:
     if not name:
         raise CommandError(f"this robot has no {key}: [{names.table}.actions] {key} is empty")
     return name
-
-
-def _pose(robot: Robot, stop: Stop, before: Pose | None) -> Pose:
-    """The pose of a stop: heading along the last edge to it, else from where the robot comes."""
-    if stop.pose is not None:
-        return stop.pose
-    chart = robot.charts.get(robot.floor or "")
-    if chart is None or chart.graph is None or stop.vertex not in chart.graph.vertices:
-        raise CommandError(f"where vertex {stop.vertex} lies is not known: no graph of its floor has it")
-    vertex = chart.graph.vertices[stop.vertex]
-    if before is None:
-        return Pose(vertex.x, vertex.y)
-    dx, dy = vertex.x - before.x, vertex.y - before.y
-    return Pose(vertex.x, vertex.y, math.atan2(dy, dx) if math.hypot(dx, dy) > 0.1 else before.yaw)
-
-
-def _stamped(pose: Pose) -> Mapping[str, object]:
-    """A geometry_msgs/PoseStamped without a stamp: the robot looks where its map is now."""
-    return {
-        "header": {"frame_id": "map"},
-        "pose": {
-            "position": {"x": pose.x, "y": pose.y, "z": 0.0},
-            "orientation": {"x": 0.0, "y": 0.0, "z": math.sin(pose.yaw / 2), "w": math.cos(pose.yaw / 2)},
-        },
-    }
 
 
 def cancel_call(names: Names, robot: Robot, order_id: str) -> Call:

@@ -2,22 +2,18 @@
 
 import base64
 import binascii
-import math
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 
 from fleet_tui.adapters.parts import read_all
 from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros import navigation as nav
-from fleet_tui.adapters.ros.facts import pose_of
 from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros_navigation.reading import Read
 from fleet_tui.errors import WireError
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.bounds import LONGEST_NAME, MOST_ORDERS, brief
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.order import OrderState
-
-# (robot, message still encoded, monotonic seconds of arrival) -> the facts; raises WireError.
-Read = Callable[[str, object, float], Iterable[events.Event]]
 
 STATES = {
     1: OrderState.QUEUED,
@@ -40,58 +36,6 @@ MONITOR = {0: "", 1: "stop", 2: "slowdown", 3: "approach", 4: "limit"}
 """What a collision monitor does (nav2_msgs/CollisionMonitorState)."""
 
 
-def read_odometry(names: Names) -> Read:
-    """Read a nav_msgs/Odometry."""
-    read, scale = ros.reader(nav.Located, names.paths("odometry")), names.scale("odometry")
-
-    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
-        message = read(msg)
-        pose = pose_of(message.pose.pose, "pose", scale)
-        yield navigation_events.OdometryReported(robot, at, pose, message.header.stamp.seconds)
-
-    return facts
-
-
-def read_localisation(names: Names) -> Read:
-    """Read a geometry_msgs/PoseWithCovarianceStamped."""
-    read, scale = ros.reader(nav.Located, names.paths("pose")), names.scale("pose")
-
-    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
-        message = read(msg)
-        pose, header = pose_of(message.pose.pose, "pose", scale), message.header
-        variance = _variance(message.pose.covariance)
-        yield navigation_events.LocalisationReported(
-            robot, at, pose, header.frame_id, header.stamp.seconds, variance
-        )
-
-    return facts
-
-
-def _variance(covariance: list[float | None]) -> float | None:
-    """The variance of x and y together, None where one of both is missing or not a number."""
-    found = [covariance[n] if n < len(covariance) else None for n in (0, 7)]
-    known = [one for one in found if one is not None and math.isfinite(one)]
-    return sum(known) if len(known) == len(found) else None
-
-
-def read_battery(names: Names) -> Read:
-    """Read a sensor_msgs/BatteryState. Its scale is that of the profile, else it is found out."""
-    read = ros.reader(nav.BatteryState, names.paths("battery"))
-    scale = names.profile.scales.get("battery")
-
-    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
-        charge = read(msg).percentage
-        if charge is None or not math.isfinite(charge):
-            yield navigation_events.Unmeasured(robot, at, "battery")
-            return
-        percent = charge if scale is None else charge * scale
-        if not 0.0 <= percent <= 101.0:
-            raise WireError(f"percentage is {charge}, which is not within 0 and 100 times the scale")
-        yield events.BatteryReported(robot, at, percent, is_raw=scale is None)
-
-    return facts
-
-
 def read_blocked(names: Names) -> Read:
     """Read a nav2_msgs/CollisionMonitorState."""
     read = ros.reader(nav.CollisionMonitorState, names.paths("blocked"))
@@ -100,29 +44,6 @@ def read_blocked(names: Names) -> Read:
         message = read(msg)
         action = MONITOR.get(message.action_type, f"action {message.action_type}")
         yield navigation_events.BlockedReported(robot, at, action, brief(message.polygon_name, LONGEST_NAME))
-
-    return facts
-
-
-def read_floor(names: Names) -> Read:
-    """Read a std_msgs/String with the name of a floor."""
-    read = ros.reader(nav.Text, names.paths("floor"))
-
-    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
-        yield navigation_events.FloorReported(robot, at, brief(read(msg).data.lstrip("/"), LONGEST_NAME))
-
-    return facts
-
-
-def read_plan(names: Names) -> Read:
-    """Read a nav_msgs/Path."""
-    read = ros.reader(nav.Path, names.paths("plan"))
-    read_pose = ros.reader(nav.PoseStamped)
-
-    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
-        poses = read(msg).poses
-        if poses:
-            yield navigation_events.PlanReported(robot, at, pose_of(read_pose(poses[-1]).pose, "poses[-1]"))
 
     return facts
 

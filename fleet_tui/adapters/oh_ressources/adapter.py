@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Iterable, Sequence
+from typing import Literal
 
 from fleet_tui.adapters.adapter import Call, Feed, Site
 from fleet_tui.adapters.answers import judge
@@ -76,7 +77,8 @@ class OhRessources:
             for floor in floors if per_floor else [""]:
                 topic, type_ = self.names.topic(key, robot, floor), self.names.type(key)
                 if topic:
-                    yield Feed(key, (robot,), floor, topic, type_, rate, per_floor, is_map, is_map, is_pose)
+                    wanted: Literal["", "map"] = "map" if is_map else ""
+                    yield Feed(key, (robot,), floor, topic, type_, rate, per_floor, wanted, is_map, is_pose)
 
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
         """Return the one fact that a message tells. Raises WireError."""
@@ -88,11 +90,15 @@ class OhRessources:
         named = ((key, self.names.service(key, robot), self.names.service_type(key)) for key in keys)
         return (service for service in named if service[1])
 
+    def publications(self, robot: str) -> Iterable[tuple[str, str]]:
+        """Commands are calls."""
+        return ()
+
     def probes(self, robot: str) -> Iterable[Probe]:
         """Topics and services tell everything."""
         return ()
 
-    def outgoing(self, command: Command, command_id: int, robot: Robot) -> Sequence[Call]:
+    def outgoing(self, command: Command, command_id: int, robot: Robot, unique: str = "") -> Sequence[Call]:
         """Return the call of a command. Raises CommandError for one that must not leave."""
         return (call_of(self.names, command, command_id),)
 

@@ -204,6 +204,12 @@ def send_action_goal(goal_id: str, action: str, type_: str, args: Mapping[str, o
     return _encoder.encode({"op": "send_action_goal", **goal})
 
 
+def advertise(topic: str, type_: str) -> bytes:
+    """The frame that says that messages will be published: to a new publisher subscribers come late, and the
+    first message may be lost."""
+    return _encoder.encode({"op": "advertise", "id": f"advertise:{topic}", "topic": topic, "type": type_})
+
+
 def publish(topic: str, type_: str, message: Mapping[str, object]) -> bytes:
     """The frame that publishes a message. With its type a bridge needs no advertisement."""
     return _encoder.encode({"op": "publish", "topic": topic, "type": type_, "msg": message})

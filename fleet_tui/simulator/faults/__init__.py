@@ -1,6 +1,6 @@
 """The simulator's faults on request: `--fault NAME[:ROBOT]`, several with commas between."""
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.errors import ConfigError, did_you_mean
@@ -10,7 +10,10 @@ if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
     from fleet_tui.simulator.server import RosbridgeServer
 
-FAULTS: Mapping[str, tuple[str, wire.Play]] = {
+Faults = Mapping[str, tuple[str, wire.Play]]
+"""Faults by name: the text of the help, and how each is played on one robot."""
+
+FAULTS: Faults = {
     "refuse": ("every order is refused", wire.refuse),
     "late": (f"answers come after {wire.LATE:g} s", wire.late),
     "slow-answer": (
@@ -57,27 +60,33 @@ FAULTS: Mapping[str, tuple[str, wire.Play]] = {
     "battery": (f"a battery that never holds more than {world.FLAT:g} %", world.battery),
     "jumping": (f"its pose jumps by {world.JUMP:g} m, and it does not drive", world.jumping),
 }
-"""Each fault by its name: the text of the help, and how it is played on one robot."""
+"""The faults of robots of the source's stack."""
 
 
-def parse_faults(
-    text: str, robots: Collection[str], faults: Mapping[str, tuple[str, wire.Play]] = FAULTS
-) -> list[tuple[str, str]]:
-    """Fault and robot for each `NAME` (every robot) or `NAME:ROBOT` between the commas.
+def parse_faults(text: str, robots: Iterable[str], faults: Faults = FAULTS) -> list[tuple[str, str]]:
+    """Fault and robot as `parse_faults_of` reads them, where all robots are of the kind with these faults.
+    Raises ConfigError."""
+    return parse_faults_of(text, dict.fromkeys(robots, faults))
 
-    `faults`: those of the robots' kind. Raises ConfigError with every name that is none.
+
+def parse_faults_of(text: str, known: Mapping[str, Faults]) -> list[tuple[str, str]]:
+    """Fault and robot for each `NAME` (every robot that knows it) or `NAME:ROBOT` between the commas.
+
+    `known`: the faults that each robot knows. Raises ConfigError with every name that is none.
     """
+    every = {name: fault for faults in known.values() for name, fault in faults.items()}
     wanted, problems = list[tuple[str, str]](), list[str]()
     for part in filter(None, (part.strip() for part in text.split(","))):
         name, _, robot = part.partition(":")
+        faults = known.get(robot, every) if name in every else every
         if name not in faults:
             near = did_you_mean(name, faults)
-            of_kind = " of this kind of robots" if name in FAULTS else ""
+            of_kind = " of this kind of robots" if name in FAULTS or name in every else ""
             problems.append(f"--fault {part}: no such fault{of_kind}{near or ': ' + ', '.join(faults)}")
-        elif robot and robot not in robots:
-            problems.append(f"--fault {part}: no such robot{did_you_mean(robot, robots)}")
+        elif robot and robot not in known:
+            problems.append(f"--fault {part}: no such robot{did_you_mean(robot, known)}")
         else:
-            wanted += [(name, one) for one in ([robot] if robot else robots)]
+            wanted += [(name, one) for one in ([robot] if robot else known) if name in known[one]]
     if problems:
         raise ConfigError(problems)
     return wanted

@@ -11,9 +11,12 @@ from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.nav2 import messages
 from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.navigation import TO_POSE, Navigation
-from fleet_tui.simulator.nav2.topics import News, map_topics, steady_topics
-from fleet_tui.simulator.nav2.words import Changes, health
+from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
+from fleet_tui.simulator.nav2.words import Changes
 from fleet_tui.simulator.nav2.world import Nav2World
+from fleet_tui.simulator.navigating.poses import FRAME
+from fleet_tui.simulator.navigating.topics import map_topics
+from fleet_tui.simulator.navigating.words import health
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, Goal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
@@ -29,11 +32,13 @@ class Nav2Fleet(Nav2World):
 
     faults = FAULTS
 
-    def __init__(self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0) -> None:
-        super().__init__(robots, floors, seed, quiet, first, clock=time.time_ns)
+    def __init__(
+        self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
+    ) -> None:
+        super().__init__(robots, floors, seed, quiet, first, time.time_ns, step)
         if robots > 1:
             self.robots[next(reversed(self.robots))].percent = float("nan")
-        self._news = News(self)
+        self._news = Nav2News(self)
         self._changes = Changes(self)
 
     @cached_property
@@ -47,7 +52,7 @@ class Nav2Fleet(Nav2World):
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
         """Every topic; the maps were loaded at this wall time."""
-        yield from map_topics(self, loaded_at, dialect)
+        yield from map_topics(self.building, self.robots, loaded_at, dialect)
         for navigation in self.navigation.values():
             yield from steady_topics(navigation, dialect)
         yield from self._news.topics(dialect)
@@ -88,7 +93,8 @@ class Nav2Fleet(Nav2World):
         navigation = self._navigation_of(server)
         if navigation.robot.silence or not navigation.tells:
             return None
-        return messages.feedback(navigation, server.verb, goal, messages.header(dialect, time.time()))
+        header = dialect.header(0, time.time(), FRAME)
+        return messages.feedback(navigation, server.verb, goal, header)
 
     def result(self, server: ActionServer, goal: Goal) -> Message | None:
         """The result of a goal that is over, None while it can't be heard."""

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.nav2.poses import FRAME, flat, stamped
-from fleet_tui.simulator.nav2.robot import Nav2Robot
+from fleet_tui.simulator.navigating.poses import FRAME, flat, stamped
+from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, CANCELING, SUCCEEDED, ActionServer, Goal
 
 Message = dict[str, Any]
@@ -37,7 +37,7 @@ class _Tour:
 class Navigation:
     """Its attributes are for tests to read and change. `clock`: nanoseconds since 1970."""
 
-    def __init__(self, robot: Nav2Robot, rng: random.Random, clock: Callable[[], int]) -> None:
+    def __init__(self, robot: NavigatingRobot, rng: random.Random, clock: Callable[[], int]) -> None:
         self.robot = robot
         self._rng, self._clock = rng, clock
         begins = {TO_POSE: self._begin, THROUGH: self._begin, WAYPOINTS: self._tour, DOCK: self._dock}
@@ -65,6 +65,16 @@ class Navigation:
     def take(self, verb: str, request: Message) -> Goal | None:
         """Give any goal, its fields complete, under a new id; None where it is rejected."""
         return self.servers[verb].take(self.new_id(), self._clock(), request)
+
+    @property
+    def busy(self) -> bool:
+        """Tell whether it has a goal."""
+        return any(server.running for server in self.servers.values())
+
+    def cancel_all(self) -> None:
+        """Cancel its goals as another client would."""
+        for server in self.servers.values():
+            server.cancel(bytes(16), 0)
 
     def new_id(self) -> bytes:
         """An id for a goal."""

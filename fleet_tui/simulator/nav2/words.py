@@ -1,17 +1,13 @@
-"""Robots with Nav2 in words: lines of /rosout, entries of /diagnostics."""
+"""Robots with Nav2 in words: lines of /rosout."""
 
 from collections.abc import Iterator
-from typing import Any
 
 from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.nav2.navigation import TO_POSE, Navigation
-from fleet_tui.simulator.nav2.robot import LOST, Nav2Robot
 from fleet_tui.simulator.nav2.world import Nav2World
-from fleet_tui.simulator.robot import EMPTY, LOW
+from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, EXECUTING, SUCCEEDED
-from fleet_tui.simulator.words import BROKEN, DOUBTFUL, ERROR, HEALTHY, INFO, WARN, entry
-
-Message = dict[str, Any]
+from fleet_tui.simulator.words import ERROR, INFO, WARN
 
 _ENDS = {
     SUCCEEDED: (INFO, "Goal succeeded"),
@@ -52,7 +48,7 @@ class Changes:
                 why = f" error_code:{code} error_msg:{goal.result['error_msg']}." if code else ""
                 yield level, f"/{name}/bt_navigator", words + why
 
-    def _obstacle(self, robot: Nav2Robot) -> Iterator[Line]:
+    def _obstacle(self, robot: NavigatingRobot) -> Iterator[Line]:
         blocked = robot.obstacle > 0.0
         if blocked != (robot.name in self._blocked):
             self._blocked ^= {robot.name}
@@ -62,19 +58,3 @@ class Changes:
                 else "Robot to continue normal operation"
             )
             yield (WARN if blocked else INFO), f"/{robot.name}/collision_monitor", words
-
-
-def health(robot: Nav2Robot) -> Iterator[Message]:
-    """The entries of /diagnostics about one robot."""
-    empty, low = robot.battery < EMPTY, robot.battery < LOW
-    level = BROKEN if empty else DOUBTFUL if low else HEALTHY
-    words = "empty" if empty else "low" if low else "charging" if robot.docked else "charged"
-    yield entry(robot, "battery", level, words, percent=f"{robot.battery:.1f}")
-    lost = robot.variance >= LOST
-    yield entry(
-        robot,
-        "localisation",
-        DOUBTFUL if lost else HEALTHY,
-        "not sure where it is" if lost else "localised",
-        variance=f"{robot.variance:g}",
-    )

@@ -37,6 +37,18 @@ unique_identifier_msgs/UUID: uint8[16] uuid
 action_msgs/GoalInfo: unique_identifier_msgs/UUID goal_id, time stamp
 action_msgs/GoalStatus: action_msgs/GoalInfo goal_info, int8 status
 action_msgs/GoalStatusArray: action_msgs/GoalStatus[] status_list
+actionlib_msgs/GoalID: time stamp, string id
+actionlib_msgs/GoalStatus: actionlib_msgs/GoalID goal_id, uint8 status, string text
+actionlib_msgs/GoalStatusArray: std_msgs/Header header, actionlib_msgs/GoalStatus[] status_list
+move_base_msgs/MoveBaseGoal: geometry_msgs/PoseStamped target_pose
+move_base_msgs/MoveBaseActionGoal: std_msgs/Header header, actionlib_msgs/GoalID goal_id, \
+move_base_msgs/MoveBaseGoal goal
+move_base_msgs/MoveBaseResult:
+move_base_msgs/MoveBaseActionResult: std_msgs/Header header, actionlib_msgs/GoalStatus status, \
+move_base_msgs/MoveBaseResult result
+move_base_msgs/MoveBaseFeedback: geometry_msgs/PoseStamped base_position
+move_base_msgs/MoveBaseActionFeedback: std_msgs/Header header, actionlib_msgs/GoalStatus status, \
+move_base_msgs/MoveBaseFeedback feedback
 nav2_msgs/CollisionMonitorState: uint8 action_type, string polygon_name
 nav2_msgs/MissedWaypoint: uint32 index, geometry_msgs/PoseStamped goal, uint16 error_code
 rosgraph_msgs/Log: std_msgs/Header header, byte level, string name, string msg, string file, \

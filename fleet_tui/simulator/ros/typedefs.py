@@ -7,6 +7,18 @@ from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.filling import ZEROS
 
 _CONSTANTS: Mapping[str, Mapping[str, int]] = {
+    "actionlib_msgs/GoalStatus": {
+        "ABORTED": 4,
+        "ACTIVE": 1,
+        "LOST": 9,
+        "PENDING": 0,
+        "PREEMPTED": 2,
+        "PREEMPTING": 6,
+        "RECALLED": 8,
+        "RECALLING": 7,
+        "REJECTED": 5,
+        "SUCCEEDED": 3,
+    },
     "rosgraph_msgs/Log": {"DEBUG": 1, "ERROR": 8, "FATAL": 16, "INFO": 2, "WARN": 4},
     "diagnostic_msgs/DiagnosticStatus": {"ERROR": 2, "OK": 0, "STALE": 3, "WARN": 1},
 }

@@ -10,7 +10,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.nav2.poses import flat
+from fleet_tui.simulator.navigating.poses import flat
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
 from fleet_tui.simulator.ros.ros2 import ROS2

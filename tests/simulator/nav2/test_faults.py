@@ -10,8 +10,9 @@ from websockets.asyncio.client import ClientConnection
 
 from fleet_tui.errors import ConfigError
 from fleet_tui.simulator.faults import parse_faults, play
-from fleet_tui.simulator.nav2.faults import EVERY, FAULTS
+from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
+from fleet_tui.simulator.navigating.faults import EVERY
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.simulator.nav2.wire import TO_POSE, call, give, listen, pose, result, settle, statuses, until
 

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.nav2.navigation import DOCK, THROUGH, TO_POSE, WAYPOINTS, Navigation
-from fleet_tui.simulator.nav2.poses import stamped
 from fleet_tui.simulator.nav2.world import Nav2World
+from fleet_tui.simulator.navigating.poses import stamped
 from fleet_tui.simulator.ros.goals import (
     ABORTED,
     CANCELED,

@@ -1,4 +1,5 @@
-"""The floors' graphs as files for Nav2's route server: GeoJSON, one floor in each."""
+"""The floors' graphs as files, for kinds of robots without a topic of the graph: GeoJSON as Nav2's route
+server reads it, one floor in each."""
 
 import json
 from collections.abc import Iterator
@@ -6,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from fleet_tui.errors import FleetError
-from fleet_tui.simulator.nav2.poses import FRAME
+from fleet_tui.simulator.navigating.poses import FRAME
 from fleet_tui.simulator.warehouse import Floor, build_building
 
 Feature = dict[str, Any]

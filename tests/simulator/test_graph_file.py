@@ -1,4 +1,4 @@
-"""The graph files for Nav2's route server, and the command line of such robots."""
+"""The graph files, and the command line of robots that need them."""
 
 import json
 import subprocess
@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from fleet_tui.errors import FleetError
-from fleet_tui.simulator.nav2.graph_file import write_graphs
+from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.warehouse import build_floor
 
 
@@ -54,6 +54,8 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     [
         (("--kind", "nav"), "did you mean nav2?"),
         (("--kind", "nav2", "--ros", "1"), "kind nav2 run on ROS 2 only"),
+        (("--kind", "move_base", "--ros", "2"), "kind move_base run on ROS 1 only"),
+        (("--kind", "move_base", "--fault", "inactive"), "no such fault"),
         (("--kind", "nav2", "--fault", "lots"), "did you mean lost?"),
         (("--kind", "nav2", "--fault", "refuse"), "no such fault of this kind of robots"),
         (("--graph-file", "x.geojson"), "publish their graph"),

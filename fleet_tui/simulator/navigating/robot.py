@@ -1,16 +1,15 @@
-"""One simulated robot with Nav2: it drives to poses, and believes its wheels and its localisation. Pure."""
+"""One simulated robot that drives to poses, and believes its wheels and its localisation. Pure."""
 
 import math
 import random
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.nav2.paths import NoPathError, Spot, length, plan
+from fleet_tui.simulator.navigating.paths import NoPathError, Spot, length, plan
 from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN
 from fleet_tui.simulator.warehouse import Floor
 
 SLIP, SKID = 1.01, 1.004  # what the wheels count for a metre, for a radian
-FAR, TURNED = 0.25, 0.2  # metres, radians after which the localisation tells where it is
 SURE, LOST = 0.0025, 4.0  # variance of x and of y in square metres
 PROGRESS = 10.0  # seconds without progress before it tries a recovery
 RECOVERIES = 3  # tries before it gives up
@@ -20,7 +19,7 @@ Failure = tuple[int, str]
 """Nav2's error code and words."""
 
 
-class Nav2Robot:
+class NavigatingRobot:
     """A robot without a queue. `quiet` turns off obstacles of its own. Its attributes may be changed."""
 
     percent = 0.01
@@ -29,6 +28,8 @@ class Nav2Robot:
     """False: its wheels are not counted."""
     variance = SURE
     """How far its localisation trusts itself."""
+    moved, turned = 0.25, 0.2
+    """Metres and radians after which its localisation tells the pose."""
     docked = False
     obstacle = 0.0
     """Seconds in front of an obstacle, 0 = none."""
@@ -116,7 +117,7 @@ class Nav2Robot:
         at, last = self.pose, self.estimate
         off = math.sqrt(self.variance) if self.variance >= LOST else 0.0
         turned = abs(math.remainder(at.yaw - last.yaw, math.tau))
-        if turned < TURNED and math.dist((at.x + off, at.y), (last.x, last.y)) < FAR:
+        if turned < self.turned and math.dist((at.x + off, at.y), (last.x, last.y)) < self.moved:
             return False
         self.estimate = Pose(at.x + off, at.y, at.yaw)
         return True

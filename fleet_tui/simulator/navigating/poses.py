@@ -1,4 +1,4 @@
-"""Poses as ROS 2's messages have them. Pure."""
+"""Poses as ROS's messages have them. Pure."""
 
 import math
 from typing import Any

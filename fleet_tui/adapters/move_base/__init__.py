@@ -1,0 +1,1 @@
+"""Robots with move_base, the navigation stack of ROS 1."""

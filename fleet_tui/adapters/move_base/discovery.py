@@ -1,0 +1,32 @@
+"""Robots with move_base, recognised by the states of its goals."""
+
+from fleet_tui.adapters.discovery import Discovery, Listed
+from fleet_tui.adapters.move_base.vocabulary import VOCABULARY
+from fleet_tui.adapters.ros_navigation.discovery import (
+    ALONE,
+    find_floors,
+    find_topic,
+    namespaces,
+    of_robots,
+)
+
+STATUS, STATUS_TYPE = "move_base/status", VOCABULARY.topics["status"][1]
+OF_MOVE_BASE = ("status", "goal", "cancel", "feedback", "target")
+"""Topics that move_base has wherever it runs."""
+CHOSEN = ("plan", "odometry", "pose", "battery")
+"""Topics that differ from site to site."""
+
+
+def discover(listed: Listed) -> Discovery:
+    """Recognise these robots among what a bridge lists."""
+    there = [name for name, type_ in listed.topics.items() if type_ == STATUS_TYPE]
+    spaces = of_robots(namespaces(there, [STATUS]))
+    found = Discovery({space or ALONE: [] for space in spaces})
+    if spaces:
+        find_floors(found, spaces, listed)
+        for key in CHOSEN:
+            find_topic(found, key, VOCABULARY, spaces, listed)
+        if spaces == [""]:
+            usual = {key: VOCABULARY.topics[key][0] for key in OF_MOVE_BASE}
+            found.topics |= {key: name.removeprefix("/{robot}") for key, name in usual.items()}
+    return found

@@ -1,0 +1,47 @@
+"""Messages of actionlib and move_base as typed structs."""
+
+from typing import Any
+
+import msgspec
+
+from fleet_tui.adapters.ros.messages import Header, RosPose, Stamp
+
+
+class GoalId(msgspec.Struct, frozen=True):
+    """actionlib_msgs/GoalID. An empty id stands for all goals."""
+
+    id: str
+    stamp: Stamp = Stamp()
+
+
+class GoalStatus(msgspec.Struct, frozen=True):
+    """actionlib_msgs/GoalStatus."""
+
+    goal_id: GoalId
+    status: int
+    text: str = ""
+
+
+class GoalStatusArray(msgspec.Struct, frozen=True):
+    """actionlib_msgs/GoalStatusArray, its goals unread: one bad one must not cost the others."""
+
+    status_list: list[Any]
+
+
+class Posed(msgspec.Struct, frozen=True):
+    """geometry_msgs/PoseStamped."""
+
+    header: Header
+    pose: RosPose
+
+
+class Feedback(msgspec.Struct, frozen=True):
+    """move_base_msgs/MoveBaseFeedback: where the robot is."""
+
+    base_position: Posed
+
+
+class ActionFeedback(msgspec.Struct, frozen=True):
+    """move_base_msgs/MoveBaseActionFeedback."""
+
+    feedback: Feedback

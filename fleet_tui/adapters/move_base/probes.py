@@ -1,0 +1,21 @@
+"""Probes of a robot with move_base: its bridge, its localisation, its battery."""
+
+from collections.abc import Iterator
+
+from fleet_tui.adapters.probes import BridgeProbe, Diagnosis, Probe
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros_navigation.probes import heard_probes
+
+
+def probes(names: Names, robot: str) -> Iterator[Probe]:
+    """Return what to look at of one robot, and of its bridge."""
+    yield BridgeProbe("distribution", judge_bridge)
+    yield from heard_probes(names, robot)
+
+
+def judge_bridge(ros: int, distro: str) -> Diagnosis:
+    """Judge the bridge by its ROS."""
+    if ros == 2:
+        remedy = "move_base is of ROS 1: correct the url, or the kind (nav2?)"
+        return Diagnosis("fail", f"it is a bridge of ROS 2{f' ({distro})' if distro else ''}", remedy)
+    return Diagnosis("ok", distro or "a bridge that does not name it")

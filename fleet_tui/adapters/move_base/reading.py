@@ -1,0 +1,121 @@
+"""Messages of move_base as facts."""
+
+import hashlib
+import re
+from collections.abc import Iterable
+
+from fleet_tui.adapters.move_base import messages
+from fleet_tui.adapters.parts import read_all
+from fleet_tui.adapters.ros import messages as ros
+from fleet_tui.adapters.ros.facts import pose_of
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros_navigation.reading import Read
+from fleet_tui.errors import WireError
+from fleet_tui.model import events
+from fleet_tui.model.bounds import MOST_ORDERS, brief
+from fleet_tui.model.navigation import Goal
+from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, TargetReported
+from fleet_tui.model.order import OrderState
+
+ACTION = "move_base"
+"""The one action that such robots have."""
+OWN_NAME = re.compile(r"fleet-tui-([0-9a-f]{8})-[0-9a-f-]{27}")
+"""Names of goals that consoles gave."""
+LONGEST_ID = 500
+STATES = {
+    0: OrderState.QUEUED,
+    1: OrderState.IN_PROCESS,
+    2: OrderState.CANCELLED,
+    3: OrderState.DONE,
+    4: OrderState.FAILED,
+    5: OrderState.REFUSED,
+    6: OrderState.IN_PROCESS,
+    # Cancelled before it was begun. One whose goal never came is listed so for ever.
+    7: OrderState.CANCELLED,
+    8: OrderState.CANCELLED,
+    9: OrderState.LOST,
+}
+"""States of a goal (actionlib_msgs/GoalStatus). One that is being preempted still drives."""
+PREEMPTING = 6
+WORDS = (
+    *("pending", "active", "preempted", "succeeded", "aborted"),
+    *("rejected", "preempting", "recalling", "recalled", "lost"),
+)
+REPLACED = re.compile(r"another goal was received")
+"""Words of a goal that ends because a newer one came."""
+
+
+def read_status(names: Names) -> Read:
+    """Read an actionlib_msgs/GoalStatusArray, which comes five times a second."""
+    read, read_one = (
+        ros.reader(messages.GoalStatusArray, names.paths("status")),
+        ros.reader(messages.GoalStatus),
+    )
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        listed, faults = read(msg).status_list, list[str]()
+        goals = []
+        for one in read_all(read_one, listed[-MOST_ORDERS:], "status_list", MOST_ORDERS, faults):
+            try:
+                goals.append(_goal(one))
+            except WireError as problem:
+                faults.append(str(problem))
+        yield GoalsReported(robot, at, ACTION, tuple(goals), faults[0] if faults else "")
+        yield Alive(robot, at)
+
+    return facts
+
+
+def _goal(one: messages.GoalStatus) -> Goal:
+    state, id_ = STATES.get(one.status), one.goal_id.id
+    if state is OrderState.CANCELLED and REPLACED.search(one.text):
+        state = OrderState.REPLACED
+    word = WORDS[one.status] if 0 <= one.status < len(WORDS) else f"status {one.status}"
+    return Goal(
+        short_id(id_),
+        id_,
+        ACTION,
+        state,
+        word,
+        one.goal_id.stamp.seconds,
+        is_ending=one.status == PREEMPTING,
+        said=brief(one.text),
+    )
+
+
+def short_id(id_: str) -> str:
+    """Return eight digits for a goal's id, as people write it: the first ones of a console's goal, made from
+    any other. Raises WireError."""
+    if not id_:
+        # To cancel a goal of this id would cancel all goals.
+        raise WireError("goal_id.id is empty, which stands for all goals")
+    if len(id_) > LONGEST_ID:
+        raise WireError(f"goal_id.id has {len(id_):,} characters")
+    own = OWN_NAME.fullmatch(id_)
+    return own[1] if own else hashlib.sha256(id_.encode(errors="replace")).hexdigest()[:8]
+
+
+def read_target(names: Names) -> Read:
+    """Read a geometry_msgs/PoseStamped: where the goal leads to that has just begun."""
+    read = ros.reader(messages.Posed, names.paths("target"))
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        yield TargetReported(robot, at, pose_of(read(msg).pose, "pose"))
+
+    return facts
+
+
+def read_feedback(names: Names) -> Read:
+    """Read a move_base_msgs/MoveBaseActionFeedback. Where the robot is it tells better elsewhere, if it has a
+    topic for that."""
+    read = ros.reader(messages.ActionFeedback, names.paths("feedback"))
+
+    def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
+        placed = read(msg).feedback.base_position
+        pose = pose_of(placed.pose, "feedback.base_position.pose")
+        yield Alive(robot, at)
+        if not names.topic("pose", robot):
+            stamp = placed.header.stamp.seconds
+            yield LocalisationReported(robot, at, pose, placed.header.frame_id, stamp, None)
+
+    return facts

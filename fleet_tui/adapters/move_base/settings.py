@@ -1,0 +1,7 @@
+"""Settings of this kind alone: `[profile.move_base]`."""
+
+from fleet_tui.adapters.ros_navigation.pauses import PauseSettings
+
+
+class Settings(PauseSettings, frozen=True):
+    """Settings of robots with move_base."""

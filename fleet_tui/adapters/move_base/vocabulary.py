@@ -1,0 +1,35 @@
+"""Names of move_base's topics, `{robot}` being the namespace."""
+
+from fleet_tui.adapters.ros.fields import GRID, HEADER, alike, placed
+from fleet_tui.adapters.ros.names import Vocabulary
+
+VOCABULARY = Vocabulary(
+    topics={
+        "status": ("/{robot}/move_base/status", "actionlib_msgs/GoalStatusArray"),
+        "goal": ("/{robot}/move_base/goal", "move_base_msgs/MoveBaseActionGoal"),
+        "cancel": ("/{robot}/move_base/cancel", "actionlib_msgs/GoalID"),
+        "feedback": ("/{robot}/move_base/feedback", "move_base_msgs/MoveBaseActionFeedback"),
+        "target": ("/{robot}/move_base/current_goal", "geometry_msgs/PoseStamped"),
+        "plan": ("/{robot}/move_base/NavfnROS/plan", "nav_msgs/Path"),
+        "odometry": ("/{robot}/odom", "nav_msgs/Odometry"),
+        "pose": ("/{robot}/amcl_pose", "geometry_msgs/PoseWithCovarianceStamped"),
+        "battery": ("/{robot}/battery_state", "sensor_msgs/BatteryState"),
+        "floor": ("", "std_msgs/String"),
+        "pause_navigation": ("", "std_msgs/Bool"),
+        "map": ("/map", "nav_msgs/OccupancyGrid"),
+    },
+    floor_topics=frozenset({"map"}),
+    services={"pause": ("", "std_srvs/Trigger"), "resume": ("", "std_srvs/Trigger")},
+    fields={
+        "status": alike("status_list"),
+        "feedback": placed("feedback.base_position.pose."),
+        "target": placed("pose."),
+        "plan": alike("poses"),
+        "odometry": {**HEADER, **placed("pose.pose.")},
+        "pose": {**HEADER, **placed("pose.pose."), "covariance": "pose.covariance"},
+        "battery": alike("percentage"),
+        "floor": alike("data"),
+        "map": GRID,
+    },
+    scales=frozenset({"odometry", "pose", "battery"}),
+)

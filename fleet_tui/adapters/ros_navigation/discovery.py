@@ -1,0 +1,88 @@
+"""Robots of navigation stacks by their namespaces: their topics, and the floors that they are on."""
+
+from collections.abc import Iterable, Sequence
+
+from fleet_tui.adapters.discovery import Discovery, Listed, natural
+from fleet_tui.adapters.ros.names import Vocabulary
+from fleet_tui.adapters.ros.type_names import same_type
+
+ALONE, GROUND = "robot_0", "floor_0"
+"""The name of a robot without a namespace, and of a floor that nothing names."""
+MAP, TEXT = "nav_msgs/OccupancyGrid", "std_msgs/String"
+
+
+def namespaces(names: Iterable[str], ends: Iterable[str]) -> set[str]:
+    """Return the namespaces, without a leading slash, in which names end so; empty is that of a robot alone
+    on its bridge."""
+    ends = tuple(ends)
+    return {name[: -len(end)].strip("/") for name in names for end in ends if name.endswith(f"/{end}")}
+
+
+def of_robots(spaces: set[str]) -> list[str]:
+    """Return the namespaces of robots: none is that of a robot only where there is no other."""
+    return sorted(spaces - {""} or spaces, key=natural)
+
+
+def _templates(spaces: Sequence[str], names: Iterable[str]) -> set[str]:
+    """Names in the namespaces of robots as a profile has them."""
+    if spaces == [""]:
+        return set(names)
+    return {
+        f"/{{robot}}/{name.removeprefix(f'/{space}/')}"
+        for name in names
+        for space in spaces
+        if name.startswith(f"/{space}/")
+    }
+
+
+def _of_type(listed: Listed, type_: str) -> list[str]:
+    return [name for name, other in listed.topics.items() if same_type(other, type_)]
+
+
+def find_topic(
+    found: Discovery, key: str, vocabulary: Vocabulary, spaces: Sequence[str], listed: Listed
+) -> None:
+    """Name a topic where it is not the usual one. One that no robot has is switched off."""
+    name, type_ = vocabulary.topics[key]
+    usual = name.replace("/{robot}", "") if spaces == [""] else name
+    there = _templates(spaces, _of_type(listed, type_))
+    there = {one for one in there if not one.endswith("/initialpose")}
+    if usual in there or not there:
+        chosen = usual if there else ""
+    else:
+        chosen = found.choose("topics", key, there, usual, type_)
+        if not chosen:
+            return
+    if chosen != name:
+        found.topics[key] = chosen
+    if not there:
+        found.note("topics", f"{key}: nothing of type {type_} is there")
+
+
+def find_floors(found: Discovery, spaces: Sequence[str], listed: Listed) -> None:
+    """Find the floors: one map for all, one for each floor, or one of each robot."""
+    maps = [name for name in _of_type(listed, MAP) if name.endswith("/map")]
+    named = [name.split("/")[1] for name in maps if name.count("/") == 2]
+    floors = sorted({one for one in named if one not in spaces}, key=natural)
+    if "/map" in maps or not floors:
+        floors = [GROUND]
+        if "/map" not in maps:
+            own = "/{robot}/map" in _templates(spaces, maps)
+            found.topics["map"] = "/{robot}/map" if own else ""
+    else:
+        found.topics["map"] = "/{floor}/map"
+    found.live_maps |= set(floors) if found.topics.get("map", "/map") else set()
+    for robot in found.robots:
+        found.robots[robot] = list(floors)
+    _floor_topic(found, spaces, listed)
+
+
+def _floor_topic(found: Discovery, spaces: Sequence[str], listed: Listed) -> None:
+    there = sorted(_templates(spaces, _of_type(listed, TEXT)))
+    told = [one for one in there if any(word in one.rpartition("/")[2] for word in ("floor", "level"))]
+    if len(found.floors) > 1 and told:
+        found.topics["floor"] = told[0]
+    elif told:
+        found.note("topics", f'floor = "{told[0]}"   # if it names the floor as [[floors]] does')
+    elif len(found.floors) > 1:
+        found.note("topics", 'floor = "..."   # or give each robot its floor: nothing tells where one is')

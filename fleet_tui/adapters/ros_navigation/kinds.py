@@ -1,0 +1,49 @@
+"""What navigating robots report and accept, whichever stack drives them."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros_navigation import reading
+from fleet_tui.adapters.ros_navigation.pauses import Pauses
+from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, Kind
+
+TOPICS = ("odometry", "pose", "battery")
+BATTERY_SILENCE = 60.0
+"""Seconds after which a battery's word is old: some drivers publish it every ten seconds."""
+READERS: Mapping[str, Callable[[Names], reading.Read]] = {
+    "odometry": reading.read_odometry,
+    "pose": reading.read_localisation,
+    "battery": reading.read_battery,
+    "floor": reading.read_floor,
+    "plan": reading.read_plan,
+}
+"""Readers of the topics that all of them have."""
+
+
+def kind_of_goals(
+    name: str, names: Names, pauses: Pauses, reports: Sequence[str], silence: Mapping[str, float]
+) -> Kind:
+    """Return a kind of robots that drive one goal at a time. `reports` are its values beside places, charge
+    and maps, `silence` theirs."""
+    usual = {"battery": BATTERY_SILENCE, **silence}
+    if not _has(names, "odometry"):
+        # The localisation of a robot that stands is silent: only wheels tell that it is still there.
+        usual["pose"] = math.inf
+    return Kind(
+        name,
+        tuple(key for key in (*TOPICS, *reports) if _has(names, key)),
+        (ORDER, ORDER_TO, CANCEL, CLEAR, *pauses.accepted),
+        {**usual, **names.profile.silence},
+        pauses.unset,
+        frames_are_floors=False,
+        tells_ends=True,
+        keeps_goals=True,
+        holds=pauses.holds,
+        takes_stops=True,
+        changes_floors=False,
+    )
+
+
+def _has(names: Names, key: str) -> bool:
+    return key not in names.vocabulary.topics or bool(names.topic(key, "robot", "floor"))

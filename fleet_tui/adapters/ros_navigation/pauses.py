@@ -1,0 +1,65 @@
+"""What stands in for a pause, which navigation stacks do not have."""
+
+from collections.abc import Iterator, Sequence
+from typing import Literal
+
+from msgspec import Struct
+
+from fleet_tui.adapters.adapter import Call, Outgoing, Publication
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.model.kind import PAUSE, RESUME
+
+
+class PauseSettings(Struct, frozen=True):
+    """`pause`: what stands in for a pause. `hold` cancels the goal and keeps it in this console, `lock` locks
+    the motors over `[profile.topics] pause_navigation`, empty is none."""
+
+    pause: Literal["hold", "lock", ""] = "hold"
+
+
+class Pauses:
+    """The pauses of one site's robots: services where it names both, else what its settings say."""
+
+    def __init__(self, names: Names, settings: PauseSettings) -> None:
+        self._names = names
+        # One service alone is none: what it paused nothing would resume.
+        self._has_services = all(names.service(key, "robot") for key in ("pause", "resume"))
+        self._wants_lock = settings.pause == "lock"
+        self._locks = self._wants_lock and bool(names.topic("pause_navigation", "robot"))
+        self.holds = settings.pause == "hold" and not self._has_services
+        """To pause is to cancel the goal, which this console keeps."""
+
+    @property
+    def accepted(self) -> tuple[str, ...]:
+        """What such robots accept."""
+        return (PAUSE, RESUME) if self.holds or self._locks or self._has_services else ()
+
+    @property
+    def unset(self) -> dict[str, str]:
+        """The key that is empty where a pause over a lock lacks its topic."""
+        if self.accepted or not self._wants_lock:
+            return {}
+        return dict.fromkeys((PAUSE, RESUME), f"{self._names.table}.topics.pause_navigation")
+
+    def switch(self, key: str, robot: str) -> Sequence[Outgoing]:
+        """Return what pauses or resumes a robot, by the `key` of the service; nothing where it is held."""
+        names = self._names
+        if self._has_services:
+            return (Call(names.service(key, robot), names.service_type(key), {}),)
+        if self._locks:
+            topic, type_ = names.topic("pause_navigation", robot), names.type("pause_navigation")
+            return (Publication(topic, type_, {"data": key == "pause"}),)
+        return ()
+
+    def services(self, robot: str) -> Iterator[tuple[str, str, str]]:
+        """Return key, name and type of each service that pauses or resumes a robot."""
+        for key in ("pause", "resume"):
+            if name := self._names.service(key, robot):
+                yield key, name, self._names.service_type(key)
+
+    def publications(self, robot: str) -> Sequence[tuple[str, str]]:
+        """Return name and type of the topic of the lock, if there is one."""
+        names = self._names
+        if not self._locks or self._has_services:
+            return ()
+        return ((names.topic("pause_navigation", robot), names.type("pause_navigation")),)

@@ -1,0 +1,35 @@
+"""Places that orders lead to, as the poses that navigation stacks take."""
+
+import math
+from collections.abc import Mapping
+
+from fleet_tui.errors import CommandError
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.order import Stop
+from fleet_tui.model.robot import Robot
+
+
+def pose_of_stop(robot: Robot, stop: Stop, before: Pose | None) -> Pose:
+    """Return the pose of a stop: with a heading of its own, else that of the way from `before`. Raises
+    CommandError."""
+    if stop.pose is not None:
+        return stop.pose
+    chart = robot.charts.get(robot.floor or "")
+    if chart is None or chart.graph is None or stop.vertex not in chart.graph.vertices:
+        raise CommandError(f"where vertex {stop.vertex} lies is not known: no graph of its floor has it")
+    vertex = chart.graph.vertices[stop.vertex]
+    if before is None:
+        return Pose(vertex.x, vertex.y)
+    dx, dy = vertex.x - before.x, vertex.y - before.y
+    return Pose(vertex.x, vertex.y, math.atan2(dy, dx) if math.hypot(dx, dy) > 0.1 else before.yaw)
+
+
+def stamped(pose: Pose) -> Mapping[str, object]:
+    """Return a geometry_msgs/PoseStamped without a stamp: the robot looks where its map is now."""
+    return {
+        "header": {"frame_id": "map"},
+        "pose": {
+            "position": {"x": pose.x, "y": pose.y, "z": 0.0},
+            "orientation": {"x": 0.0, "y": 0.0, "z": math.sin(pose.yaw / 2), "w": math.cos(pose.yaw / 2)},
+        },
+    }

@@ -1,0 +1,129 @@
+"""Reports of goals: which ones a robot's action servers list, and where each leads to."""
+
+import math
+from collections.abc import Collection
+from typing import assert_never
+
+from msgspec.structs import replace
+
+from fleet_tui.model import events, navigation_events
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.goals import active, queue_of, with_reported, with_stops, without
+from fleet_tui.model.order import Stop
+from fleet_tui.model.reports import apply_report
+from fleet_tui.model.robot import Reading, Robot
+
+JUST_BEGUN = 1.0
+"""Seconds within which a goal that begins is listed and its target is told, in whichever order."""
+AT_VERTEX = 0.5
+"""Metres from a vertex within which a path ends at it."""
+
+
+def apply_goals(robot: Robot, event: navigation_events.GoalFact) -> Robot:
+    """Apply one report about goals to their robot."""
+    match event:
+        case navigation_events.GoalsReported():
+            return _take_goals(robot, event)
+        case navigation_events.GoalsUnknown():
+            return _without_goals(robot, event.uuids, event.at)
+        case navigation_events.PlanReported():
+            return _take_plan(robot, event)
+        case navigation_events.TargetReported():
+            return _take_target(heard_at(robot, event.at), event)
+        case _:
+            assert_never(event)
+
+
+def heard_at(robot: Robot, at: float) -> Robot:
+    """Take a sign of life."""
+    return replace(robot, heard=max(robot.heard or at, at))
+
+
+def _take_goals(robot: Robot, event: navigation_events.GoalsReported) -> Robot:
+    last, before = robot.orders.last_serial, robot.queue.at if robot.queue else math.inf
+    goals = with_reported(robot.goals, event.action, event.goals, event.at, last, not event.fault)
+    is_listed = any(goal.uuid == robot.named for goal in event.goals)
+    robot = replace(robot, goals=goals, named="" if is_listed else robot.named)
+    robot = _with_queue(robot, event.at, event.fault)
+    if robot.target is not None and robot.target.at > before:
+        return _led_to(robot, robot.target.value, event.at)
+    return robot
+
+
+def _take_target(robot: Robot, event: navigation_events.TargetReported) -> Robot:
+    """A goal that has just begun leads there; it may be listed before that is told, or after."""
+    robot = replace(robot, target=Reading(event.pose, event.at))
+    return _led_to(robot, event.pose, event.at - JUST_BEGUN)
+
+
+def _led_to(robot: Robot, pose: Pose, since: float) -> Robot:
+    """Note where the goal leads to that was first seen to be driven at `since` or later."""
+    begun = {goal.id for goal in active(robot.goals) if goal.begun_at is not None and goal.begun_at >= since}
+    current = robot.orders.current
+    if current is None or current.id not in begun or current.stops or current.label:
+        return robot
+    return know_stops(robot, current.id, (_stop_at(robot, pose),))
+
+
+def _with_queue(robot: Robot, at: float, fault: str = "") -> Robot:
+    """Compare the goals with those of before as a queue is compared; the message is latched, and no life."""
+    offset, last = robot.clock.offset if robot.clock else None, robot.orders.last_serial
+    queue = queue_of(robot.goals, at, offset, last)
+    heard = robot.heard
+    return replace(apply_report(robot, events.QueueReported(robot.name, at, queue, fault)), heard=heard)
+
+
+def _without_goals(robot: Robot, uuids: Collection[str], at: float) -> Robot:
+    goals = without(robot.goals, uuids)
+    return robot if goals == robot.goals else _with_queue(replace(robot, goals=goals), at)
+
+
+def without_unlisted(robot: Robot, since: float, now: float) -> Robot:
+    """Let go the goals that nothing was heard of since the link came up, at `since`: lists are latched, so
+    an action server that lists none was started anew, and its goals went with it."""
+    heard = robot.progress.value.goal if robot.progress and robot.progress.at >= since else ""
+    gone = [goal.uuid for goal in active(robot.goals) if goal.listed_at < since and goal.id != heard]
+    return _without_goals(robot, gone, now) if gone else robot
+
+
+def without_ended(robot: Robot, now: float) -> Robot:
+    """Let go the goals that ended a while ago: no message of their action server tells it."""
+    if robot.queue is None or not any(order.is_over for order in robot.orders.orders):
+        return robot
+    offset, last = robot.clock.offset if robot.clock else None, robot.orders.last_serial
+    queue = queue_of(robot.goals, now, offset, last)
+    if len(queue.orders) == len(robot.orders.orders):
+        return robot
+    return replace(robot, queue=Reading(queue, robot.queue.at))
+
+
+def know_stops(robot: Robot, order_id: str, stops: tuple[Stop, ...], is_ours: bool = False) -> Robot:
+    """Note where a goal leads to, which its action server does not tell, and whether this console gave it."""
+    goals = with_stops(robot.goals, order_id, stops, is_ours)
+    if goals == robot.goals or robot.queue is None:
+        return robot
+    orders = tuple(
+        replace(order, stops=stops) if order.id == order_id else order for order in robot.orders.orders
+    )
+    traces = {
+        id_: replace(trace, order=replace(trace.order, stops=stops)) if id_ == order_id else trace
+        for id_, trace in robot.traces.items()
+    }
+    queue = replace(robot.queue.value, orders=orders)
+    return replace(robot, goals=goals, traces=traces, queue=Reading(queue, robot.queue.at))
+
+
+def _take_plan(robot: Robot, event: navigation_events.PlanReported) -> Robot:
+    """The path ends where a goal of unknown target leads to."""
+    current = robot.orders.current
+    if current is None or current.stops or current.label:
+        return robot
+    return know_stops(robot, current.id, (_stop_at(robot, event.end),))
+
+
+def _stop_at(robot: Robot, pose: Pose) -> Stop:
+    chart = robot.charts.get(robot.floor or "")
+    vertices = chart.graph.vertices.values() if chart and chart.graph else ()
+    near = [(math.dist((one.x, one.y), (pose.x, pose.y)), one.id) for one in vertices]
+    metres, vertex = min(near, default=(math.inf, ""))
+    return Stop(vertex) if metres <= AT_VERTEX else Stop(pose=pose)

@@ -1,0 +1,1 @@
+"""Robots with the navigation stack of ROS 1: amcl and move_base."""

@@ -1,0 +1,119 @@
+"""Faults of robots with move_base."""
+
+import asyncio
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from fleet_tui.simulator.faults import FAULTS as OF_ALL
+from fleet_tui.simulator.faults import Faults, wire
+from fleet_tui.simulator.navigating.faults import AWHILE, BODY, at_once, often
+
+if TYPE_CHECKING:
+    # The command line lists the faults: it must not wait for the server to be imported.
+    from fleet_tui.simulator.move_base.navigation import MoveBase
+    from fleet_tui.simulator.server import RosbridgeServer
+
+Take = Callable[[dict[str, Any]], None]
+
+CONNECTS = 0.1  # seconds in which `first-lost` connects a new publisher
+GENERIC = ("frozen-rosapi", "dead-rosapi", "overloaded")
+
+
+def _rejects(navigation: "MoveBase") -> None:
+    navigation.rejects = True
+
+
+def _no_plan(navigation: "MoveBase") -> None:
+    navigation.plans = False
+
+
+def _no_feedback(navigation: "MoveBase") -> None:
+    navigation.tells = False
+
+
+def _aborts(navigation: "MoveBase", age: float) -> float:
+    if age < AWHILE:
+        return age
+    navigation.abort()
+    return 0.0
+
+
+def _dies(navigation: "MoveBase", age: float) -> float:
+    if age > AWHILE:
+        navigation.die()
+    return age
+
+
+def _restarts(server: "RosbridgeServer", robot: str) -> None:
+    """Restart the node once, in the middle of its first goal."""
+    done = False
+
+    def change(navigation: "MoveBase", age: float) -> float:
+        nonlocal done
+        if age > AWHILE and not done:
+            done = True
+            navigation.restart()
+        return age
+
+    often(change)(server, robot)
+
+
+def _heard(change: "Callable[[RosbridgeServer, Take, dict[str, Any]], None]", parts: str = "") -> wire.Play:
+    """A fault of the way on which goals and cancellations come: `change` has what would take the message."""
+
+    def play(server: "RosbridgeServer", robot: str) -> None:
+        for name, take in server.heard.items():
+            if name.startswith(f"/{robot}/") and name.endswith(parts):
+                server.heard[name] = partial(change, server, take)
+
+    return play
+
+
+def _lost(_server: "RosbridgeServer", _take: Take, _message: dict[str, Any]) -> None:
+    """Take nothing."""
+
+
+def _late(_server: "RosbridgeServer", take: Take, message: dict[str, Any]) -> None:
+    asyncio.get_running_loop().call_later(wire.LATE, take, message)
+
+
+def _drop(server: "RosbridgeServer", take: Take, message: dict[str, Any]) -> None:
+    take(message)
+    server.abort_clients()
+
+
+def _first_lost(server: "RosbridgeServer", _robot: str) -> None:
+    server.guests.connects_in = CONNECTS
+
+
+def _unsourced(server: "RosbridgeServer", _robot: str) -> None:
+    server.unsourced.add("move_base_msgs")
+
+
+def _unlocalised(server: "RosbridgeServer", robot: str) -> None:
+    server.muted.add(f"/{robot}/amcl_pose")
+
+
+FAULTS: Faults = {
+    **BODY,
+    "reject": ("every goal is rejected: status 5", at_once(_rejects)),
+    "no-plan": ("there is no way to any goal: recoveries, then an abort", at_once(_no_plan)),
+    "aborts": (f"every drive is aborted after {AWHILE:g} s", often(_aborts)),
+    "dead-server": (f"move_base crashes {AWHILE:g} s after the first goal", often(_dies)),
+    "restart": (
+        f"move_base is restarted {AWHILE:g} s after the first goal: it knows no goals any more",
+        _restarts,
+    ),
+    "no-feedback": ("it says nothing on the way", at_once(_no_feedback)),
+    "unlocalised": ("amcl has told no pose", _unlocalised),
+    "never": ("goals and cancellations are not taken", _heard(_lost)),
+    "refuse-cancel": ("cancellations are not taken", _heard(_lost, "/cancel")),
+    "late": (f"goals and cancellations are taken after {wire.LATE:g} s", _heard(_late)),
+    "drop": ("a goal or cancellation is taken, and all connections break", _heard(_drop)),
+    "first-lost": (
+        f"what a client publishes is lost for {CONNECTS:g} s after it has advertised the topic",
+        _first_lost,
+    ),
+    "unsourced": ("the bridge lacks the package move_base_msgs", _unsourced),
+} | {name: OF_ALL[name] for name in GENERIC}

@@ -1,0 +1,83 @@
+"""A fleet with move_base as the bridge sees it: topics on which goals come and go."""
+
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+from fleet_tui.simulator.fleets import Line
+from fleet_tui.simulator.frames import Payload
+from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.move_base.faults import FAULTS
+from fleet_tui.simulator.move_base.topics import CANCEL, GOAL, NODE, POSE, TYPES, MoveBaseNews, steady_topics
+from fleet_tui.simulator.move_base.world import MoveBaseWorld
+from fleet_tui.simulator.navigating.topics import map_topics
+from fleet_tui.simulator.navigating.words import health
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.goals import ActionServer, Goal
+from fleet_tui.simulator.ros_types import ServiceType, service_type
+
+Message = dict[str, Any]
+
+
+class MoveBaseFleet(MoveBaseWorld):
+    """The robots of a MoveBaseWorld on the wire."""
+
+    faults = FAULTS
+    actions: Mapping[str, ActionServer] = {}
+
+    def __init__(
+        self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
+    ) -> None:
+        super().__init__(robots, floors, seed, quiet, first, time.time_ns, step)
+        self._news = MoveBaseNews(self)
+
+    def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
+        """Every topic; the maps were loaded at this wall time."""
+        yield from map_topics(self.building, self.robots, loaded_at, dialect)
+        for navigation in self.navigation.values():
+            yield from steady_topics(navigation, dialect)
+        yield from self._news.topics(dialect)
+
+    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+        """The goals, poses and cancellations for each robot."""
+        return {
+            f"/{name}/{part}": (TYPES[part], take)
+            for name, navigation in self.navigation.items()
+            for part, take in (
+                (GOAL, navigation.hear_goal),
+                (POSE, navigation.hear_pose),
+                (CANCEL, navigation.hear_cancel),
+            )
+        }
+
+    def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
+        """Of each robot: the service that clears its costmaps, of which it has none."""
+        return {
+            f"/{name}/{NODE}/clear_costmaps": service_type(dialect, "std_srvs/Empty") for name in self.robots
+        }
+
+    def answer(self, service: str, args: Mapping[str, Any]) -> Message:
+        """Nothing."""
+        return {}
+
+    def news(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
+        """Everything that changed since the last look, and statuses again and again."""
+        return self._news.take(dialect)
+
+    def feedback(self, server: ActionServer, goal: Goal, dialect: Dialect) -> Message | None:
+        """Nothing: there are no actions of ROS 2."""
+
+    def result(self, server: ActionServer, goal: Goal) -> Message | None:
+        """Nothing."""
+
+    def lines(self) -> Iterator[Line]:
+        """The lines of move_base about everything that happened since the last look."""
+        for name, navigation in self.navigation.items():
+            lines = list(navigation.lines)
+            navigation.lines.clear()
+            if not navigation.robot.silence:
+                yield from ((level, f"/{name}/{NODE}", words) for level, words in lines)
+
+    def health(self) -> Iterable[Message]:
+        """The batteries and localisations of all robots that can be heard."""
+        return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))

@@ -1,0 +1,175 @@
+"""move_base of one robot: it takes goals and lets the robot drive. Pure."""
+
+import math
+from collections import deque
+from typing import Any
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.navigating.poses import FRAME, flat, solid
+from fleet_tui.simulator.navigating.robot import NO_PROGRESS, NavigatingRobot
+from fleet_tui.simulator.navigating.world import Clock
+from fleet_tui.simulator.ros.actionlib import (
+    ABORTED,
+    PREEMPTED,
+    PREEMPTING,
+    SUCCEEDED,
+    ActionlibGoal,
+    SimpleActionServer,
+)
+from fleet_tui.simulator.words import ERROR, WARN
+
+Message = dict[str, Any]
+
+MOVED, TURNED = 0.2, math.pi / 6  # metres, radians after which amcl tells where it is
+PATIENCE = 20.0  # seconds for which it looks for a plan, recovery behaviours included
+NEAR = 0.3  # metres from the charger at which it charges
+
+NO_PLAN = "Failed to find a valid plan. Even after executing recovery behaviors."
+NO_CONTROL = "Failed to find a valid control. Even after executing recovery behaviors."
+INVALID = "Aborting on goal because it was sent with an invalid quaternion"
+REACHED = "Goal reached."
+
+
+class MoveBase:
+    """Its attributes are for tests and faults to read and change. `clock`: nanoseconds since 1970."""
+
+    def __init__(self, robot: NavigatingRobot, clock: Clock) -> None:
+        self.robot, self._clock = robot, clock
+        robot.moved, robot.turned = MOVED, TURNED
+        self.server = SimpleActionServer(f"/{robot.name}/move_base", clock)
+        self.alive = True
+        """False: its node is gone."""
+        self.tells = True
+        """False: nothing is said on the way."""
+        self.rejects = False
+        """True: every goal is rejected."""
+        self.plans = True
+        """False: there is no way to anywhere."""
+        self.received: list[Message] = []
+        """Every goal that was heard; the newest last."""
+        self.begun: deque[Message] = deque(maxlen=100)
+        """The poses of goals that were begun, still to be published."""
+        self.forwarded: deque[Message] = deque(maxlen=100)
+        """The goals that were made of poses alone, still to be published."""
+        self.lines: deque[tuple[int, str]] = deque(maxlen=100)
+        """Lines for the log, still to be published: level and words."""
+        self._sought = 0.0
+
+    @property
+    def busy(self) -> bool:
+        """Tell whether it has a goal."""
+        return bool(self.server.running)
+
+    def hear_goal(self, message: Message) -> None:
+        """Take a move_base_msgs/MoveBaseActionGoal."""
+        if self.alive:
+            self.received.append(message)
+            del self.received[:-1000]
+            id_ = message["goal_id"]
+            self.server.take(id_["id"], _nanoseconds(id_["stamp"]), message["goal"], self.rejects)
+
+    def hear_pose(self, message: Message) -> None:
+        """Take a geometry_msgs/PoseStamped, and forward it as a goal without an id."""
+        if self.alive:
+            now = _time(self._clock())
+            header = {"seq": 0, "stamp": now, "frame_id": ""}
+            id_ = {"stamp": _time(0), "id": ""}
+            goal = {"header": header, "goal_id": id_, "goal": {"target_pose": message}}
+            self.forwarded.append(goal)
+            self.hear_goal(goal)
+
+    def hear_cancel(self, message: Message) -> None:
+        """Take an actionlib_msgs/GoalID."""
+        if self.alive:
+            self.server.cancel(message["id"], _nanoseconds(message["stamp"]))
+
+    def give(self, x: float, y: float, yaw: float = 0.0) -> None:
+        """Give it a pose as another client would."""
+        header = {"seq": 0, "stamp": _time(self._clock()), "frame_id": FRAME}
+        self.hear_pose({"header": header, "pose": solid(Pose(x, y, yaw))})
+
+    def cancel_all(self) -> None:
+        """Cancel its goals as another client would."""
+        self.hear_cancel({"stamp": _time(0), "id": ""})
+
+    def abort(self) -> None:
+        """Let the robot give up the drive it is on."""
+        if self.robot.driving:
+            self.robot.fail(*NO_PROGRESS)
+
+    def die(self) -> None:
+        """End as a node that crashes."""
+        self.restart()
+        self.alive = False
+        self.server.said.clear()
+
+    def restart(self) -> None:
+        """Begin as a node that has just been started."""
+        self.robot.halt()
+        self.server.restart()
+
+    def step(self, dt: float) -> None:
+        """Bring the goals on, after the robot has lived for dt seconds."""
+        self.server.age(dt)
+        goal = self.server.accept()
+        if goal is not None:
+            self._begin(goal)
+        elif self.server.current is not None and not self.server.current.over:
+            self._advance(self.server.current, dt)
+
+    def _begin(self, goal: ActionlibGoal) -> None:
+        assert goal.request is not None
+        self.robot.halt()
+        self._sought = 0.0
+        pose = goal.request["target_pose"]
+        if not _is_upright(pose["pose"]["orientation"]):
+            self.lines.append((ERROR, "Quaternion is invalid, discarding as a navigation goal"))
+            self.server.end(goal, ABORTED, INVALID)
+            return
+        self.begun.append(pose)
+        if pose["header"]["frame_id"] == FRAME:
+            if self.plans:
+                self.robot.drive([flat(pose["pose"])])
+        else:  # it tries for ever to transform the pose, and stands
+            frame = pose["header"]["frame_id"]
+            self.lines.append((WARN, f"Failed to transform the goal pose from {frame} into the map frame"))
+
+    def _advance(self, goal: ActionlibGoal, dt: float) -> None:
+        assert goal.request is not None
+        if goal.status == PREEMPTING:
+            self._finish(goal, PREEMPTED, "")
+        elif self.robot.failure == NO_PROGRESS:
+            self._finish(goal, ABORTED, NO_CONTROL)
+        elif self.robot.failure is not None or not (self.plans or self.robot.driving):
+            self._sought += dt
+            if self._sought > PATIENCE:
+                self._finish(goal, ABORTED, NO_PLAN)
+        elif not self.robot.driving and goal.request["target_pose"]["header"]["frame_id"] == FRAME:
+            self._finish(goal, SUCCEEDED, REACHED)
+            self.robot.docked = self._at_charger()
+
+    def _finish(self, goal: ActionlibGoal, status: int, text: str) -> None:
+        self.robot.halt()
+        self.server.end(goal, status, text)
+        if status == ABORTED:
+            self.lines.append((ERROR, text.replace("Failed to find", "Aborting: failed to find")))
+
+    def _at_charger(self) -> bool:
+        floor, at = self.robot.floor, self.robot.pose
+        charger = floor.graph.vertices[floor.vertex_of("charger")]
+        return math.dist((charger.x, charger.y), (at.x, at.y)) < NEAR
+
+
+def _is_upright(turn: Message) -> bool:
+    """Tell whether a quaternion is one, and turns about the vertical only."""
+    x, y, z, w = (turn[axis] for axis in "xyzw")
+    length = x * x + y * y + z * z + w * w
+    return math.isfinite(length) and length >= 1e-6 and 2.0 * (x * x + y * y) / length <= 1e-3
+
+
+def _nanoseconds(time: Message) -> int:
+    return int(time["secs"]) * 10**9 + int(time["nsecs"])
+
+
+def _time(nanoseconds: int) -> Message:
+    return {"secs": nanoseconds // 10**9, "nsecs": nanoseconds % 10**9}

@@ -1,0 +1,15 @@
+"""Simulated robots with move_base as a value that steps: no I/O; the seed is the only chance in it."""
+
+import random
+
+from fleet_tui.simulator.move_base.navigation import MoveBase
+from fleet_tui.simulator.navigating.robot import NavigatingRobot
+from fleet_tui.simulator.navigating.world import Clock, NavigatingWorld
+
+
+class MoveBaseWorld(NavigatingWorld[MoveBase]):
+    """`robots` robots on `floors` floors, as NavigatingWorld has it."""
+
+    def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> MoveBase:
+        """Make the navigation stack of a robot."""
+        return MoveBase(robot, clock)

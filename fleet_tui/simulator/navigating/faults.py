@@ -1,0 +1,113 @@
+"""Faults of robots that navigate, whichever stack they run."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from fleet_tui.simulator.faults import Faults, wire
+
+if TYPE_CHECKING:
+    # The command line lists the faults: it must not wait for the server to be imported.
+    from fleet_tui.simulator.navigating.world import Navigating
+    from fleet_tui.simulator.server import RosbridgeServer
+
+    N = TypeVar("N", bound=Navigating)
+else:
+    N = TypeVar("N")
+
+AWHILE = 3.0  # seconds after which something happens to a drive
+EVERY = 20.0  # seconds between two goals of another client
+FLAT = 8.0  # per cent above which `battery` never charges
+
+
+def navigation_of(server: "RosbridgeServer", robot: str) -> Any:
+    """The navigation stack of a robot."""
+    from fleet_tui.simulator.navigating.world import NavigatingWorld
+
+    fleet = server.fleet_of(robot)
+    assert isinstance(fleet, NavigatingWorld)
+    return fleet.navigation[robot]
+
+
+def at_once(change: Callable[[N], None]) -> wire.Play:
+    """A fault that is there from the start."""
+    return lambda server, robot: change(navigation_of(server, robot))
+
+
+def often(change: Callable[[N, float], float], idle: bool = False) -> wire.Play:
+    """A fault that happens again and again: `change` is told the seconds for which there has been a goal, or
+    where `idle` those since it happened, and returns what is left of them."""
+
+    def play(server: "RosbridgeServer", robot: str) -> None:
+        navigation, age = navigation_of(server, robot), 0.0
+
+        def step(dt: float) -> None:
+            nonlocal age
+            busy = idle or navigation.busy
+            age = change(navigation, age + dt / server.speed if busy else 0.0)
+
+        server.fleet_of(robot).troubles.append(step)
+
+    return play
+
+
+def _foreign_goal(navigation: "Navigating", age: float) -> float:
+    if age < EVERY:
+        return age
+    floor, at = navigation.robot.floor, navigation.robot.pose
+    far = max(floor.labels, key=lambda id_: abs(floor.graph.vertices[id_].x - at.x))
+    navigation.give(floor.graph.vertices[far].x, floor.graph.vertices[far].y)
+    return 0.0
+
+
+def _foreign_cancel(navigation: "Navigating", age: float) -> float:
+    if age < AWHILE:
+        return age
+    navigation.cancel_all()
+    return 0.0
+
+
+def _no_odom(navigation: "Navigating") -> None:
+    navigation.robot.odometry = False
+
+
+def _lost(navigation: "Navigating") -> None:
+    navigation.robot.lose()
+
+
+def _obstacle(navigation: "Navigating") -> None:
+    navigation.robot.block()
+
+
+def _stuck(navigation: "Navigating") -> None:
+    navigation.robot.stuck = True
+
+
+def _silent(navigation: "Navigating") -> None:
+    navigation.robot.silence = float("inf")
+
+
+def _battery(navigation: "Navigating", age: float) -> float:
+    navigation.robot.battery = min(navigation.robot.battery, FLAT)
+    return age
+
+
+def _unmeasured(navigation: "Navigating") -> None:
+    navigation.robot.percent = float("nan")
+
+
+def _percent(navigation: "Navigating") -> None:
+    navigation.robot.percent = 1.0
+
+
+BODY: Faults = {
+    "stuck": ("its wheels stand still: recoveries, then an abort", at_once(_stuck)),
+    "foreign-goal": (f"another client gives it a goal every {EVERY:g} s", often(_foreign_goal, idle=True)),
+    "foreign-cancel": (f"another client cancels every goal after {AWHILE:g} s", often(_foreign_cancel)),
+    "no-odom": ("it has no odometry", at_once(_no_odom)),
+    "lost": ("its localisation is not sure where it is, and wrong", at_once(_lost)),
+    "obstacle": ("it stops before an obstacle that stays", at_once(_obstacle)),
+    "battery": (f"a battery that never holds more than {FLAT:g} %", often(_battery, idle=True)),
+    "unmeasured": ("its battery's percentage is not measured: NaN", at_once(_unmeasured)),
+    "percent": ("its battery's percentage is 0 to 100 instead of 0 to 1", at_once(_percent)),
+    "silent": ("nothing is heard of it", at_once(_silent)),
+}

@@ -1,0 +1,94 @@
+"""The messages of robots that navigate, in the words of either generation of ROS. Pure."""
+
+import math
+from collections.abc import Callable
+from itertools import count
+from typing import Any
+
+import numpy as np
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
+from fleet_tui.simulator.messages import float32
+from fleet_tui.simulator.navigating.poses import FRAME, solid
+from fleet_tui.simulator.navigating.robot import NavigatingRobot
+from fleet_tui.simulator.robot import SPEED
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.warehouse import Floor
+
+Message = dict[str, Any]
+Header = Callable[[float], Message]
+"""Makes the header of a topic's next message from the wall time."""
+
+CHARGING, DISCHARGING, LION = 1, 2, 2  # sensor_msgs/BatteryState
+UNMEASURED = dict.fromkeys(("temperature", "current", "charge", "capacity", "design_capacity"), math.nan)
+
+
+def headers(dialect: Dialect, frame: str = FRAME) -> Header:
+    """The headers of one topic, in the map's frame or another."""
+    said = count(1)
+    return lambda now: dialect.header(next(said), now, frame)
+
+
+def odometry(robot: NavigatingRobot, dialect: Dialect, header: Message) -> Message:
+    """nav_msgs/Odometry in the robot's own frame; what it doesn't measure is NaN."""
+    # What a planar robot can't do it does not do for sure; the angles it can't tilt to are not measured.
+    spread = _diagonal(dialect, 0.01, 0.01, 0.0, math.nan, math.nan, 0.03)
+    twist = {"linear": _vector(SPEED if robot.moving else 0.0), "angular": _vector(0.0)}
+    return {
+        "header": header,
+        "child_frame_id": f"{robot.name}/base_link",
+        "pose": {"pose": solid(robot.odom), "covariance": spread},
+        "twist": {"twist": twist, "covariance": dialect.fixed([0.0] * 36)},
+    }
+
+
+def localisation(pose: Pose, variance: float, dialect: Dialect, header: Message) -> Message:
+    """geometry_msgs/PoseWithCovarianceStamped."""
+    spread = _diagonal(dialect, variance, variance, 0.0, 0.0, 0.0, variance)
+    return {"header": header, "pose": {"pose": solid(pose), "covariance": spread}}
+
+
+def battery(robot: NavigatingRobot, header: Message) -> Message:
+    """sensor_msgs/BatteryState."""
+    return {
+        "header": header,
+        "voltage": float32(10.5 + 0.02 * robot.battery),
+        **UNMEASURED,
+        "percentage": float32(robot.percent * robot.battery),
+        "power_supply_status": CHARGING if robot.docked else DISCHARGING,
+        "power_supply_health": 0,
+        "power_supply_technology": LION,
+        "present": True,
+        "cell_voltage": [],
+        "cell_temperature": [],
+        "location": "",
+        "serial_number": "",
+    }
+
+
+def path(robot: NavigatingRobot, header: Message) -> Message:
+    """nav_msgs/Path from where it is to its goal."""
+    spots = [(robot.pose.x, robot.pose.y), *robot.way]
+    return {"header": header, "poses": [{"header": header, "pose": solid(Pose(*spot))} for spot in spots]}
+
+
+def grid(floor: Floor, header: Message, loaded: Message) -> Message:
+    """nav_msgs/OccupancyGrid."""
+    info = {
+        "map_load_time": loaded,
+        "resolution": float32(RESOLUTION),
+        "width": WIDTH,
+        "height": HEIGHT,
+        "origin": solid(Pose(*ORIGIN)),
+    }
+    return {"header": header, "info": info, "data": floor.cells.ravel()}
+
+
+def _diagonal(dialect: Dialect, *values: float) -> object:
+    """A matrix of six rows as an array of fixed length."""
+    return dialect.fixed(np.diag(values).ravel().tolist())
+
+
+def _vector(x: float) -> Message:
+    return {"x": x, "y": 0.0, "z": 0.0}

@@ -1,0 +1,183 @@
+"""Orders under a name of this console's, whose stops it gives one after the other."""
+
+from msgspec.structs import replace
+
+from fleet_tui.adapters.adapter import Site
+from fleet_tui.adapters.move_base.adapter import MoveBase
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.events import CommandAdvanced, CommandIssued
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.keeping import foreign, next_to_send, to_keep
+from fleet_tui.model.navigation import Goal
+from fleet_tui.model.navigation_events import (
+    Alive,
+    GoalsReported,
+    LocalisationReported,
+    OdometryReported,
+    TargetReported,
+)
+from fleet_tui.model.order import OrderState, Stop, at_vertices
+from fleet_tui.model.wishes import given_now
+from tests.fleets import F0, R0, T0, fleet, graph, link_up, tick, told
+
+KIND = MoveBase(Profile(kind="move_base"), Site()).kind
+ON, DONE, FAILED, OFF, REFUSED = (
+    OrderState.IN_PROCESS,
+    OrderState.DONE,
+    OrderState.FAILED,
+    OrderState.CANCELLED,
+    OrderState.REFUSED,
+)
+A_B = PlaceOrder(R0, at_vertices("1", "2"))
+
+
+def site() -> FleetState:
+    """A robot with move_base that stands still, at T0."""
+    state = fleet()
+    state = replace(state, robots={R0: replace(state.robots[R0], kind=KIND)})
+    pose = OdometryReported(R0, T0, Pose(0.0, 0.0), T0)
+    placed = LocalisationReported(R0, T0, Pose(0.0, 0.0), "map", T0, 0.01)
+    return told(state, link_up(T0), graph(1, 2, 3), pose, placed, goals(T0), tick(T0))
+
+
+def goal(name: str, state: OrderState = ON, said: str = "") -> Goal:
+    return Goal(name[-8:], name, "move_base", state, state.value, said=said)
+
+
+def goals(at: float, *listed: Goal) -> GoalsReported:
+    return GoalsReported(R0, at, "move_base", listed)
+
+
+def sent(state: FleetState, at: float, name: str, command: PlaceOrder = A_B, id_: int = 7) -> FleetState:
+    known = any(one.id == id_ for one in state.commands)
+    issued = () if known else (CommandIssued(id_, command, at, at),)
+    return told(state, *issued, CommandAdvanced(id_, Stage.SENT, at, "", name))
+
+
+def lived(state: FleetState, at: float, *listed: Goal) -> FleetState:
+    return told(state, goals(at, *listed), Alive(R0, at), tick(at))
+
+
+def record(state: FleetState, id_: int = 7) -> CommandRecord:
+    return next(one for one in state.commands if one.id == id_)
+
+
+def test_an_order_is_recognised_by_its_name_alone() -> None:
+    state = sent(site(), T0 + 1, "our-name")
+    state = lived(state, T0 + 1.2, goal("another1"), goal("our-name"))
+    assert record(state).stage is Stage.CONFIRMED and record(state).order_id == "our-name"
+    assert [one.id for one in foreign(state, state.robots[R0])] == ["another1"]
+
+
+def test_no_other_new_goal_is_taken_for_it() -> None:
+    state = lived(sent(site(), T0 + 1, "our-name"), T0 + 1.2, goal("another1"))
+    state = lived(state, T0 + 20, goal("another1"))
+    assert record(state).stage is Stage.NOT_CONFIRMED
+    assert record(state).words == "no answer; no new goal was seen"
+
+
+def test_its_rejection_ends_it_with_the_robots_words() -> None:
+    state = lived(sent(site(), T0 + 1, "our-name"), T0 + 1.2, goal("our-name", REFUSED, "not now"))
+    assert (record(state).stage, record(state).words) == (Stage.REFUSED, "not now")
+
+
+def test_its_failure_is_told_in_the_robots_words() -> None:
+    state = sent(site(), T0 + 1, "our-name", PlaceOrder(R0, at_vertices("2")))
+    state = lived(state, T0 + 1.2, goal("our-name"))
+    state = lived(state, T0 + 2.0, goal("our-name", FAILED, "Failed to find a valid plan"))
+    assert record(state).stage is Stage.FAILED
+    assert record(state).words == "order our-name: Failed to find a valid plan"
+
+
+def test_each_stop_is_a_goal_of_its_own() -> None:
+    assert given_now(A_B, KIND) == PlaceOrder(R0, at_vertices("1"))
+    assert given_now(A_B, KIND, 1) == PlaceOrder(R0, at_vertices("2"))
+    state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
+    assert [stops for _, stops in to_keep(state, state.robots[R0])] == [at_vertices("2")]
+    state = lived(state, T0 + 2, goal("goal---1", DONE))
+    assert (record(state).stage, record(state).leg) == (Stage.WAITING, 1)
+    assert [stops for _, stops in to_keep(state, state.robots[R0])] == [at_vertices("2")]
+    following = next_to_send(state, state.robots[R0])
+    assert following is not None and following.id == 7
+    state = lived(sent(state, T0 + 2.1, "goal---2"), T0 + 2.3, goal("goal---1", DONE), goal("goal---2"))
+    assert record(state).stage is Stage.CONFIRMED and record(state).order_id == "goal---2"
+    assert not list(to_keep(state, state.robots[R0]))
+    state = lived(state, T0 + 4, goal("goal---2", DONE))
+    assert record(state).stage is Stage.DONE
+
+
+def test_an_order_that_fails_at_its_first_stop_goes_to_no_other() -> None:
+    state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
+    state = lived(state, T0 + 2, goal("goal---1", FAILED))
+    assert record(state).stage is Stage.FAILED and not list(to_keep(state, state.robots[R0]))
+
+
+def test_what_is_cancelled_on_its_first_leg_goes_no_further() -> None:
+    for command in (CancelOrder(R0, "goal---1"), ClearOrders(R0)):
+        state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
+        state = told(state, CommandIssued(8, command, T0 + 1.5, T0), CommandAdvanced(8, Stage.SENT, T0 + 1.5))
+        state = lived(state, T0 + 2, goal("goal---1", OFF))
+        assert record(state).stage is Stage.CANCELLED and not list(to_keep(state, state.robots[R0]))
+
+
+def test_a_pause_keeps_the_leg() -> None:
+    state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
+    state = lived(state, T0 + 2, goal("goal---1", DONE))
+    state = lived(sent(state, T0 + 2.1, "goal---2"), T0 + 2.3, goal("goal---2"))
+    pause = PauseRobot(R0)
+    state = told(state, CommandIssued(8, pause, T0 + 3, T0), CommandAdvanced(8, Stage.SENT, T0 + 3))
+    state = told(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3, "nothing answers to it"))
+    state = lived(state, T0 + 3.2, goal("goal---2", OFF))
+    assert (record(state).stage, record(state).leg) == (Stage.WAITING, 1)
+    assert next_to_send(state, state.robots[R0]) is None
+    assert record(state, 8).stage is Stage.CONFIRMED
+
+
+def test_a_paused_robot_that_is_pushed_is_still_paused() -> None:
+    state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
+    pause = PauseRobot(R0)
+    state = told(state, CommandIssued(8, pause, T0 + 3, T0), CommandAdvanced(8, Stage.SENT, T0 + 3))
+    state = lived(told(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3)), T0 + 3.2, goal("goal---1", OFF))
+    for n in range(1, 6):
+        state = lived(told(state, OdometryReported(R0, T0 + 3 + n, Pose(2.0 * n, 0.0), T0)), T0 + 3 + n)
+    assert state.is_paused(state.robots[R0]) and next_to_send(state, state.robots[R0]) is None
+
+
+def test_serials_never_start_over_though_lists_become_empty() -> None:
+    state = lived(site(), T0 + 1, goal("first---"))
+    state = lived(lived(state, T0 + 2, goal("first---", DONE)), T0 + 8)
+    state = lived(state, T0 + 9, goal("second--"))
+    (order,) = state.robots[R0].orders.open
+    assert order.serial == 2
+
+
+def test_a_goal_that_is_no_longer_listed_is_lost() -> None:
+    state = lived(sent(site(), T0 + 1, "our-name"), T0 + 1.2, goal("our-name"))
+    state = lived(state, T0 + 2)
+    assert record(state).stage is Stage.LOST
+
+
+def test_a_target_is_that_of_the_goal_that_begins() -> None:
+    pose, at = Pose(10.0, 0.0), T0 + 1.05
+    before = told(site(), goals(T0 + 1), TargetReported(R0, at, pose), goals(T0 + 1.3, goal("another1")))
+    after = told(site(), goals(T0 + 1, goal("another1")), TargetReported(R0, at, pose))
+    for state in (before, after):
+        (order,) = state.robots[R0].orders.open
+        assert order.stops and order.stops == _near(state, pose)
+
+
+def _near(state: FleetState, pose: Pose) -> tuple[Stop, ...]:
+    vertices = state.robots[R0].charts[F0].graph
+    assert vertices is not None
+    found = [one.id for one in vertices.vertices.values() if abs(one.x - pose.x) + abs(one.y - pose.y) < 0.5]
+    return (Stop(found[0]),) if found else (Stop(pose=pose),)
+
+
+def test_a_target_of_long_ago_is_nobodys() -> None:
+    state = told(site(), TargetReported(R0, T0 + 0.5, Pose(1.0, 1.0)), goals(T0 + 1), goals(T0 + 2))
+    state = told(state, goals(T0 + 3, goal("another1")))
+    assert state.robots[R0].orders.open[0].stops == ()
+    running = told(site(), goals(T0 + 1, goal("another1")), TargetReported(R0, T0 + 5, Pose(1.0, 1.0)))
+    assert running.robots[R0].orders.open[0].stops == ()

@@ -1,0 +1,77 @@
+"""Replay of a recording of robots with move_base gives the same state at every instant as the live run
+did."""
+
+import time
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.config.start import initial_state
+from fleet_tui.journal import recorder
+from fleet_tui.journal.indexing import open_recording
+from fleet_tui.journal.recorder import Recorder
+from fleet_tui.journal.records import Told
+from fleet_tui.maps.floor_files import load_graphs
+from fleet_tui.model.commands import CancelOrder, PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.events import TimePassed
+from fleet_tui.playback.playhead import Playhead
+from tests.journal.recordings import plain
+from tests.linked import finished
+from tests.move_base_site import MoveBaseSite, move_base_site
+from tests.nav2_site import keeping, nav2_ready, reached
+from tests.playback.taped import ORIGIN
+from tests.playback.test_same_states import Ticking
+
+R0, R1 = "robot_0", "robot_1"
+
+
+@pytest.fixture(autouse=True)
+def often(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A keyframe every half second."""
+    monkeypatch.setattr(recorder, "KEYFRAME_EVERY", 0.5)
+
+
+async def eventful(site: MoveBaseSite, link: FleetLink, store: Ticking) -> None:
+    """Goals of ours with two stops and of others, kept orders, a pause, a restart."""
+    await store.until(nav2_ready)
+    first = await finished(link, store, site.to("Consumidores", "Base"))
+    second = link.submit(site.to("Receiving"))
+    await reached(store, second, Stage.WAITING)
+    await finished(link, store, PauseRobot(R0))
+    await finished(link, store, ResumeRobot(R0))
+    site.navigation(R1).give(35.0, 20.0)
+    state = await store.until(lambda state: state.robots[R1].orders.open)
+    await finished(link, store, CancelOrder(R1, state.robots[R1].orders.open[0].id))
+    await reached(store, first.id, Stage.DONE)
+    await reached(store, second, Stage.DONE)
+    third = await finished(link, store, site.to("Consumidores"))
+    site.navigation().restart()
+    await reached(store, third.id, Stage.LOST)
+
+
+async def test_every_instant_is_as_it_was(tmp_path: Path) -> None:
+    async with move_base_site(tmp_path) as site:
+        store = Ticking(initial_state(site.config, time.monotonic()))
+        tap = Recorder(tmp_path / "run.jsonl.gz", site.config, store, ORIGIN)
+        link = FleetLink(site.config, store, tap, keeping())
+        link.open()
+        try:
+            for loaded in load_graphs(site.config):
+                link.tell(loaded)
+            await eventful(site, link, store)
+        finally:
+            link.close()
+            tap.close()
+    recording, was = open_recording(tap.path), list[tuple[float, object]]()
+    assert not recording.note
+    head = Playhead(recording)
+    while (record := head.take()) is not None:
+        if isinstance(record, Told) and isinstance(record.event, TimePassed):
+            state = plain(store.ticks[record.event.at])
+            assert plain(head.state) == state
+            was.append((head.at, state))
+    assert len(was) > 20 and len(recording.keyframes) > 3
+    for at, state in [*was[::-3], *was[::5]]:
+        head.seek(at)
+        assert plain(head.state) == state
