@@ -36,7 +36,9 @@ def _arrive(url: str | None, drawing: str | None, debug: bool) -> "DiscoveredSit
     """Find out what is there, and ask a person about what is not certain; None where they leave."""
     from fleet_tui.discovery.address import bridge_at
     from fleet_tui.discovery.awaiting import Discovering
+    from fleet_tui.log_file import log_to_file
 
+    log_to_file(debug)  # what the network's libraries say must not reach the terminal
     discovering = Discovering(bridge_at(url)) if url else None
     from fleet_tui.console import IN_BROWSER, ask_first, need_terminal  # takes long: discovery goes on
 
@@ -47,4 +49,4 @@ def _arrive(url: str | None, drawing: str | None, debug: bool) -> "DiscoveredSit
         # A browser's tab takes the pictures of one app alone.
         if certain or IN_BROWSER in os.environ:
             return site
-    return ask_first(site, drawing, debug)
+    return ask_first(site, drawing)

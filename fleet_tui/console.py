@@ -122,13 +122,12 @@ def open_console(
     _run(app, config, demo)
 
 
-def ask_first(site: "DiscoveredSite | None", drawing: str | None, debug: bool) -> "DiscoveredSite | None":
+def ask_first(site: "DiscoveredSite | None", drawing: str | None) -> "DiscoveredSite | None":
     """Run the screens before the console: what is not certain of a site, or where to go. Return what was
     chosen, None where the operator left."""
     from fleet_tui.config.load import looked_for
     from fleet_tui.entry import EntryApp
 
-    log_to_file(debug)
     theme = load_themes(user_folder() / "themes")[0][Ui().theme]
     app = EntryApp(theme, _colour(), site, looked_for())
     if _drawing(drawing or Ui().drawing) is Drawing.ASCII and not _has_unicode():

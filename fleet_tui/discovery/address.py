@@ -31,7 +31,7 @@ def _meant(bridge: Link, scheme: str, rest: str) -> str:
     """Say what was probably meant, empty where that can't be told."""
     if scheme.lower() in _WEB and rest:
         meant = f"{_WEB[scheme.lower()]}://{rest}"
-    elif not rest and is_address(bridge.url):
+    elif "://" not in bridge.url and is_address(bridge.url):
         meant = f"ws://{bridge.url}"
     else:
         return ""

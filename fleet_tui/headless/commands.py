@@ -48,8 +48,8 @@ def status(
     from fleet_tui.headless.status import status as run
     from fleet_tui.log_file import log_to_file
 
-    config = chosen(config_file, url)
     log_to_file(debug)
+    config = chosen(config_file, url)
     sys.exit(run(config, timeout, as_json, oneline, watch, click.echo))
 
 
@@ -86,10 +86,10 @@ def doctor(
     from fleet_tui.headless.doctor.run import doctor as run
     from fleet_tui.log_file import log_to_file
 
+    log_to_file(debug)
     began = time.monotonic()
     config, unnamed = chosen_to_examine(config_file, url, timeout / 2)
     timeout -= time.monotonic() - began
-    log_to_file(debug)
     said: list[str] = []
 
     def say(line: str) -> None:
@@ -136,8 +136,8 @@ def record(
     from fleet_tui.journal.part_files import Limits
     from fleet_tui.log_file import log_to_file
 
-    config = chosen(config_file, url)
     log_to_file(debug)
+    config = chosen(config_file, url)
     usual = config.recording
     limits = Limits(
         (usual.rotate_mb if rotate_mb is None else rotate_mb) * 1e6,

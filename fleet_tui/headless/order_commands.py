@@ -34,9 +34,8 @@ def _start(config_file: str | None, url: str | None, debug: bool) -> Config:
     from fleet_tui.headless.chosen import chosen_to_command
     from fleet_tui.log_file import log_to_file
 
-    config = chosen_to_command(config_file, url)
     log_to_file(debug)
-    return config
+    return chosen_to_command(config_file, url)
 
 
 def _give(

@@ -20,8 +20,7 @@ class Before(Screen[None]):
     DEFAULT_CSS = """
     Before { layout: vertical; background: $background; }
     Before #rows { width: 1fr; height: 1fr; }
-    Before Input { border: none; height: 1; display: none; }
-    Before Input.-open { display: block; }
+    Before Input { border: none; height: 1; }
     """
 
     def __init__(self, inks: Mapping[Ink, Style], keys: Sequence[tuple[str, str]]) -> None:

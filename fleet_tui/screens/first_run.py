@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from rich.style import Style
 from textual.app import ComposeResult
-from textual.binding import BindingType
+from textual.binding import Binding, BindingType
 from textual.worker import Worker
 
 from fleet_tui.discovery.address import bridge_at
@@ -19,6 +19,7 @@ from fleet_tui.view.roles import Ink
 from fleet_tui.widgets.field import Field
 
 KEYS = (("enter", "open"), ("a", "another address"), ("r", "ask again"), ("q", "leave"))
+BEGUN = "ws://"
 LOCAL = "ws://127.0.0.1:9090"
 EVERY = 0.1
 """Seconds between two looks at how far it is."""
@@ -29,7 +30,8 @@ class FirstRun(Before):
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("enter", "open", "Open the console"),
-        ("a", "address", "Another address"),
+        # Before all else: the next key, which may already be on its way, belongs into the field.
+        Binding("a", "address", "Another address", priority=True),
         ("r", "ask", "Ask again"),
         ("q,escape", "leave", "Leave"),
     ]
@@ -47,6 +49,7 @@ class FirstRun(Before):
         self._site: DiscoveredSite | None = None
         self._asking: Worker[None] | None = None
         self._field = Field({"enter": self._typed, "escape": self._close}, id="address")
+        self._field.select_on_focus = False
 
     def compose(self) -> ComposeResult:
         """The page, the field for an address, and the keys."""
@@ -55,6 +58,7 @@ class FirstRun(Before):
 
     def on_mount(self) -> None:
         """Ask at once: discovery commands nothing."""
+        self._field.display = False
         self.set_interval(EVERY, self.show)
         self.action_ask()
 
@@ -96,19 +100,26 @@ class FirstRun(Before):
         """Open nothing."""
         self._done(None)
 
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """In the field the key is a letter."""
+        return action != "address" or self.focused is not self._field
+
     def action_address(self) -> None:
         """Type another address."""
-        self._field.value = "ws://"
-        self._field.select_on_focus = False
-        self._field.add_class("-open")
+        self._field.value = BEGUN
+        self._field.cursor_position = len(BEGUN)
+        self._field.display = True  # not by a class, which would only count after a while
         self.set_focus(self._field)
 
     def _close(self) -> None:
-        self._field.remove_class("-open")
+        self._field.display = False
         self.set_focus(None)
 
     def _typed(self) -> None:
-        self._address = self._field.value.strip()
+        typed = self._field.value.strip()
+        rest = typed.removeprefix(BEGUN)
+        # A whole address may have been pasted after what the field begins with.
+        self._address = rest if "://" in rest else typed
         self._close()
         self.action_ask()
 

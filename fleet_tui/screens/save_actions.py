@@ -72,5 +72,4 @@ class SaveActions(Part):
             self.say(visible(f"not saved: {problem}"))
         else:
             where = str(path).replace(str(Path.home()), "~", 1)
-            opens = "fleet-tui" if name == USUAL else f"fleet-tui --config {name}"
-            self.say(visible(f"saved to {where}: {opens} opens it"))
+            self.say(visible(f"saved to {where}" + ": fleet-tui opens it here" * (name == USUAL)))

@@ -38,7 +38,7 @@ def serve(
 ) -> None:
     """Show the console in a browser, on this machine alone and read-only unless told otherwise."""
     command = [sys.executable, "-m", "fleet_tui", *(["demo"] if demo else [])]
-    command += _address(url, config_file, demo, allow_commands) if url else _file(config_file, demo)
+    command += _address(url, config_file, demo, allow_commands, debug) if url else _file(config_file, demo)
     command += [] if allow_commands else ["--read-only"]
     command += ["--debug"] if debug else []
     command += ["--drawing", drawing] if drawing else []
@@ -51,13 +51,15 @@ def serve(
     run(command, host, port, debug, click.echo, lambda line: click.echo(line, err=True))
 
 
-def _address(url: str, config_file: str | None, demo: bool, allow_commands: bool) -> list[str]:
+def _address(url: str, config_file: str | None, demo: bool, allow_commands: bool, debug: bool) -> list[str]:
     """Return the option for the fleet at an address. What is wrong with it is said here, not in each tab."""
     if config_file or demo:
-        raise click.UsageError(f"--url and {'--config' if config_file else '--demo'}: one of them")
+        raise click.UsageError(f"{'--config' if config_file else '--demo'} and --url: one of them")
     from fleet_tui.discovery.address import bridge_at
     from fleet_tui.discovery.awaiting import Discovering
+    from fleet_tui.log_file import log_to_file
 
+    log_to_file(debug)
     site = Discovering(bridge_at(url)).result()
     if site.config.robots and site.unclear and allow_commands:
         raise ConfigError(site.unclear)

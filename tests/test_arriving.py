@@ -1,0 +1,132 @@
+"""`fleet-tui URL` and `fleet-tui` alone in a real terminal: one command to the fleet, no trace left."""
+
+import re
+import socket
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.bench.in_pty import simulator
+from tests.faults.in_terminal import InTerminal
+
+ON, OFF = b"\x1b[?1049h", b"\x1b[?1049l"
+COLOUR = re.compile(rb"\x1b\[(?:\d+;)*(?:3[0-8]|4[0-8]|9[0-7]|10[0-7])(?:;\d+)*m")
+
+
+class Terminals:
+    """Programs in terminals, all ended at the end."""
+
+    def __init__(self, home: Path) -> None:
+        self.home = home
+        self.running: list[InTerminal] = []
+
+    def open(self, *arguments: str, **more: str) -> InTerminal:
+        terminal = InTerminal(list(arguments), self.home, 0, **more)
+        self.running.append(terminal)
+        return terminal
+
+
+@pytest.fixture
+def terminals(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Terminals]:
+    monkeypatch.chdir(tmp_path)  # where no configuration is
+    monkeypatch.delenv("FLEET_TUI_CONFIG", raising=False)
+    found = Terminals(tmp_path)
+    yield found
+    for terminal in found.running:
+        terminal.close()
+
+
+@pytest.mark.parametrize("kind", ["oh_ressources", "nav2"])
+def test_an_address_is_enough(terminals: Terminals, kind: str) -> None:
+    with simulator(3, kind=kind) as url:
+        console = terminals.open(url)
+        console.shows(f"{url}: 3 robots ({kind}), 1 floor. :save keeps it")
+        console.shows("3 of 3 online")
+        assert not console.sent.partition(ON)[0].strip()
+        console.press(":save\r")
+        console.shows("config.toml: fleet-tui opens it here")
+        console.press("q")
+        console.ends()
+        console.until(console.is_restored, 5.0, "the terminal restored")
+        assert console.child.returncode == 0 and b"robot" not in console.sent.rpartition(OFF)[2]
+        again = terminals.open()
+        again.shows("3 of 3 online")
+        again.press("q")
+        again.ends()
+
+
+@pytest.mark.parametrize(
+    ("address", "code", "words"),
+    [
+        ("ws://127.0.0.1:9", 3, "nothing listens there: start rosbridge there"),
+        ("robot:9090", 2, "did you mean ws://robot:9090?"),
+        ("mqtt://robot:1883", 2, "this version does not speak MQTT yet"),
+    ],
+)
+def test_what_keeps_it_from_opening_is_one_sentence(
+    terminals: Terminals, address: str, code: int, words: str
+) -> None:
+    console = terminals.open(address)
+    console.ends()
+    assert console.child.returncode == code
+    console.until(lambda: words.encode() in console.sent, 5.0, words)
+    assert console.sent.count(b"\n") == 1 and ON not in console.sent
+
+
+@pytest.mark.parametrize("more", [{}, {"NO_COLOR": "1"}])
+def test_without_a_configuration_it_asks_where_to_go(terminals: Terminals, more: dict[str, str]) -> None:
+    with simulator(2) as url:
+        first = terminals.open(**more)
+        first.shows("no configuration found")
+        first.shows("./config.toml")
+        first.shows("ws://127.0.0.1:9090")
+        first.press("a")
+        first.press(f"{url}\r")
+        first.shows("2 robots (oh_ressources), 1 floor")
+        first.press("\r")
+        first.shows("2 of 2 online")
+        assert bool(COLOUR.search(first.sent)) is not bool(more)
+        first.press("q")
+        first.ends()
+        first.until(first.is_restored, 5.0, "the terminal restored")
+        assert first.child.returncode == 0
+
+
+def test_leaving_it_opens_nothing(terminals: Terminals) -> None:
+    first = terminals.open()
+    first.shows("no configuration found")
+    first.press("q")
+    first.ends()
+    first.until(first.is_restored, 5.0, "the terminal restored")
+    assert first.child.returncode == 0
+
+
+def test_a_signal_ends_it(terminals: Terminals) -> None:
+    first = terminals.open()
+    first.shows("no configuration found")
+    first.child.terminate()
+    first.ends(4.0)
+    first.until(first.is_restored, 5.0, "the terminal restored")
+
+
+def test_progress_is_shown_while_it_takes_long_and_is_gone_after(terminals: Terminals) -> None:
+    """A bridge that takes connections and never answers."""
+    with socket.create_server(("127.0.0.1", 0)) as mute:
+        threading.Thread(target=_accept, args=(mute,), daemon=True).start()
+        console = terminals.open(f"ws://127.0.0.1:{mute.getsockname()[1]}")
+        console.until(lambda: b"connecting" in console.sent, 10.0, "progress")
+        console.ends(15.0)
+    assert console.child.returncode == 3
+    shown = console.text().split("\n")
+    assert shown[0].startswith("fleet-tui: ws://127.0.0.1:") and "connecting" not in console.text()
+
+
+def _accept(mute: socket.socket) -> None:
+    held = []
+    while True:
+        try:
+            held.append(mute.accept())
+        except OSError:
+            return
