@@ -32,7 +32,7 @@ async def discovered(url: str, watch: list[tuple[int, int, str]] | None = None) 
 
 @asynccontextmanager
 async def serving(kind: str, robots: int, floors: int) -> AsyncIterator[RosbridgeServer]:
-    fleet = KINDS[kind].build(robots, floors, 1, 0)
+    fleet = KINDS[kind].build(robots, floors, 1, 0, 1)
     server = RosbridgeServer(fleet, dialect=DIALECTS[KINDS[kind].ros[0]])
     await server.start()
     yield server
