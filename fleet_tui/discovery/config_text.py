@@ -4,7 +4,7 @@ import json
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from fleet_tui.adapters.discovery import NAME, Discovery
+from fleet_tui.adapters.discovery import NAME, Discovery, natural
 from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.choices import floors_of, strange_frames
@@ -25,8 +25,7 @@ def render(
     person gave to floors."""
     lines = [*FIRST, *_differing(bridge), "", *_floors(found, frames, placed)]
     usual = next(iter(found))
-    for kind, one in found.items():
-        lines += _robots(one, "" if kind == usual else kind, floors_of(found))
+    lines += _robots(found, usual)
     if not any(one.robots for one in found.values()):
         return "\n".join([*lines, NOBODY, "[[robots]]", 'name = "robot_0"']) + "\n"
     for kind, one in found.items():
@@ -34,11 +33,15 @@ def render(
     return "\n".join(lines).rstrip() + "\n"
 
 
-def _robots(found: Discovery, profile: str, all_floors: list[str]) -> Iterator[str]:
-    for robot, floors in found.robots.items():
-        yield from ("[[robots]]", f"name = {_text(robot)}")
-        if profile:
-            yield f"profile = {_text(profile)}"
+def _robots(found: Found, usual: str) -> Iterator[str]:
+    """Each robot, those of several kinds in the order of their names."""
+    all_floors = floors_of(found)
+    robots = [(name, kind) for kind, one in found.items() for name in one.robots]
+    for name, kind in sorted(robots, key=lambda robot: natural(robot[0])):
+        floors = found[kind].robots[name]
+        yield from ("[[robots]]", f"name = {_text(name)}")
+        if kind != usual:
+            yield f"profile = {_text(kind)}"
         if floors and floors != all_floors:
             yield f"floors = {_text(floors)}"
         yield from ("# size = [0.9, 0.6]           # length, width in metres", "")
@@ -91,7 +94,7 @@ def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) 
         shown = "the live map is shown; a file is" if floor in live else "no live map is there:"
         yield f'# map = "maps/{floor}.yaml"   # {shown} map_server YAML, or a plain PNG/PGM'
         if floor in needs_graph:
-            yield f'# graph = "maps/{floor}.geojson"   # of Nav2 (GeoJSON): no robot publishes one'
+            yield f'# graph = "maps/{floor}.geojson"   # no robot publishes one: GeoJSON of Nav2'
         yield ""
     if strange and len(floors) > 1:
         yield from (

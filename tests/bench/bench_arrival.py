@@ -11,6 +11,7 @@ import tempfile
 import time
 from pathlib import Path
 
+from fleet_tui.simulator.kinds import KINDS
 from tests.bench.in_pty import Terminal, simulator
 from tests.bench.rows import Row, row
 
@@ -61,7 +62,7 @@ def main() -> list[Row]:
     rows = list[Row]()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for kind in ("oh_ressources", "nav2"):
+        for kind in KINDS:
             with simulator(3, kind=kind) as url:
                 pairs = [(status(url, folder), on_screen(url, folder)) for _ in range(STARTS)]
             told, seen = (statistics.median(one) for one in zip(*pairs, strict=True))

@@ -59,6 +59,19 @@ async def test_it_listens_and_asks_rosapi_and_nothing_else(kind: str) -> None:
     assert found.config == from_text(found.text)
 
 
+async def test_two_kinds_behind_one_bridge() -> None:
+    fleets = [KINDS["oh_ressources"].build(2, 2, 1, 0, 2), KINDS["move_base"].build(2, 2, 1, 1, 2)]
+    server = RosbridgeServer(fleets)
+    await server.start()
+    found = await discovered(server.url)
+    assert only_asked(server)
+    await server.stop()
+    assert found.summary == "4 robots (2 oh_ressources, 2 move_base), 2 floors" and not found.choices
+    robots = {robot.name: robot.profile for robot in found.config.robots}
+    assert list(robots) == [f"robot_{n}" for n in range(4)]
+    assert list(robots.values()) == ["", "move_base", "", "move_base"]
+
+
 @pytest.mark.parametrize("kind", KINDS)
 async def test_a_hundred_robots_cost_few_questions(kind: str) -> None:
     async with serving(kind, 100, 2) as server:
