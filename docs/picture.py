@@ -16,7 +16,7 @@ from fleet_tui.backend import connect_live
 from fleet_tui.config.load import load, shipped
 from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config, simulated
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.view.drawing import Drawing
 

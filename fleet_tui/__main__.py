@@ -11,10 +11,10 @@ import traceback
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 
 from fleet_tui.errors import ConfigError, FleetError, LinkError, is_address
-from fleet_tui.model.bounds import brief
 from fleet_tui.terminal.ending import PATIENCE, end_within
-from fleet_tui.view.signs import stand_in
-from fleet_tui.view.text import visible
+from fleet_tui.text.ascii_fallback import stand_in
+from fleet_tui.text.limits import brief
+from fleet_tui.text.sanitize import visible
 
 if TYPE_CHECKING:
     from pathlib import Path

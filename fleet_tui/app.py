@@ -14,7 +14,7 @@ from fleet_tui.keymap import keymap
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
 from fleet_tui.screens.main import MainScreen
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.terminal.annunciator import Annunciator
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
 from fleet_tui.terminal.steady_app import SteadyApp

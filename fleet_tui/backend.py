@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 
 if TYPE_CHECKING:
     from fleet_tui.client.tap import Tap

@@ -14,7 +14,7 @@ from fleet_tui.config.load import find, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.options import FileName, NearestGroup, common, fleet, merged, screen, with_url
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 
 class Commands(NearestGroup):

@@ -23,7 +23,7 @@ from fleet_tui.config.schema import Config, Ui
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import ConfigError, FleetError, did_you_mean
 from fleet_tui.log_file import log_to_file, state_folder
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.drawing import Drawing

@@ -13,8 +13,8 @@ from typing import IO, Any
 
 import platformdirs
 
-from fleet_tui.model.bounds import brief
-from fleet_tui.view.text import visible
+from fleet_tui.text.limits import brief
+from fleet_tui.text.sanitize import visible
 
 MAX_BYTES, KEPT = 2 * 2**20, 3
 """A file's size, and how many older ones are kept beside it."""

@@ -11,7 +11,7 @@ from fleet_tui.config.load import load_if_any
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
 from fleet_tui.options import FileName, common, merged, screen
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 PATIENCE = 0.5
 """Seconds between two words on how far it is."""

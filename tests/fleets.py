@@ -13,7 +13,6 @@ import msgspec
 from fleet_tui.adapters.oh_ressources.reading import STATES
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.start import initial_state
-from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import Command, PlaceOrder, Stage
 from fleet_tui.model.events import (
     BatteryReported,
@@ -33,6 +32,7 @@ from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import Order, OrderQueue, at_vertices
+from fleet_tui.state.reducer import apply
 from fleet_tui.view.table import Run
 from tests.watched import config_of
 

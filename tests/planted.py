@@ -10,7 +10,6 @@ from fleet_tui.adapters.adapter import Call
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.start import initial_state
-from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
 from fleet_tui.model.fleet import FleetState
@@ -19,6 +18,7 @@ from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.messages import topics_of
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
+from fleet_tui.state.reducer import apply
 from tests.fleets import LINK, R0, T0, WALL, link_up, tick
 from tests.watched import config_of
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 from tests.bench.in_pty import Terminal, serving
 from tests.hostile_fleet import CLIPBOARD, EVIL, ROBOTS
 

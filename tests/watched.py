@@ -7,7 +7,7 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 
 
 class WatchedStore(Store):

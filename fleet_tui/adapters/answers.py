@@ -3,8 +3,8 @@
 import re
 from collections.abc import Sequence
 
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
+from fleet_tui.text.limits import brief
 
 LONGEST_JUDGED = 100_000
 """Characters of an answer in which words of refusal are looked for: in 8 MB it would take seconds."""

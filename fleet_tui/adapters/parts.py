@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from fleet_tui.errors import WireError
-from fleet_tui.model.bounds import MOST_ORDERS, beyond
+from fleet_tui.text.limits import MOST_ORDERS, beyond
 
 
 def read_all(

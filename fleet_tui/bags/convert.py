@@ -21,10 +21,10 @@ from fleet_tui.journal.part_file import PartFile
 from fleet_tui.journal.recording import LAST_SECOND
 from fleet_tui.journal.records import VERSION, Header, Packer, encode, public
 from fleet_tui.maps.floor_files import load_floors
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.events import MessageRejected
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import OF_BAG, Phase
+from fleet_tui.text.limits import brief
 
 LARGEST = 128 * 2**20
 """Bytes of a message, in the bag or as a frame."""

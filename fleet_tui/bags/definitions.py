@@ -8,7 +8,7 @@ import re
 from typing import Any
 
 from fleet_tui.bags.opening import BagError
-from fleet_tui.model.bounds import LONGEST_NAME, brief
+from fleet_tui.text.limits import LONGEST_NAME, brief
 
 LONGEST = 500_000
 """Characters of a definition with all it refers to."""

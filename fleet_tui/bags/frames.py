@@ -8,8 +8,8 @@ from typing import Any
 import cbor2
 import msgspec
 
+from fleet_tui.adapters.ros.cbor import INT8_ARRAY
 from fleet_tui.bags.definitions import BUILT_IN, TIMES
-from fleet_tui.model.cbor import INT8_ARRAY
 
 Spell = Callable[[Any], Any]
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from fleet_tui.errors import FleetError
-from fleet_tui.model.bounds import brief
+from fleet_tui.text.limits import brief
 
 SUFFIXES = (".bag", ".db3", ".mcap")
 MEMORY = 4 * 2**30

@@ -10,8 +10,8 @@ from fleet_tui.bags.opening import Bag, BagError
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import did_you_mean
-from fleet_tui.model.apply import LIVE_MAPS_KEPT
-from fleet_tui.model.bounds import LONGEST_NAME, brief
+from fleet_tui.state.reducer import LIVE_MAPS_KEPT
+from fleet_tui.text.limits import LONGEST_NAME, brief
 
 NAMED = 5
 """Topics or robots that a message names; how many more there are, it says."""

@@ -18,10 +18,10 @@ from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import CommandError, LinkError, WireError
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import UNANSWERED, Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
+from fleet_tui.text.limits import brief
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)

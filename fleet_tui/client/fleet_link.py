@@ -18,8 +18,8 @@ from fleet_tui.errors import ConfigError
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
-from fleet_tui.model.wishes import given_now
-from fleet_tui.store import Store
+from fleet_tui.model.request import given_now
+from fleet_tui.state.store import Store
 
 # request_id is an int32 on the wire: each console and each run starts anywhere in its lower half.
 ID_SPAN = 2**30

@@ -14,8 +14,8 @@ from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.model.commands import Command, Stage
-from fleet_tui.model.keeping import withdrawn
 from fleet_tui.model.navigation_events import GoalAnswered
+from fleet_tui.rules.commands.keeping import withdrawn
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)

@@ -8,10 +8,10 @@ from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.calls import Calls, NoAnswerError
 from fleet_tui.client.services import Services
 from fleet_tui.errors import LinkError
-from fleet_tui.model.bounds import some
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.link import CommandPath
+from fleet_tui.text.limits import some
 
 SERVICE = "/rosapi/fleet_tui_heartbeat"
 """A service that nobody offers: the bridge itself says so, in 1-2 ms, whatever rosapi and robots do."""

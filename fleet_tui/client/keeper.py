@@ -8,11 +8,11 @@ from fleet_tui.client.queue_file import Kept, QueueFile
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import is_busy, next_to_send, to_keep, waiting
 from fleet_tui.model.navigation_events import QueueHeld
+from fleet_tui.model.request import given_now
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.wishes import given_now
-from fleet_tui.store import Store
+from fleet_tui.rules.commands.keeping import is_busy, next_to_send, to_keep, waiting
+from fleet_tui.state.store import Store
 
 LOG = logging.getLogger(__name__)
 

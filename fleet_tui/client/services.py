@@ -11,7 +11,7 @@ from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.client.calls import Calls, NoAnswerError
 from fleet_tui.config.fleet import Service
 from fleet_tui.errors import LinkError
-from fleet_tui.model.bounds import brief
+from fleet_tui.text.limits import brief
 
 LOG = logging.getLogger(__name__)
 

@@ -9,7 +9,7 @@ from fleet_tui.adapters.ros.reading import Reading
 from fleet_tui.client.calls import Calls
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import MessagesUnsourced
-from fleet_tui.model.sourcing import ALWAYS_THERE, Listening, unsourced_package
+from fleet_tui.rules.sourcing import ALWAYS_THERE, Listening, unsourced_package
 
 LOG = logging.getLogger(__name__)
 

@@ -24,9 +24,9 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import WireError
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Live
+from fleet_tui.text.limits import brief
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)

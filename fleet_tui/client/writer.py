@@ -9,7 +9,7 @@ from collections.abc import Callable
 from fleet_tui.client.memory import hoard_little, settle, tidy
 from fleet_tui.client.tap import Tap
 from fleet_tui.model.events import Event, TimePassed
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.transports.loop import network_loop
 
 LOG = logging.getLogger(__name__)

@@ -10,9 +10,9 @@ from fleet_tui.headless.orders import Say, await_reports, forbidden, said, sendi
 from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, Outcome, exit_code, unsent
 from fleet_tui.headless.sending import How, Sending, divide
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.grammar import find_robot, parse, tokens
-from fleet_tui.model.wishes import Wish
-from fleet_tui.view.text import visible
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.language.grammar import find_robot, parse, tokens
+from fleet_tui.text.sanitize import visible
 
 Line = tuple[int, str]
 WOULD = "would be sent"

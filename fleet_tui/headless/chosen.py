@@ -8,7 +8,7 @@ from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.awaiting import Discovering
 from fleet_tui.discovery.site import DiscoveredSite
 from fleet_tui.errors import ConfigError, FleetError, LinkError
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 
 def chosen(config_file: str | None, url: str | None) -> Config:

@@ -12,7 +12,7 @@ from fleet_tui.headless.config_commands import config
 from fleet_tui.headless.duration import Duration
 from fleet_tui.headless.order_commands import orders
 from fleet_tui.options import FileName, common, fleet, merged, timeout
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 
 @click.group()

@@ -7,7 +7,7 @@ import click
 from fleet_tui.config.load import find, load, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.options import NearestGroup, common, merged, screen, timeout
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 
 @click.group(cls=NearestGroup)

@@ -3,9 +3,9 @@
 from typing import Any
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import foreign, kept_orders
 from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.keeping import foreign, kept_orders
 
 
 def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:

@@ -15,17 +15,17 @@ from fleet_tui.headless.sending import LINK_WITHIN, How, Sending, reaches, unrep
 from fleet_tui.headless.session import session
 from fleet_tui.journal.audit import auditing
 from fleet_tui.log_file import state_folder
-from fleet_tui.model.batches import summary
-from fleet_tui.model.checks import no_link
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.grammar import ALL, find_robot, parse_words
 from fleet_tui.model.problem import Rights
+from fleet_tui.model.request import Wish
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.wishes import Wish
+from fleet_tui.rules.commands.batches import summary
+from fleet_tui.rules.commands.checks import no_link
+from fleet_tui.rules.language.grammar import ALL, find_robot, parse_words
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.command_line import command_text
 from fleet_tui.view.questions import question
-from fleet_tui.view.text import visible
 
 LABELS_WITHIN = 1.0
 """Seconds more for labels, which a floor need not have, for the robot's word on whether it is paused, and for

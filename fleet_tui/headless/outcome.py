@@ -6,9 +6,9 @@ from dataclasses import asdict, dataclass
 
 from fleet_tui.model.commands import Command, CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.grammar import written
+from fleet_tui.rules.language.grammar import written
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.command_line import command_text
-from fleet_tui.view.text import visible
 
 VERSION = 2
 DONE, NOT_DONE, USAGE, NO_LINK = 0, 1, 2, 3

@@ -24,7 +24,7 @@ from fleet_tui.journal.taps import Taps
 from fleet_tui.maps.floor_files import load_maps
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 FINE, NO_LINK = 0, 3
 ENDING = (signal.SIGTERM, signal.SIGHUP)

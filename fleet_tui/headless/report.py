@@ -5,12 +5,12 @@ from typing import Any
 
 from fleet_tui.headless.navigation_report import navigation
 from fleet_tui.headless.session import missing
-from fleet_tui.model.conditions import behind, late
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.alarms.conditions import behind, late
 
 VERSION = 2
 

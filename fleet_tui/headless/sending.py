@@ -9,7 +9,6 @@ from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.headless.driving import follow_order
 from fleet_tui.headless.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, ended, unsent
 from fleet_tui.headless.session import WaitingStore
-from fleet_tui.model.checks import acceptable, problems, unaccepted
 from fleet_tui.model.commands import (
     ClearOrders,
     Command,
@@ -22,8 +21,9 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.problem import Problem, Rights
+from fleet_tui.model.request import Wish
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.wishes import Wish
+from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
 
 LINK_WITHIN = 5.0
 """Seconds to wait at most for a link and for what a robot reports."""

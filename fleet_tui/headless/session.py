@@ -14,7 +14,7 @@ from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.robot import Robot
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 
 
 class WaitingStore(Store):

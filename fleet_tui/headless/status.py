@@ -9,11 +9,11 @@ from fleet_tui.config.schema import Config
 from fleet_tui.headless.report import attention, changes, report
 from fleet_tui.headless.session import WaitingStore, has_link, is_known, session
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.alarm_rows import alarm_table
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.status_line import status_line
 from fleet_tui.view.table import Run
-from fleet_tui.view.text import visible
 
 FINE, ATTENTION, NO_LINK = 0, 1, 3
 WATCH_EVERY = 1.0

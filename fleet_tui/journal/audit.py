@@ -28,8 +28,8 @@ from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
 from fleet_tui.journal.entries import Origin, alarm_records, closing_records, command_records
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.store import Store
-from fleet_tui.view.text import visible
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import visible
 
 LOG = logging.getLogger(__name__)
 

@@ -7,7 +7,6 @@ from typing import Any, assert_never
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, transitions
 from fleet_tui.model.audit_record import VERSION, AuditRecord
-from fleet_tui.model.batches import pauses, summary
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -22,6 +21,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Stop, pose_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.batches import pauses, summary
 
 TEXT_KEPT = 1000
 """Characters of a text from outside: no robot fills the disk with one answer."""

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TextIO
 
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 COLUMNS = AuditRecord.__struct_fields__
 # Full-width forms are formulas, too, where the spreadsheet speaks Japanese or Chinese.

@@ -14,7 +14,7 @@ from fleet_tui.journal.part_files import USUAL, Limits
 from fleet_tui.journal.part_writer import PartWriter
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 
 LOG = logging.getLogger(__name__)
 

@@ -17,7 +17,7 @@ from fleet_tui.errors import FleetError
 from fleet_tui.journal.parts import parts_beside
 from fleet_tui.journal.taps import Taps
 from fleet_tui.model.fleet import age
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 
 if TYPE_CHECKING:
     from fleet_tui.journal.recorder import Recorder

@@ -11,9 +11,9 @@ from fleet_tui.adapters.parts import read_all
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.config.small_file import read_text
 from fleet_tui.errors import GraphError, WireError
-from fleet_tui.model.bounds import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, beyond, brief
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, beyond, brief
 
 MAX_FILE = 40_000_000
 """Bytes: some 500 for each of the most vertices and edges that are taken."""

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from msgspec import Struct, structs
 
-from fleet_tui.model.robot_words import Diagnosis, LogLine
+from fleet_tui.model.ros_logs import Diagnosis, LogLine
 
 WINDOW = 5.0
 """Seconds over which rates are measured."""

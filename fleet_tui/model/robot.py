@@ -7,7 +7,6 @@ from typing import Generic, TypeVar
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
@@ -15,6 +14,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Goal, Progress
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
+from fleet_tui.text.limits import brief
 
 T = TypeVar("T")
 

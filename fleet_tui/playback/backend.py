@@ -7,7 +7,7 @@ from fleet_tui.model.commands import Command
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import Event
 from fleet_tui.playback.player import Player
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 
 
 class ReplayBackend:

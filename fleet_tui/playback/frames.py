@@ -9,9 +9,9 @@ from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
 from fleet_tui.journal.records import Heard, Record, Told
 from fleet_tui.maps.map_process import decode_apart
-from fleet_tui.model.apply import apply
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.state.reducer import apply
 
 
 class Frames:

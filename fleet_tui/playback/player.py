@@ -12,7 +12,7 @@ from fleet_tui.journal.recording import Recording
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.playback.deck import Deck
 from fleet_tui.playback.times import moment_of
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.view.time_line import Moment
 
 LOG = logging.getLogger(__name__)

@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.lookup import Place, matches, places, recent_ends
+from fleet_tui.model.request import Wish, chain
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.wishes import Wish, chain
-from fleet_tui.view.text import visible
+from fleet_tui.rules.language.lookup import Place, matches, places, recent_ends
+from fleet_tui.text.sanitize import visible
 
 SHOWN = 8
 

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 from fleet_tui.model import kind
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.events import Event
-from fleet_tui.model.keeping import hold_all
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.commands.keeping import hold_all
 from fleet_tui.screens.order_actions import OrderActions
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 from fleet_tui.widgets.bindings import OPENING_ACTIONS, SELECTING_ACTIONS
 
 if TYPE_CHECKING:

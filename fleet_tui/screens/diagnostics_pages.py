@@ -9,7 +9,7 @@ from typing import Protocol
 from fleet_tui.log_file import TAIL
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter, snapshot
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.robot_words import LogLine, Severity
+from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.terminal.budget import Budget, memory
 from fleet_tui.view.console_rows import OwnFacts, console_table
 from fleet_tui.view.health_rows import health_table

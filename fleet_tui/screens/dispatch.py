@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.model.commands import Command
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
 from fleet_tui.screens.held import Held
 from fleet_tui.screens.part import Part
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.command_line import newest
-from fleet_tui.view.text import visible
 
 if TYPE_CHECKING:
     from fleet_tui.model.problem import Problem
@@ -41,8 +41,8 @@ class Dispatch(Part):
 
     def _problems(self, wish: Wish) -> "list[Problem]":
         # Here, not above: the first paint does without them.
-        from fleet_tui.model.checks import problems, repeated
         from fleet_tui.model.problem import Rights
+        from fleet_tui.rules.commands.checks import problems, repeated
 
         found = problems(self.state, wish, Rights(self.read_only, self.armed))
         return [*repeated(wish, self._given, time.monotonic()), *found]
@@ -52,7 +52,7 @@ class Dispatch(Part):
         has left, or waits for the first connection. Returns why it is not sent, empty where it is or where
         that is asked."""
         # Here, not above: the first paint does without them.
-        from fleet_tui.model.checks import acceptable
+        from fleet_tui.rules.commands.checks import acceptable
 
         wish, left_out = acceptable(self.state, wish)
         problem = self._give_able(wish, sent)
@@ -105,7 +105,7 @@ class Dispatch(Part):
     def _send(self, wish: Wish, sent: Callable[[], None]) -> None:
         for command in wish.commands:
             self.submit(command)
-        from fleet_tui.model.checks import SAME_WITHIN
+        from fleet_tui.rules.commands.checks import SAME_WITHIN
 
         now = time.monotonic()
         recent = {given: at for given, at in self._given.items() if now - at < SAME_WITHIN}

@@ -7,7 +7,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
 
 LINK_WITHIN, PAUSE_WITHIN = 1.0, 5.0
 """Seconds after which a request, and one to pause, no longer waits for the first connection."""

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 from textual.widgets import Input
 
-from fleet_tui.model.lookup import Place
-from fleet_tui.view.text import visible
+from fleet_tui.rules.language.lookup import Place
+from fleet_tui.text.sanitize import visible
 from fleet_tui.widgets.field import Field
 
 SIGN = ">"

@@ -11,7 +11,7 @@ from fleet_tui.model.commands import Command
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.screens.navigation import Navigation
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.view.command_line import message_line
 from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.fleet_rows import fleet_table

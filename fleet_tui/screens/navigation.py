@@ -16,8 +16,8 @@ from fleet_tui.screens.incident_actions import IncidentActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.playback_actions import PlaybackActions
 from fleet_tui.screens.save_actions import SaveActions
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.hints import hidden_keys
-from fleet_tui.view.text import visible
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.rows_pane import RowsPane
 

@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
-from fleet_tui.model.lookup import Place
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.language.lookup import Place
 from fleet_tui.screens.dispatch import Dispatch
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.fleet_rows import mission, way
 from fleet_tui.view.selection import Selection
-from fleet_tui.view.text import visible
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:

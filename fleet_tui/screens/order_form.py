@@ -11,13 +11,13 @@ from textual.widget import Widget
 from textual.widgets import Button, Input, Static
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.lookup import Place, destination_only, may_skip_start
+from fleet_tui.model.request import Wish
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.wishes import Wish
+from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start
 from fleet_tui.screens.choices import Choices, choices, is_in_label, line, missing, order, wanted_now
 from fleet_tui.screens.legs import SIGN, LegField, Legs
 from fleet_tui.screens.overlay import MouseButton, Overlay
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 from fleet_tui.widgets.field import Keys
 from fleet_tui.widgets.matches import Matches
 

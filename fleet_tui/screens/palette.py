@@ -10,7 +10,7 @@ from textual.widgets import Input
 
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.typed import Entry, Typed
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.matches import Matches
 

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.errors import FleetError
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
 from fleet_tui.screens.audit_actions import AuditActions
 from fleet_tui.screens.dispatch import Dispatch
 from fleet_tui.screens.recording_actions import RecordingActions
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.selection import Selection
 from fleet_tui.view.status_line import console_notes, status_line, status_right
-from fleet_tui.view.text import visible
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.messages import TimePicked
 

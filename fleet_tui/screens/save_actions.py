@@ -9,7 +9,7 @@ from fleet_tui.config.saving import USUAL, Saving
 from fleet_tui.config.schema import expanded
 from fleet_tui.errors import FleetError
 from fleet_tui.screens.part import Part
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 if TYPE_CHECKING:
     from fleet_tui.screens.confirm import Confirm

@@ -10,11 +10,11 @@ from textual.content import Content
 from textual.widgets import Button, OptionList, Static
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.lookup import Place, destination_only, may_skip_start, places
+from fleet_tui.model.request import Wish
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.wishes import Wish
+from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, places
 from fleet_tui.screens.choices import order
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 
 class Large(Button):

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from functools import partial
 
 from fleet_tui.errors import CommandError
-from fleet_tui.model.checks import acceptable, not_accepted
-from fleet_tui.model.completion import complete, is_command
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.grammar import parse
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.commands.checks import acceptable, not_accepted
+from fleet_tui.rules.language.completion import complete, is_command
+from fleet_tui.rules.language.grammar import parse
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.questions import wish_text
-from fleet_tui.view.text import visible
 
 Entry = tuple[str, Callable[[], object]]
 

@@ -12,7 +12,7 @@ from textual.widgets import Static
 from fleet_tui.keys import KEYS
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.why_lines import why_lines
 from fleet_tui.widgets.bindings import bindings
 

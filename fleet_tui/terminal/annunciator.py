@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fleet_tui.config.schema import Alarms
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 QUIET = 5.0
 """Seconds between two calls: what is raised meanwhile is one call."""

@@ -5,7 +5,7 @@ The names and words of robots are left as they are: they are the site's own.
 
 from textual.drivers.linux_driver import LinuxDriver
 
-from fleet_tui.view.signs import PLAIN
+from fleet_tui.text.ascii_fallback import PLAIN
 
 
 class PlainDriver(LinuxDriver):

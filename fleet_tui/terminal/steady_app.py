@@ -4,9 +4,9 @@ import logging
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from fleet_tui.model.bounds import brief
 from fleet_tui.terminal.paint_first import PaintFirst
-from fleet_tui.view.text import visible
+from fleet_tui.text.limits import brief
+from fleet_tui.text.sanitize import visible
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

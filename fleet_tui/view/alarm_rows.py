@@ -4,9 +4,9 @@ from collections.abc import Callable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.sanitize import fit, visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Run, Table, column
-from fleet_tui.view.text import fit, visible
 
 _SIGNS = {
     AlarmStage.UNACKNOWLEDGED: "▲ new ",

@@ -4,9 +4,9 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from fleet_tui.text.sanitize import fit, visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run, column, cut
-from fleet_tui.view.text import fit, visible
 
 Rows = list[tuple[Run, ...]]
 

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
+from fleet_tui.text.sanitize import fit, visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Run, Table, column
-from fleet_tui.view.text import fit, visible
 
 TROUBLE = frozenset(stage.value for stage in (*FAILURES, Stage.NO_ANSWER, Stage.UNKNOWN)) | {
     "console closed",

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from fleet_tui.model.geometry import MapFrame
+from fleet_tui.text.sanitize import cell_width, fit, visible
 from fleet_tui.view.camera import Camera, scale_bar
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.drawing import Drawing
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.text import cell_width, fit, visible
 
 Piece = tuple[str, Ink]
 LEAST = 8  # cells that a note must have

@@ -8,8 +8,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from fleet_tui.text.sanitize import cells_of
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.text import cells_of
 
 Codes = NDArray[np.uint32]
 Inks = NDArray[np.uint8]

@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
-from fleet_tui.model.batches import TOGETHER, pauses, summary
 from fleet_tui.model.commands import (
     FAILURES,
     CancelOrder,
@@ -16,10 +15,11 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.fleet_rows import way
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run, cut, width_of
-from fleet_tui.view.text import visible
 
 # So many commands fit in a line one by one.
 FEW = 3

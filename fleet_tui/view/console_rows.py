@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Table
-from fleet_tui.view.text import visible
 from fleet_tui.view.units import milliseconds, size_text
 
 Spread = tuple[float, float, float]

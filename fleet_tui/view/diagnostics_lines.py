@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run
-from fleet_tui.view.text import visible
 
 _KEYS = {
     1: (),

@@ -4,19 +4,19 @@ from collections.abc import Iterator
 from functools import partial
 from typing import NamedTuple
 
-from fleet_tui.model.conditions import is_news
-from fleet_tui.model.conditions_of_navigation import LOST_ABOVE
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
-from fleet_tui.model.keeping import all_orders, foreign
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, route_text
-from fleet_tui.model.pauses import own_pause_text
-from fleet_tui.model.reason import own_pause
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.conditions import is_news
+from fleet_tui.rules.alarms.navigation import LOST_ABOVE
+from fleet_tui.rules.commands.keeping import all_orders, foreign
+from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.rules.why.reason import own_pause
+from fleet_tui.text.sanitize import fit, visible
 from fleet_tui.view.progress import progress_text
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Run, Table, column, width_of
-from fleet_tui.view.text import fit, visible
 
 CARGO = "■"
 

@@ -11,10 +11,10 @@ from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.mission import mission, targets
 from fleet_tui.view.scene import Line, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
-from fleet_tui.view.text import visible
 
 MARGIN, BLOCK = 2.0, 10.0
 EMPTY_RESOLUTION = 0.05

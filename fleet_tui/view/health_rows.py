@@ -3,11 +3,11 @@
 from collections import Counter
 from collections.abc import Collection, Hashable, Iterator, Mapping
 
-from fleet_tui.model.robot_words import Diagnosis, Health
+from fleet_tui.model.ros_logs import Diagnosis, Health
+from fleet_tui.text.sanitize import fit, visible
 from fleet_tui.view.link_rows import Links, down
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Row, Table, column
-from fleet_tui.view.text import fit, visible
 from fleet_tui.view.units import ago
 
 OLD = 10.0

@@ -7,9 +7,9 @@ from operator import or_
 import numpy as np
 from numpy.typing import NDArray
 
+from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.cells import Inks
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.text import cell_width
 
 _REACH = 3  # rows or cells that a tag may be away from its robot
 _MARGIN = 40  # cells between two rows of a room, always taken, so that nothing reaches from one into the next

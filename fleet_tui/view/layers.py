@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from fleet_tui.model.graph import Role
 from fleet_tui.model.order import natural
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.camera import Camera
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.drawing import Drawing
@@ -14,7 +15,6 @@ from fleet_tui.view.places import Place, seen_robots, seen_vertices
 from fleet_tui.view.raster import ground
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
-from fleet_tui.view.text import visible
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.fleet import age
 from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Row, Run, Table
-from fleet_tui.view.text import visible
 from fleet_tui.view.units import ago, milliseconds, size_text
 
 Links = Sequence[tuple[LinkState, LinkCounter]]

@@ -12,7 +12,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Chart, Robot
-from fleet_tui.model.traffic import stops_left
+from fleet_tui.rules.why.traffic import stops_left
 from fleet_tui.view.scene import Line, Mission
 
 ORDERS_SHOWN = 8

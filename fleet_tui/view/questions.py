@@ -3,15 +3,15 @@
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
-from fleet_tui.model.batches import batch_name
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import all_orders, clearable
 from fleet_tui.model.problem import Problem
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.commands.batches import batch_name
+from fleet_tui.rules.commands.keeping import all_orders, clearable
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.command_line import command_text
 from fleet_tui.view.fleet_rows import mission
-from fleet_tui.view.text import visible
 
 SHOWN = 6
 

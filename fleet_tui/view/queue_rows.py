@@ -4,17 +4,17 @@ from collections.abc import Iterable, Mapping
 
 from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
-from fleet_tui.model.confirmation import find_order
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.keeping import all_orders, kept_orders
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.confirmation import find_order
+from fleet_tui.rules.commands.keeping import all_orders, kept_orders
+from fleet_tui.text.sanitize import cell_width, fit, visible
 from fleet_tui.view.command_line import stage_text
 from fleet_tui.view.fleet_rows import whose_mission
 from fleet_tui.view.progress import progress_text
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Button, LateRows, Row, Run, Table, column, cut, width_of
-from fleet_tui.view.text import cell_width, fit, visible
 
 CANCEL, CLEAR = "[Cancel]", "[Clear all]"
 

@@ -9,12 +9,12 @@ from typing import Any
 import cbor2
 import msgspec
 
-from fleet_tui.model.bounds import brief
-from fleet_tui.model.cbor import read_cbor
+from fleet_tui.adapters.ros.cbor import read_cbor
 from fleet_tui.model.counters import Raw, TopicCounter
+from fleet_tui.text.limits import brief
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Row, Table
-from fleet_tui.view.text import visible
 from fleet_tui.view.units import ago, size_text
 
 MOST_LINES = 1000

@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.robot_words import LogLine, Severity
+from fleet_tui.model.ros_logs import LogLine, Severity
+from fleet_tui.text.sanitize import fit, visible
 from fleet_tui.view.link_rows import Links, down
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Table, column
-from fleet_tui.view.text import fit, visible
 from fleet_tui.view.units import ago
 
 _LOOKS = {

@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.fleet import FleetState, age, behind_text
-from fleet_tui.model.lag import BEHIND
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.rules.lag import BEHIND
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run
-from fleet_tui.view.text import visible
 
 # A link on which something came within so many seconds is well.
 SILENT_AFTER = 2.0

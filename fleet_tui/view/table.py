@@ -5,8 +5,8 @@ from typing import overload
 
 from msgspec import Struct
 
+from fleet_tui.text.sanitize import cell_width, fit
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.text import cell_width, fit
 
 Run = tuple[str, Ink]
 

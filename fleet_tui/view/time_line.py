@@ -5,9 +5,9 @@ from enum import IntEnum
 
 from msgspec import Struct
 
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import Run, cut, width_of
-from fleet_tui.view.text import visible
 
 SAID_FOR = 5.0
 """Recorded seconds for which a mark is told once it was passed."""

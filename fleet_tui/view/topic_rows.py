@@ -5,10 +5,10 @@ from collections.abc import Mapping, Sequence
 from fleet_tui.model.counters import TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.text.sanitize import fit, visible
 from fleet_tui.view.link_rows import Links, down
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.table import LateRows, Row, Run, Table, column
-from fleet_tui.view.text import fit, visible
 from fleet_tui.view.units import ago, size_text
 
 BAD_FOR = 10.0

@@ -4,12 +4,12 @@ from collections.abc import Collection, Iterator, Mapping
 
 from fleet_tui.keys import KEYS
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.pauses import STANDS_AFTER
-from fleet_tui.model.reason import Reason
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.why import reasons
+from fleet_tui.rules.commands.pauses import STANDS_AFTER
+from fleet_tui.rules.why.reason import Reason
+from fleet_tui.rules.why.why import reasons
+from fleet_tui.text.sanitize import visible
 from fleet_tui.view.hints import hidden_keys
-from fleet_tui.view.text import visible
 
 SHOWN = 5
 """As many reasons as a small terminal has room for; the others weigh least."""

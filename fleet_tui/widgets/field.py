@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from textual import events
 from textual.widgets import Input
 
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 Keys = Mapping[str, Callable[[], object]]
 

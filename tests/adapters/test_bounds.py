@@ -11,11 +11,12 @@ import pytest
 from fleet_tui.adapters.ros import messages, operations
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
-from fleet_tui.model import bounds, events
-from fleet_tui.model.apply import apply
+from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
+from fleet_tui.state.reducer import apply
+from fleet_tui.text import limits as bounds
 from fleet_tui.view.alarm_rows import alarm_table
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.floor_scene import floor_scene

@@ -12,11 +12,11 @@ from fleet_tui.adapters.move_base.adapter import MoveBase
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.operations import Publish, decode
 from fleet_tui.errors import WireError
-from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event, MessageRejected
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
+from fleet_tui.state.reducer import apply
 from tests.fleets import R0, T0, fleet, graph, link_up, tick, told
 
 ADAPTER = MoveBase(Profile(kind="move_base", topics={"floor": "/{robot}/floor"}), Site())

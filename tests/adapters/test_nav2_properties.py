@@ -12,12 +12,12 @@ from fleet_tui.adapters.nav2.adapter import Nav2
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.operations import Publish, decode
 from fleet_tui.errors import WireError
-from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import PlaceOrder, Stage
 from fleet_tui.model.events import Event, MessageRejected
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation_events import GoalAnswered
 from fleet_tui.model.order import at_vertices
+from fleet_tui.state.reducer import apply
 from tests.fleets import R0, T0, commanded, fleet, graph, link_up, tick, told
 
 ADAPTER = Nav2(Profile(kind="nav2", topics={"floor": "/{robot}/floor"}), Site())

@@ -16,11 +16,11 @@ from fleet_tui.config.schema import DEFAULT_LINK, Config, FloorEntry, RobotEntry
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
-from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
+from fleet_tui.state.reducer import apply
 from tests.adapting import adapter_of, event_of
 from tests.fleets import order, order_queue, place_order, recording
 

@@ -21,13 +21,13 @@ from fleet_tui.journal.indexing import open_recording
 from fleet_tui.journal.recording import Recording
 from fleet_tui.journal.records import Heard, Keyframe, Told
 from fleet_tui.model import events
-from fleet_tui.model.apply import apply
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.link import Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.playback.frames import Frames
+from fleet_tui.state.reducer import apply
 from tests.bags.made import KINDS, WALL, Said, bag_config, written
 from tests.fleets import F0, LINK, R0, order, order_queue
 from tests.journal.recordings import plain

@@ -11,7 +11,7 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.world import World
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from tests.fleets import order, order_queue
 from tests.watched import config_of
 

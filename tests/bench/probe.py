@@ -19,7 +19,7 @@ from fleet_tui.__main__ import main as fleet_tui
 from fleet_tui.app import FleetApp
 from fleet_tui.model.events import Event, PoseReported
 from fleet_tui.screens.main import MainScreen
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.widgets.map_view import MapView
 

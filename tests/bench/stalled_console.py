@@ -13,7 +13,7 @@ from fleet_tui.app import FleetApp
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config, simulated
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.transports.rosbridge.connection import Connection
 from fleet_tui.view.drawing import Drawing

@@ -6,7 +6,7 @@ import pytest
 
 from fleet_tui.adapters.ros.reading import Read, Reading
 from fleet_tui.model.fleet import behind_text
-from fleet_tui.model.lag import BEHIND
+from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
 from tests.linked import linked, ready

@@ -11,9 +11,9 @@ from fleet_tui.client.queue_file import FILE, Kept
 from fleet_tui.config.schema import Operator
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import SOMEBODY_ELSE, foreign, waiting
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, foreign, waiting
 from fleet_tui.simulator.faults import play
 from fleet_tui.transports.rosbridge import connection
 from tests.linked import finished, linked

@@ -2,15 +2,15 @@
 
 import pytest
 
-from fleet_tui.model import apply
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.keeping import foreign
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import OrderState, Stop, at_vertices
+from fleet_tui.rules.commands.keeping import foreign
 from fleet_tui.simulator.nav2.navigation import TO_POSE, WAYPOINTS
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
+from fleet_tui.state import reducer as apply
 from fleet_tui.transports.rosbridge import connection
 from tests.linked import finished, linked, phase
 from tests.nav2_site import Site, nav2_ready, reached

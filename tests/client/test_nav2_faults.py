@@ -4,13 +4,13 @@ import msgspec
 import pytest
 
 from fleet_tui.config.schema import Config
-from fleet_tui.model import apply
 from fleet_tui.model.commands import CancelOrder, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.why import reasons
+from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.nav2 import faults
 from fleet_tui.simulator.navigating import faults as shared_faults
+from fleet_tui.state import reducer as apply
 from fleet_tui.transports.rosbridge import connection
 from tests.linked import finished, linked
 from tests.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of

@@ -16,9 +16,9 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import SOMEBODY_ELSE, kept_orders, waiting
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import OrderState, at_vertices
+from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, kept_orders, waiting
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from fleet_tui.simulator.ros.goals import CANCELED
 from fleet_tui.transports.rosbridge import connection
@@ -283,7 +283,7 @@ async def test_orders_of_two_robots_do_not_wait_for_each_other(site: Site) -> No
 
 
 async def test_an_ended_goal_leaves_the_queue(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fleet_tui.model.goals.LISTED_FOR", 0.5)
+    monkeypatch.setattr("fleet_tui.rules.commands.goals.LISTED_FOR", 0.5)
     async with linked(site.config, queue=keeping()) as (link, store):
         await store.until(nav2_ready)
         order = await finished(link, store, site.to("Receiving"))

@@ -12,8 +12,8 @@ from fleet_tui.client.queue_file import Kept
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, Stage
 from fleet_tui.model.events import CommandIssued
-from fleet_tui.model.keeping import waiting
-from fleet_tui.store import Store
+from fleet_tui.rules.commands.keeping import waiting
+from fleet_tui.state.store import Store
 from tests.client.test_nav2_keeping import R0, kept
 from tests.linked import finished, linked
 from tests.nav2_site import Site, keeping, nav2_ready, reached

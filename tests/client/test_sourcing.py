@@ -5,10 +5,10 @@ from msgspec.structs import replace
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.client import sourcing
-from fleet_tui.model.checks import problems
 from fleet_tui.model.events import MessagesUnsourced
 from fleet_tui.model.problem import Rights
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.commands.checks import problems
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2

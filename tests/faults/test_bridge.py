@@ -5,13 +5,13 @@ import time
 import pytest
 
 from fleet_tui.adapters.ros.reading import Read, Reading
-from fleet_tui.model.checks import problems
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.lag import BEHIND
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Rights
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.commands.checks import problems
+from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World

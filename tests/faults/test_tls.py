@@ -10,7 +10,7 @@ from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import ConfigError
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.transports.rosbridge.reasons import refusal
 from tests.faults.certificates import Signed, sign
 from tests.faults.kept import linked

@@ -23,8 +23,8 @@ with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"])
     from fleet_tui.maps.images import load_floor_map
     from fleet_tui.maps.route_graphs import load_floor_graph
     from fleet_tui.model.commands import PauseRobot
+    from fleet_tui.text.sanitize import cell_width, fit, visible
     from fleet_tui.themes import load_themes, read_theme
-    from fleet_tui.view.text import cell_width, fit, visible
     from tests.adapting import adapter_of
     from tests.journal.recordings import header, keyframe, packed
 

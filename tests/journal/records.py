@@ -8,7 +8,7 @@ from fleet_tui.journal.entries import Origin
 from fleet_tui.journal.reader import Reading
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from tests.fleets import R0, T0, WALL, fleet, graph, labels, link_up, pose, told
 
 ANA = Origin("ana", "host:1", "run1")

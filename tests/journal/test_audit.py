@@ -30,7 +30,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.events import AlarmAcknowledged, CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from tests.fleets import (
     F0,
     R0,

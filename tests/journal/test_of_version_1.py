@@ -31,9 +31,9 @@ from fleet_tui.journal.search import search_of
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.events import GraphReceived, LabelsReceived, QueueReported
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.grammar import written
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.playback.playhead import Playhead
+from fleet_tui.rules.language.grammar import written
 from fleet_tui.view.audit_rows import line_text
 from fleet_tui.view.queue_rows import queue_table
 from tests.fleets import order, order_queue, text_of

@@ -25,11 +25,11 @@ from fleet_tui.journal.records import Heard, Keyframe, Mark, RecordingError, Sen
 from fleet_tui.journal.taps import Taps
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
-from fleet_tui.model.apply import apply
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.store import Store
+from fleet_tui.state.reducer import apply
+from fleet_tui.state.store import Store
 from tests.fleets import T0, WALL, fleet
 from tests.journal.recordings import plain
 from tests.linked import finished, ready

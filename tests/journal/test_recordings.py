@@ -15,7 +15,7 @@ from fleet_tui.journal.indexing import open_recording
 from fleet_tui.journal.recordings import Recordings, remove_stale
 from fleet_tui.journal.records import RecordingError
 from fleet_tui.model import events
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from tests.fleets import T0, WALL, fleet
 from tests.watched import config_of
 

@@ -6,7 +6,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.model.checks import CHECKS, FIRST, problems, repeated
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.events import CargoReported, CommandPathChanged, Event, GraphReceived, PausedReported
 from fleet_tui.model.fleet import FleetState
@@ -17,7 +16,8 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import Stop, vertices_of
 from fleet_tui.model.problem import Rights
-from fleet_tui.model.wishes import Wish, chain
+from fleet_tui.model.request import Wish, chain
+from fleet_tui.rules.commands.checks import CHECKS, FIRST, problems, repeated
 from tests.fleets import (
     F0,
     LINK,

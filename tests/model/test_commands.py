@@ -19,7 +19,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
-from fleet_tui.model.wishes import chain
+from fleet_tui.model.request import chain
 from tests.fleets import R0, T0, commanded, fleet, link_lost, link_up, place_order, pose, queue, tick, told
 
 ORDER = place_order(R0, 1, 2)

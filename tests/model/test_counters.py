@@ -17,7 +17,7 @@ from fleet_tui.model.counters import (
     RoundTrips,
     TopicCounter,
 )
-from fleet_tui.model.robot_words import Diagnosis, LogLine
+from fleet_tui.model.ros_logs import Diagnosis, LogLine
 from tests.fleets import T0
 
 

@@ -4,13 +4,13 @@ import pytest
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm
-from fleet_tui.model.command_events import COMMANDS_KEPT
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState, age
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
+from fleet_tui.state.command_events import COMMANDS_KEPT
 from tests.fleets import (
     F0,
     LINK,
@@ -40,7 +40,7 @@ def alarms(state: FleetState) -> dict[tuple[str, str], Alarm]:
 
 
 def test_live_maps_of_many_robots_do_not_add_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fleet_tui.model.apply.LIVE_CELLS_KEPT", 4)
+    monkeypatch.setattr("fleet_tui.state.reducer.LIVE_CELLS_KEPT", 4)
     names = ["robot_0", "robot_1", "robot_2"]
     state = told(fleet(3, 2), *(events.GridReceived(name, F0, GRID) for name in names[:2]))
     held = [name for name in names if state.robots[name].charts[F0].grid]

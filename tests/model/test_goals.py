@@ -12,8 +12,6 @@ from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.goals import LISTED_FOR
-from fleet_tui.model.keeping import foreign
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.navigation_events import (
     GoalAnswered,
@@ -25,6 +23,8 @@ from fleet_tui.model.navigation_events import (
 )
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.goals import LISTED_FOR
+from fleet_tui.rules.commands.keeping import foreign
 from tests.fleets import F0, R0, T0, commanded, fleet, graph, link_up, tick, told
 
 NAV2 = Nav2(Profile(kind="nav2"), Site()).kind

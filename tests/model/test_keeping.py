@@ -5,7 +5,6 @@ from itertools import count
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.model.checks import problems
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -17,14 +16,15 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.events import CommandAdvanced, Event
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import next_to_send, waiting
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import FloorReported, GoalsReported
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.problem import Rights
-from fleet_tui.model.why import reasons
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.commands.checks import problems
+from fleet_tui.rules.commands.keeping import next_to_send, waiting
+from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.questions import question
 from tests.fleets import (

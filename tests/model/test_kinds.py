@@ -9,15 +9,15 @@ from fleet_tui.adapters.oh_ressources.adapter import OhRessources
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.headless.session import missing
 from fleet_tui.model import events
-from fleet_tui.model.checks import acceptable, problems, unaccepted
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, ResumeRobot
-from fleet_tui.model.completion import complete
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, Kind
-from fleet_tui.model.lookup import destination_only, may_skip_start
 from fleet_tui.model.problem import Rights
-from fleet_tui.model.why import reasons
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
+from fleet_tui.rules.language.completion import complete
+from fleet_tui.rules.language.lookup import destination_only, may_skip_start
+from fleet_tui.rules.why.why import reasons
 from tests.fleets import (
     R0,
     T0,

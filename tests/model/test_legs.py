@@ -9,7 +9,6 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, Pa
 from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.keeping import foreign, next_to_send, to_keep
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import (
     Alive,
@@ -19,7 +18,8 @@ from fleet_tui.model.navigation_events import (
     TargetReported,
 )
 from fleet_tui.model.order import OrderState, Stop, at_vertices
-from fleet_tui.model.wishes import given_now
+from fleet_tui.model.request import given_now
+from fleet_tui.rules.commands.keeping import foreign, next_to_send, to_keep
 from tests.fleets import F0, R0, T0, fleet, graph, link_up, tick, told
 
 KIND = MoveBase(Profile(kind="move_base"), Site()).kind

@@ -1,13 +1,13 @@
 """Where a robot is, and what follows from it."""
 
 from fleet_tui.model import events
-from fleet_tui.model.apply import apply
 from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import RouteGraph, Vertex
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.model.lookup import places
 from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.rules.language.lookup import places
+from fleet_tui.state.reducer import apply
 
 
 def test_labels_are_those_of_the_floor_it_is_on_where_ids_are_the_same() -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.model.sourcing import Listening, unsourced_package
+from fleet_tui.rules.sourcing import Listening, unsourced_package
 
 POSE = Listening("r1", "geometry_msgs/PoseStamped", 1, True)
 QUEUE = Listening("r1", "OH_ressources/ActionQueue", 1, False)

@@ -27,8 +27,8 @@ from fleet_tui.model.events import (
     PoseReported,
 )
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.reason import Reason
-from fleet_tui.model.why import reasons
+from fleet_tui.rules.why.reason import Reason
+from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.robot import Order
 from tests.fleets import (
     R0,

@@ -9,7 +9,7 @@ from fleet_tui.backend import Backend, connect_live
 from fleet_tui.config.schema import Config
 from fleet_tui.screens import held
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from tests import console_pilot
 from tests.console_pilot import console
 from tests.watched import config_of

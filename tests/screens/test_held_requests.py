@@ -5,7 +5,7 @@ import msgspec
 from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.model.wishes import Wish
+from fleet_tui.model.request import Wish
 from fleet_tui.screens.held import LINK_WITHIN, PAUSE_WITHIN, Held
 from tests.fleets import fleet, place_order
 

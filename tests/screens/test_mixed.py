@@ -8,9 +8,9 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.headless.report import report
-from fleet_tui.model.conditions import conditions
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.why import reasons
+from fleet_tui.rules.alarms.conditions import conditions
+from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.fleet_rows import fleet_table
 from fleet_tui.view.queue_rows import queue_table
 from fleet_tui.view.table import Table

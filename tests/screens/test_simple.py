@@ -6,7 +6,7 @@ from textual.app import ComposeResult
 from fleet_tui.model.events import LabelsReceived
 from fleet_tui.screens.simple import Simple
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 from tests.console_pilot import Console, console
 from tests.screens.test_commands import sent, vertex
 from tests.watched import config_of

@@ -9,7 +9,7 @@ import pytest
 from fleet_tui.app import FleetApp
 from fleet_tui.config.start import initial_state
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.view.drawing import Drawing
 from tests.console_pilot import console

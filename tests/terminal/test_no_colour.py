@@ -11,7 +11,7 @@ from textual.pilot import Pilot
 from fleet_tui import console
 from fleet_tui.app import FleetApp
 from fleet_tui.config.start import initial_state
-from fleet_tui.store import Store
+from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.view.drawing import Drawing
 from tests.played_terminal import PlayedDriver, shown, terminal_of

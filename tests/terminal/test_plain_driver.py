@@ -3,8 +3,8 @@
 import sys
 from pathlib import Path
 
-from fleet_tui.view.signs import PLAIN
-from fleet_tui.view.text import cell_width
+from fleet_tui.text.ascii_fallback import PLAIN
+from fleet_tui.text.sanitize import cell_width
 from tests.bench.in_pty import Terminal
 
 

@@ -4,9 +4,9 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.text.sanitize import cell_width, visible
 from fleet_tui.view.cells import Cells
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.text import cell_width, visible
 
 texts = st.text(st.sampled_from("abz仓库한 ·▶e\u0301"), max_size=8)
 writes = st.lists(st.tuples(st.integers(-4, 14), st.integers(-1, 3), texts, st.sampled_from(list(Ink))))

@@ -11,9 +11,9 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
+from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.command_line import command_text, message_line
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.text import cell_width
 from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, text_of, tick, told
 
 WIDE = 300

@@ -8,7 +8,7 @@ from hypothesis import given
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
-from fleet_tui.model.robot_words import Diagnosis, LogLine, Severity
+from fleet_tui.model.ros_logs import Diagnosis, LogLine, Severity
 from fleet_tui.view.console_rows import OwnFacts, console_table
 from fleet_tui.view.diagnostics_lines import foot_runs, page_runs
 from fleet_tui.view.health_rows import health_table

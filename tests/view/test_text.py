@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.cells import cell_len
 
-from fleet_tui.view.text import cell_width, fit, visible
+from fleet_tui.text.sanitize import cell_width, fit, visible
 
 
 @pytest.mark.parametrize(

@@ -8,9 +8,9 @@ from fleet_tui.adapters.move_base.reading import ACTION
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.places import pose_of_stop, stamped
 from fleet_tui.errors import CommandError
-from fleet_tui.model.goals import active
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.goals import active
 
 NO_STAMP = {"secs": 0, "nsecs": 0}
 """Of a goal: it is taken now, by the robot's clock. Of a cancellation any other stamp would mean every goal

@@ -12,10 +12,10 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.reading import Read
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
-from fleet_tui.model.bounds import MOST_ORDERS, brief
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, TargetReported
 from fleet_tui.model.order import OrderState
+from fleet_tui.text.limits import MOST_ORDERS, brief
 
 ACTION = "move_base"
 """The one action that such robots have."""

@@ -5,8 +5,8 @@ from typing import Any
 
 from fleet_tui.adapters.answers import judge, said
 from fleet_tui.adapters.nav2.codes import in_words
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import Command, PauseRobot, Stage
+from fleet_tui.text.limits import brief
 
 RETURN_CODES = {
     1: "the robot rejected it",

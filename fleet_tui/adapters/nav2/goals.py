@@ -8,9 +8,9 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.places import pose_of_stop, stamped
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.goals import active
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.goals import active
 
 NO_STAMP = {"sec": 0, "nanosec": 0}
 ALL = "AAAAAAAAAAAAAAAAAAAAAA=="

@@ -11,9 +11,9 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.reading import Read
 from fleet_tui.errors import WireError
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.bounds import LONGEST_NAME, MOST_ORDERS, brief
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.order import OrderState
+from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, brief
 
 STATES = {
     1: OrderState.QUEUED,

@@ -5,7 +5,9 @@ from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros.facts import Translate, is_place
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model import events
-from fleet_tui.model.bounds import (
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
+from fleet_tui.text.limits import (
     LONGEST_NAME,
     MOST_EDGES,
     MOST_LABELS,
@@ -14,8 +16,6 @@ from fleet_tui.model.bounds import (
     beyond,
     brief,
 )
-from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
 
 STATES = {
     "Q": OrderState.QUEUED,

@@ -10,9 +10,9 @@ from typing import Annotated, Any, TypeVar, cast
 import cbor2
 import msgspec
 
+from fleet_tui.adapters.ros.cbor import INT8_ARRAY
 from fleet_tui.adapters.ros.fields import rearranged
 from fleet_tui.errors import WireError
-from fleet_tui.model.cbor import INT8_ARRAY
 
 LARGEST = 8 * 2**20
 """Bytes of a message that is no map, as JSON."""

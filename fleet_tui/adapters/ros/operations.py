@@ -11,8 +11,8 @@ from typing import Any
 
 import msgspec
 
+from fleet_tui.adapters.ros.cbor import read_cbor
 from fleet_tui.errors import WireError
-from fleet_tui.model.cbor import read_cbor
 
 
 class Publish(msgspec.Struct, frozen=True):

@@ -12,8 +12,8 @@ from fleet_tui.adapters.ros import operations, robot_words
 from fleet_tui.adapters.ros.operations import topic_of
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
+from fleet_tui.text.limits import brief
 
 ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
 WORTH_A_PROCESS = 4 * 2**20

@@ -8,8 +8,8 @@ import msgspec
 
 from fleet_tui.adapters.ros.messages import Stamp, reader
 from fleet_tui.errors import WireError
-from fleet_tui.model.bounds import LONGEST_NAME, brief
-from fleet_tui.model.robot_words import Diagnosis, LogLine, Severity
+from fleet_tui.model.ros_logs import Diagnosis, LogLine, Severity
+from fleet_tui.text.limits import LONGEST_NAME, brief
 
 LONGEST_TEXT = 2000
 """Characters of a line of the log."""

@@ -9,7 +9,7 @@ from fleet_tui.adapters.ros.facts import pose_of
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.errors import WireError
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.bounds import LONGEST_NAME, brief
+from fleet_tui.text.limits import LONGEST_NAME, brief
 
 # (robot, message still encoded, monotonic seconds of arrival) -> the facts; raises WireError.
 Read = Callable[[str, object, float], Iterable[events.Event]]

@@ -8,7 +8,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.discovery.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed
 from fleet_tui.discovery.tools import LOOK_FOR_NODE, named, rosapi_remedy
-from fleet_tui.model.sourcing import Listening, unsourced_package
+from fleet_tui.rules.sourcing import Listening, unsourced_package
 
 FEWEST_TOPICS = 2  # of a node that is called silent: one alone is told as a topic
 

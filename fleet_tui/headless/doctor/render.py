@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from fleet_tui.discovery.finding import Finding, Verdict, listed
-from fleet_tui.view.text import visible
+from fleet_tui.text.sanitize import visible
 
 VERSION = 1
 GLYPHS = {Verdict.OK: "✓", Verdict.WARN: "!", Verdict.FAIL: "✗", Verdict.SKIPPED: "-"}

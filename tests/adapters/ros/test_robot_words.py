@@ -16,7 +16,7 @@ from fleet_tui.adapters.ros.robot_words import (
     log_line,
 )
 from fleet_tui.errors import WireError
-from fleet_tui.model.robot_words import Health, Severity
+from fleet_tui.model.ros_logs import Health, Severity
 from tests.fleets import T0
 
 ROS1_LOG = {

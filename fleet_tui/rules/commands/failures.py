@@ -9,7 +9,6 @@ from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from fleet_tui.model.alarm import Condition, Key, Priority
-from fleet_tui.model.batches import batches
 from fleet_tui.model.commands import (
     FAILURES,
     ORDER_ENDS,
@@ -25,6 +24,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.batches import batches
 
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""

@@ -18,11 +18,11 @@ from msgspec import Struct
 from fleet_tui.errors import CommandError, did_you_mean
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import all_orders
-from fleet_tui.model.lookup import NUMBER, called, no_graphs, places, plain_id
 from fleet_tui.model.order import natural, vertices_of
+from fleet_tui.model.request import Wish, chain
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.wishes import Wish, chain
+from fleet_tui.rules.commands.keeping import all_orders
+from fleet_tui.rules.language.lookup import NUMBER, called, no_graphs, places, plain_id
 
 USAGE = {
     "order": "order ROBOT FROM TO, or ROBOT FROM > TO",

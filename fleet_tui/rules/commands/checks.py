@@ -10,17 +10,17 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.errors import did_you_mean
-from fleet_tui.model.bounds import some
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.keeping import all_orders, clearable
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
-from fleet_tui.model.pauses import own_pause_text
 from fleet_tui.model.problem import Problem, Rights
+from fleet_tui.model.request import Wish
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.route_checks import (
+from fleet_tui.rules.commands.keeping import all_orders, clearable
+from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.rules.commands.route_checks import (
     floor_mismatch,
     mistakable,
     no_path,
@@ -28,7 +28,7 @@ from fleet_tui.model.route_checks import (
     same_place,
     unknown_vertex,
 )
-from fleet_tui.model.wishes import Wish
+from fleet_tui.text.limits import some
 
 _NOT_POSITIVE = re.compile(r"-[0-9]+|0+", re.ASCII)
 SAME_WITHIN = 1.0

@@ -9,10 +9,10 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.keeping import waiting
-from fleet_tui.model.reason import RECENT, Reason, Strength, last_command, mission, name_of, stands_since
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.traffic import in_the_way, next_stop, vertex_here
+from fleet_tui.rules.commands.keeping import waiting
+from fleet_tui.rules.why.reason import RECENT, Reason, Strength, last_command, mission, name_of, stands_since
+from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:

@@ -3,10 +3,10 @@
 from collections import defaultdict
 from collections.abc import Sequence
 
-from fleet_tui.model.bounds import some
 from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.pauses import FOREIGN_STOPPED
+from fleet_tui.rules.commands.pauses import FOREIGN_STOPPED
+from fleet_tui.text.limits import some
 
 TOGETHER = 0.3
 """Commands of one kind with less than so many seconds in between are one request."""

@@ -2,8 +2,8 @@
 
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import orders_of, waiting
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.keeping import orders_of, waiting
 
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot stands, and with which it counted as moving."""

@@ -7,12 +7,12 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events
-from fleet_tui.model.bounds import LONGEST_NAME, MOST_ORDERS, brief
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.movement import gets_on, is_apart, leap
 from fleet_tui.model.order import Order, OrderQueue, vertices_of
 from fleet_tui.model.order_life import trace_movement, trace_queue
 from fleet_tui.model.robot import Chart, Reading, Robot, StampClock, with_fault
+from fleet_tui.rules.movement import gets_on, is_apart, leap
+from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, brief
 
 # A robot whose clock runs slower than ours by this share must not age into "offline" over days.
 CLOCK_DRIFT = 1e-3

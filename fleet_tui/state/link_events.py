@@ -5,9 +5,9 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.text.limits import brief
 
 LinkEvent = (
     events.LinkChanged

@@ -14,10 +14,9 @@ A robot that moves has no reason to stand. Where nothing weighs, the order that 
 from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.reason import Reason, Rule, Strength
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.why_navigation import NAVIGATION_REASONS
-from fleet_tui.model.why_orders import (
+from fleet_tui.rules.why.navigation import NAVIGATION_REASONS
+from fleet_tui.rules.why.orders import (
     at_stop,
     cargo,
     command,
@@ -26,7 +25,8 @@ from fleet_tui.model.why_orders import (
     unexplained,
     waits_behind,
 )
-from fleet_tui.model.why_robot import (
+from fleet_tui.rules.why.reason import Reason, Rule, Strength
+from fleet_tui.rules.why.robot import (
     battery,
     charges,
     jumps,

@@ -19,11 +19,11 @@ from fleet_tui.model.commands import (
     Step,
 )
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.goals import is_given_as, own_ids
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import PENDING, Order, OrderQueue, OrderState
-from fleet_tui.model.pauses import STANDS_AFTER, WAITS, instead_of_pause, pause_seen
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.goals import is_given_as, own_ids
+from fleet_tui.rules.commands.pauses import STANDS_AFTER, WAITS, instead_of_pause, pause_seen
 
 CLOCKS_AGREE = 1.0
 """Seconds by which a robot's clock, as its messages arrive, may differ from ours."""

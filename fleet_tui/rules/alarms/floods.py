@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from fleet_tui.model.alarm import Condition, Key, Priority
-from fleet_tui.model.bounds import some
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.limits import some
 
 Held = Mapping[Key, Condition]
 """What held at the last look."""

@@ -5,11 +5,11 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.bounds import LONGEST_NAME, brief
-from fleet_tui.model.goal_reports import apply_goals, heard_at
 from fleet_tui.model.navigation import Blocked, Progress
-from fleet_tui.model.reports import apply_report, set_clock
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.state.goal_reports import apply_goals, heard_at
+from fleet_tui.state.reports import apply_report, set_clock
+from fleet_tui.text.limits import LONGEST_NAME, brief
 
 
 def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot:

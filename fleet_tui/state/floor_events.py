@@ -5,9 +5,9 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.text.limits import brief
 
 
 def apply_to_floor(state: FleetState, event: events.FloorMapLoaded | events.FloorGraphLoaded) -> FleetState:

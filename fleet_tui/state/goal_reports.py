@@ -8,10 +8,10 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.goals import active, queue_of, with_reported, with_stops, without
 from fleet_tui.model.order import Stop
-from fleet_tui.model.reports import apply_report
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.commands.goals import active, queue_of, with_reported, with_stops, without
+from fleet_tui.state.reports import apply_report
 
 JUST_BEGUN = 1.0
 """Seconds within which a goal that begins is listed and its target is told, in whichever order."""

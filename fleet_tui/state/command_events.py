@@ -5,7 +5,6 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.bounds import brief
 from fleet_tui.model.commands import (
     Before,
     CancelOrder,
@@ -17,11 +16,12 @@ from fleet_tui.model.commands import (
     Stage,
     Step,
 )
-from fleet_tui.model.confirmation import before, confirm
 from fleet_tui.model.fleet import FleetState, with_robot
-from fleet_tui.model.follow_up import follow_up
-from fleet_tui.model.goal_reports import know_stops
-from fleet_tui.model.keeping import next_id
+from fleet_tui.rules.commands.confirmation import before, confirm
+from fleet_tui.rules.commands.follow_up import follow_up
+from fleet_tui.rules.commands.keeping import next_id
+from fleet_tui.state.goal_reports import know_stops
+from fleet_tui.text.limits import brief
 
 COMMANDS_KEPT = 200
 

@@ -4,10 +4,10 @@ from collections.abc import Iterable, Sequence
 
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.grammar import ALL, USAGE, Token, find_robot, tokens
-from fleet_tui.model.keeping import all_orders
-from fleet_tui.model.lookup import places, recent_ends
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.keeping import all_orders
+from fleet_tui.rules.language.grammar import ALL, USAGE, Token, find_robot, tokens
+from fleet_tui.rules.language.lookup import places, recent_ends
 
 
 def is_command(line: str, state: FleetState) -> bool:

@@ -7,11 +7,11 @@ from msgspec.structs import replace
 
 from fleet_tui.model.commands import ClearOrders, CommandRecord, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.goals import own_ids
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.goals import own_ids
 
 PREFIX = "k"
 """Begins the ids of orders that are kept here: a robot's goals have hexadecimal ones."""

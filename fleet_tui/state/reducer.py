@@ -6,26 +6,26 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.alarm import Alarm, acknowledge, ripen, shelve, unshelve
-from fleet_tui.model.command_events import (
+from fleet_tui.model.fleet import FleetState, with_robot
+from fleet_tui.model.link import Phase
+from fleet_tui.model.navigation_events import Navigation
+from fleet_tui.model.robot import Robot, with_fault
+from fleet_tui.rules.alarms.conditions import conditions
+from fleet_tui.rules.alarms.floods import without_floods
+from fleet_tui.rules.commands.keeping import with_held_queues
+from fleet_tui.rules.lag import with_lags
+from fleet_tui.state.command_events import (
     advance_command,
     confirm_commands,
     hold_queue,
     issue_command,
     take_answer,
 )
-from fleet_tui.model.conditions import conditions
-from fleet_tui.model.fleet import FleetState, with_robot
-from fleet_tui.model.floods import without_floods
-from fleet_tui.model.floor_events import apply_to_floor
-from fleet_tui.model.goal_reports import without_ended, without_unlisted
-from fleet_tui.model.keeping import with_held_queues
-from fleet_tui.model.lag import with_lags
-from fleet_tui.model.link import Phase
-from fleet_tui.model.link_events import apply_to_link
-from fleet_tui.model.navigation_events import Navigation
-from fleet_tui.model.navigation_reports import apply_navigation
-from fleet_tui.model.reports import apply_chart, apply_report
-from fleet_tui.model.robot import Robot, with_fault
+from fleet_tui.state.floor_events import apply_to_floor
+from fleet_tui.state.goal_reports import without_ended, without_unlisted
+from fleet_tui.state.link_events import apply_to_link
+from fleet_tui.state.navigation_reports import apply_navigation
+from fleet_tui.state.reports import apply_chart, apply_report
 
 RELISTED_WITHIN = 10.0, 15.0
 """Seconds after a link came up within which a robot that is heard has listed the goals that it has."""

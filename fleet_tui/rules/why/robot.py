@@ -4,11 +4,11 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, age, obstacle_text
 from fleet_tui.model.graph import Role
 from fleet_tui.model.link import Phase
-from fleet_tui.model.pauses import STANDS_AFTER, own_pause_text
-from fleet_tui.model.reason import Reason, Strength, name_of, own_pause, stands_since
-from fleet_tui.model.reports import JUMPS_WITHIN
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.traffic import graph_here, vertex_here
+from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
+from fleet_tui.rules.why.reason import Reason, Strength, name_of, own_pause, stands_since
+from fleet_tui.rules.why.traffic import graph_here, vertex_here
+from fleet_tui.state.reports import JUMPS_WITHIN
 
 JUMPS = 2
 """So many leaps within JUMPS_WITHIN seconds are no correction any more."""

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
-from fleet_tui.model.apply import apply
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.state.reducer import apply
 
 Watcher = Callable[[FleetState, FleetState], None]
 

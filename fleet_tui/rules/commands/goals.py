@@ -5,9 +5,9 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec.structs import replace
 
-from fleet_tui.model.bounds import MOST_ORDERS
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.order import BEGUN, OVER, Order, OrderQueue, OrderState, Stop
+from fleet_tui.text.limits import MOST_ORDERS
 
 LISTED_FOR = 10.0
 """Seconds for which a goal that has ended stays in the queue, for the command that gave it."""

@@ -1,11 +1,11 @@
 """Reasons to stand still of navigating robots: blocked, lost, recovering, orders held here."""
 
-from fleet_tui.model.conditions_of_navigation import LOST_ABOVE
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import foreign, waiting
 from fleet_tui.model.navigation import blocked_text
-from fleet_tui.model.reason import Reason, Strength, mission
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.navigation import LOST_ABOVE
+from fleet_tui.rules.commands.keeping import foreign, waiting
+from fleet_tui.rules.why.reason import Reason, Strength, mission
 
 
 def blocked(state: FleetState, robot: Robot) -> Reason | None:

@@ -2,10 +2,10 @@
 
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.floods import Held
-from fleet_tui.model.keeping import SOMEBODY_ELSE, waiting
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.floods import Held
+from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, waiting
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
 """Variance of x and y in square metres above which a robot does not know where it is, and below which it
