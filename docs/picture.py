@@ -18,7 +18,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config, simulated
 from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 
 SECONDS = 25
 ORDER = ["o", *"Base", "enter", *"Consum", "enter"]

@@ -69,7 +69,7 @@ def _open_console(options: dict[str, str]) -> None:
 def _run_command() -> None:
     import click
 
-    from fleet_tui.cli import commands
+    from fleet_tui.cli.main import commands
 
     try:
         commands.main(standalone_mode=False)

@@ -19,7 +19,7 @@ from fleet_tui.terminal.annunciator import Annunciator
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
 from fleet_tui.terminal.steady_app import SteadyApp
 from fleet_tui.themes import FleetTheme
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.widgets.bindings import bindings, textual_keymap
 
 LOG = logging.getLogger(__name__)

@@ -26,12 +26,12 @@ from fleet_tui.log_file import log_to_file, state_folder
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme, load_themes
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 
 if TYPE_CHECKING:
     from fleet_tui.discovery.site import DiscoveredSite
-    from fleet_tui.journal.recordings import Recordings
-    from fleet_tui.playback.player import Player
+    from fleet_tui.recording.play.player import Player
+    from fleet_tui.recording.recordings import Recordings
 
 LOG = logging.getLogger(__name__)
 
@@ -151,7 +151,7 @@ def recorded(
         stands(backend)
         recordings.keep_recent()
 
-    from fleet_tui.journal.audit import operator_name
+    from fleet_tui.audit.log import operator_name
 
     connect_live(config, store, keep, recordings.taps, folder, operator_name(config))
 
@@ -165,7 +165,7 @@ def replaying(
     config: Config, player: "Player", themes: dict[str, FleetTheme], mode: Drawing, colour: bool = True
 ) -> FleetApp:
     """The app on a recording."""
-    from fleet_tui.playback.backend import ReplayBackend
+    from fleet_tui.recording.play.backend import ReplayBackend
 
     app = FleetApp(config, Store(player.state), themes, mode, colour, ReplayBackend(player).open)
     app.main.player, app.main.read_only = player, True
@@ -213,8 +213,8 @@ def _run(app: FleetApp, config: Config, demo: bool) -> None:
     with ExitStack() as until_the_end:
 
         def open_journal() -> None:
-            from fleet_tui.journal.audit import auditing
-            from fleet_tui.journal.recordings import Recordings
+            from fleet_tui.audit.log import auditing
+            from fleet_tui.recording.recordings import Recordings
 
             keeping = auditing(state_folder(), config, app.store, demo)
             app.main.audit = until_the_end.enter_context(keeping)
@@ -223,7 +223,7 @@ def _run(app: FleetApp, config: Config, demo: bool) -> None:
             app.opening = partial(recorded, app.main.recordings, None if demo else state_folder())
 
         def pack(shot: str, is_over: Callable[[], bool]) -> Path:
-            from fleet_tui.journal.incident import pack
+            from fleet_tui.recording.incident import pack
 
             recent = app.main.recordings.recent() if app.main.recordings is not None else []
             return pack(config, state_folder(), shot, recent, is_over)

@@ -10,15 +10,15 @@ from textual.pilot import Pilot
 
 from fleet_tui.app import FleetApp
 from fleet_tui.backend import connect_live
+from fleet_tui.cli.session import missing
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.console import recorded
-from fleet_tui.headless.session import missing
-from fleet_tui.journal.recordings import Recordings
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
+from fleet_tui.recording.recordings import Recordings
 from fleet_tui.themes import load_themes
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 from tests.watched import WatchedStore
 
 

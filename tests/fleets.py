@@ -33,7 +33,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import Order, OrderQueue, at_vertices
 from fleet_tui.state.reducer import apply
-from fleet_tui.view.table import Run
+from fleet_tui.view.tables.table import Run
 from tests.watched import config_of
 
 T0 = 1000.0

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from fleet_tui.cli import commands
+from fleet_tui.cli.main import commands
 
 CODES = {0, 1, 2, 3, 130}
 """docs/commands.md, README."""

@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.audit.reader import Reading
 from fleet_tui.config.access import access_problems
 from fleet_tui.config.load import load
 from fleet_tui.config.schema import LINK_FILES, Link
 from fleet_tui.errors import ConfigError, LinkError
-from fleet_tui.journal.reader import Reading
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.themes import load_themes
 from fleet_tui.transports.rosbridge.tls import tls_context

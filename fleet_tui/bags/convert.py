@@ -9,6 +9,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from fleet_tui import __version__
+from fleet_tui.audit.entries import Origin
 from fleet_tui.bags.definitions import typestore
 from fleet_tui.bags.frames import Framer
 from fleet_tui.bags.opening import Bag, BagError, open_bag
@@ -16,14 +17,13 @@ from fleet_tui.bags.topics import Chosen, choose
 from fleet_tui.bags.track import FIRST_AT, Track
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.journal.entries import Origin
-from fleet_tui.journal.part_file import PartFile
-from fleet_tui.journal.recording import LAST_SECOND
-from fleet_tui.journal.records import VERSION, Header, Packer, encode, public
 from fleet_tui.maps.floor_files import load_floors
 from fleet_tui.model.events import MessageRejected
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import OF_BAG, Phase
+from fleet_tui.recording.part_file import PartFile
+from fleet_tui.recording.recording import LAST_SECOND
+from fleet_tui.recording.records import VERSION, Header, Packer, encode, public
 from fleet_tui.text.limits import brief
 
 LARGEST = 128 * 2**20

@@ -2,13 +2,13 @@
 
 import math
 
+from fleet_tui.audit.entries import Origin, alarm_records
 from fleet_tui.config.schema import Config
-from fleet_tui.journal.entries import Origin, alarm_records
-from fleet_tui.journal.part_file import PartFile
-from fleet_tui.journal.records import Heard, Keyframe, Mark, Packer, Record, Told, encode
 from fleet_tui.model.events import Event, LinkHeard, TimePassed
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.playback.frames import Frames
+from fleet_tui.recording.part_file import PartFile
+from fleet_tui.recording.play.frames import Frames
+from fleet_tui.recording.records import Heard, Keyframe, Mark, Packer, Record, Told, encode
 
 FIRST_AT = 1.0
 """Monotonic seconds at which it begins."""

@@ -10,6 +10,7 @@ from fleet_tui.model.commands import CommandRecord
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import LinkState
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.text.durations import age
 
 
 class Limits(Struct, frozen=True):
@@ -132,11 +133,3 @@ def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> s
 def behind_text(state: FleetState) -> str:
     """Say how far this console is behind."""
     return f"this console is {state.behind:.1f} s behind"
-
-
-def age(seconds: float) -> str:
-    """A time span as an operator reads it: `4 s`, `3 min`, `2 h`."""
-    seconds = max(0.0, seconds)
-    if seconds < 100:
-        return f"{seconds:.0f} s"
-    return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.0f} h"

@@ -1,1 +1,1 @@
-"""TODO."""
+"""Rules: pure decisions over the state of the fleet."""

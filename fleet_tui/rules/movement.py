@@ -10,6 +10,8 @@ STILL_WITHIN, STILL_YAW = 0.05, 0.1
 PLACE_WITHIN = 0.2
 # Metres along x or y, and metres per second, from which on a robot did not drive: its localisation jumped.
 JUMP_DISTANCE, JUMP_SPEED = 1.0, 5.0
+JUMPS_WITHIN = 10.0
+"""Seconds for which a jump of a robot's pose counts."""
 
 
 def is_apart(one: Pose, other: Pose) -> bool:

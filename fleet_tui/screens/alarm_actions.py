@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
-from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.command_actions import CommandActions
+from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import visible
-from fleet_tui.view.alarm_rows import alarm_table, unacknowledged
+from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from textual.binding import BindingType
 from fleet_tui.discovery.choices import Choice
 from fleet_tui.discovery.site import DiscoveredSite
 from fleet_tui.screens.before import Before
-from fleet_tui.view.arrival_rows import Line, Rows, arrival_rows
 from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.arrival import Line, Rows, arrival_rows
 
 KEYS = (("enter", "open"), ("up/down", "line"), ("left/right", "choose"), ("q", "leave"))
 NONE = {"floor": "any floor", "frame": "no floor"}

@@ -14,15 +14,15 @@ from textual.worker import get_current_worker
 from fleet_tui.errors import FleetError
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.view.audit_rows import audit_table, details
+from fleet_tui.view.tables.audit import audit_table, details
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.messages import RowChosen, RowPicked
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
-    from fleet_tui.journal.audit import Audit
-    from fleet_tui.journal.reader import Reading
-    from fleet_tui.journal.search import Search
+    from fleet_tui.audit.log import Audit
+    from fleet_tui.audit.reader import Reading
+    from fleet_tui.audit.search import Search
 
 SHOWN = 1000
 """Records that are listed; a narrower search reaches the older ones."""
@@ -78,8 +78,8 @@ class AuditLog(Overlay):
 
     def _wanted(self) -> "tuple[Reading, Search] | None":
         """The log and what is searched in it, unless what was typed is no search."""
-        from fleet_tui.journal.reader import Reading
-        from fleet_tui.journal.search import search_of
+        from fleet_tui.audit.reader import Reading
+        from fleet_tui.audit.search import search_of
 
         audit = self._audit()
         if audit is None:
@@ -161,7 +161,7 @@ class AuditLog(Overlay):
 
     def _write(self, reading: "Reading", search: "Search") -> None:
         """In a thread: everything that matches, to a new file beside the log."""
-        from fleet_tui.journal.export import export
+        from fleet_tui.audit.export import export
 
         worker = get_current_worker()
 

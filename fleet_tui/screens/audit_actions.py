@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from fleet_tui.journal.audit import Audit
+    from fleet_tui.audit.log import Audit
     from fleet_tui.screens.audit import AuditLog
 
 

@@ -6,8 +6,8 @@ from rich.style import Style
 from textual.app import ComposeResult
 from textual.screen import Screen
 
-from fleet_tui.view.arrival_rows import Rows, footer
 from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.arrival import Rows, footer
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
 

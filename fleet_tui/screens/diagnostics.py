@@ -18,7 +18,7 @@ from fleet_tui.keys import PAGES
 from fleet_tui.screens.diagnostics_pages import FILTERED, Page, Pages, Wire
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.terminal.lean_app import LeanApp
-from fleet_tui.view.diagnostics_lines import foot_runs, page_runs
+from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
 from fleet_tui.view.roles import Ink
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.field import Field, Keys

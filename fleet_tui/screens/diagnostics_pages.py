@@ -8,16 +8,17 @@ from typing import Protocol
 
 from fleet_tui.log_file import TAIL
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter, snapshot
-from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.terminal.budget import Budget, memory
-from fleet_tui.view.console_rows import OwnFacts, console_table
-from fleet_tui.view.health_rows import health_table
-from fleet_tui.view.link_rows import Links, link_table
-from fleet_tui.view.raw_message import copied, raw_table
-from fleet_tui.view.robot_log_rows import lines_of, robot_log_table
-from fleet_tui.view.table import Table
-from fleet_tui.view.topic_rows import topic_table
+from fleet_tui.text.durations import age
+from fleet_tui.view.tables.console import OwnFacts, console_table
+from fleet_tui.view.tables.health import health_table
+from fleet_tui.view.tables.links import Links, link_table
+from fleet_tui.view.tables.raw_message import copied, raw_table
+from fleet_tui.view.tables.robot_log import lines_of, robot_log_table
+from fleet_tui.view.tables.table import Table
+from fleet_tui.view.tables.topics import topic_table
 
 
 class Page(IntEnum):

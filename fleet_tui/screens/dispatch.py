@@ -12,7 +12,7 @@ from fleet_tui.screens.held import Held
 from fleet_tui.screens.part import Part
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import visible
-from fleet_tui.view.command_line import newest
+from fleet_tui.view.lines.commands import newest
 
 if TYPE_CHECKING:
     from fleet_tui.model.problem import Problem
@@ -79,7 +79,7 @@ class Dispatch(Part):
         self._held.release(self.state, time.monotonic())
 
     def _give_now(self, wish: Wish, sent: Callable[[], None]) -> str:
-        from fleet_tui.view.questions import losses, question
+        from fleet_tui.view.lines.questions import losses, question
 
         found = self._problems(wish)
         for problem in found:

@@ -14,8 +14,8 @@ from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.site import WITHIN, DiscoveredSite, start_discovery
 from fleet_tui.errors import FleetError
 from fleet_tui.screens.before import Before
-from fleet_tui.view.arrival_rows import Asked, Rows, first_run_rows
 from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.arrival import Asked, Rows, first_run_rows
 from fleet_tui.widgets.field import Field
 
 KEYS = (("enter", "open"), ("a", "another address"), ("r", "ask again"), ("q", "leave"))

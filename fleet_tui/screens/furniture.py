@@ -12,8 +12,8 @@ from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.screens.typed import typed
 from fleet_tui.screens.why import Why
-from fleet_tui.view.drawing import Drawing
-from fleet_tui.view.layers import Look
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.layers import Look
 from fleet_tui.widgets.map_view import MapView
 
 if TYPE_CHECKING:

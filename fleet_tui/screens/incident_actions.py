@@ -36,7 +36,7 @@ class IncidentActions(Part):
 
     def _pack(self, pack: Pack, shot: str) -> None:
         """In a thread."""
-        from fleet_tui.view.units import size_text
+        from fleet_tui.text.units import size_text
 
         worker = get_current_worker()
         try:

@@ -12,13 +12,13 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.screens.navigation import Navigation
 from fleet_tui.state.store import Store
-from fleet_tui.view.command_line import message_line
-from fleet_tui.view.drawing import Drawing
-from fleet_tui.view.fleet_rows import fleet_table
-from fleet_tui.view.hints import hidden_keys, hints
-from fleet_tui.view.queue_rows import queue_table
+from fleet_tui.view.lines.commands import message_line
+from fleet_tui.view.lines.hints import hidden_keys, hints
+from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.selection import first_selection
+from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.view.tables.queue import queue_table
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
@@ -114,7 +114,7 @@ class MainScreen(Navigation):
             self.simple.show()
 
     def _show_floor(self, state: FleetState) -> None:
-        from fleet_tui.view.floor_scene import chart_robot, floor_scene
+        from fleet_tui.view.map.floor_scene import chart_robot, floor_scene
 
         self.selection = self.selection.settled(state, self.map.viewport.follow)
         self._ask_for_map(chart_robot(state, self.selection))

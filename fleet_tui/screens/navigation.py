@@ -17,7 +17,7 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.playback_actions import PlaybackActions
 from fleet_tui.screens.save_actions import SaveActions
 from fleet_tui.text.sanitize import visible
-from fleet_tui.view.hints import hidden_keys
+from fleet_tui.view.lines.hints import hidden_keys
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.rows_pane import RowsPane
 

@@ -9,8 +9,8 @@ from fleet_tui.model.request import Wish
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.screens.dispatch import Dispatch
 from fleet_tui.text.sanitize import visible
-from fleet_tui.view.fleet_rows import mission, way
 from fleet_tui.view.selection import Selection
+from fleet_tui.view.tables.fleet import mission, way
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
@@ -89,7 +89,7 @@ class OrderActions(Dispatch):
             entries.append((f"Return trip: {way(robot, back)}", lambda: self.do(returning)))
         if robot.kind.can(kind.CLEAR):
             entries.append((f"Clear all orders of {name}", lambda: self.do(Wish((ClearOrders(name),)))))
-        from fleet_tui.view.order_story import origin  # the first paint does without it
+        from fleet_tui.view.tables.order_story import origin  # the first paint does without it
 
         told = origin(self.state, name, order, self.clock)
         self.menu.show(f"Order {visible(order_id)} of {name}: {mission(robot, order)}\n{told}", entries)

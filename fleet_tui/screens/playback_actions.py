@@ -11,14 +11,14 @@ from fleet_tui.screens.audit_actions import AuditActions
 from fleet_tui.screens.dispatch import Dispatch
 from fleet_tui.screens.recording_actions import RecordingActions
 from fleet_tui.text.sanitize import visible
+from fleet_tui.view.lines.status import console_notes, status_line, status_right
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.selection import Selection
-from fleet_tui.view.status_line import console_notes, status_line, status_right
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.messages import TimePicked
 
 if TYPE_CHECKING:
-    from fleet_tui.playback.player import Player
+    from fleet_tui.recording.play.player import Player
     from fleet_tui.screens.palette import Palette
     from fleet_tui.screens.typed import Typed
     from fleet_tui.widgets.map_view import MapView
@@ -104,7 +104,7 @@ class PlaybackActions(RecordingActions, AuditActions, Dispatch):
         if self.player is None or not (line.startswith("@") or text.startswith("+") or ":" in text):
             return None
         if not text:
-            from fleet_tui.playback.times import FORMS
+            from fleet_tui.recording.play.times import FORMS
 
             return Typed(problem=f"go to a time: {FORMS}")
         player = self.player
@@ -117,6 +117,6 @@ class PlaybackActions(RecordingActions, AuditActions, Dispatch):
     def on_time_picked(self, event: TimePicked) -> None:
         """Go to a time that was clicked."""
         if self.player is not None:
-            from fleet_tui.view.time_line import time_at
+            from fleet_tui.view.lines.time import time_at
 
             self.player.seek(time_at(self.player.moment, event.x, event.width))

@@ -9,7 +9,7 @@ from fleet_tui.errors import FleetError
 from fleet_tui.screens.part import Part
 
 if TYPE_CHECKING:
-    from fleet_tui.journal.recordings import Recordings
+    from fleet_tui.recording.recordings import Recordings
 
 LOG = logging.getLogger(__name__)
 

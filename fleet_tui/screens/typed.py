@@ -11,7 +11,7 @@ from fleet_tui.rules.commands.checks import acceptable, not_accepted
 from fleet_tui.rules.language.completion import complete, is_command
 from fleet_tui.rules.language.grammar import parse
 from fleet_tui.text.sanitize import visible
-from fleet_tui.view.questions import wish_text
+from fleet_tui.view.lines.questions import wish_text
 
 Entry = tuple[str, Callable[[], object]]
 

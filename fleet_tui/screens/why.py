@@ -13,7 +13,7 @@ from fleet_tui.keys import KEYS
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.text.sanitize import visible
-from fleet_tui.view.why_lines import why_lines
+from fleet_tui.view.lines.why import why_lines
 from fleet_tui.widgets.bindings import bindings
 
 STAYS_OPEN = frozenset({"resume", "pause", "pause_all", "next_robot", "previous_robot"}) | {

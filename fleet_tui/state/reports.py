@@ -11,7 +11,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Order, OrderQueue, vertices_of
 from fleet_tui.model.order_life import trace_movement, trace_queue
 from fleet_tui.model.robot import Chart, Reading, Robot, StampClock, with_fault
-from fleet_tui.rules.movement import gets_on, is_apart, leap
+from fleet_tui.rules.movement import JUMPS_WITHIN, gets_on, is_apart, leap
 from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, brief
 
 # A robot whose clock runs slower than ours by this share must not age into "offline" over days.
@@ -20,7 +20,7 @@ CLOCK_DRIFT = 1e-3
 CLOCK_STEP = 0.5
 # A robot brakes after it accepted a pause; further than this, it drives.
 BRAKING_DISTANCE = 0.5
-JUMPS_KEPT, JUMPS_WITHIN = 100, 10.0
+JUMPS_KEPT = 100
 # Ended orders are kept for the commands that placed them, which are looked at ten times a second.
 GONE_FOR, GONE_KEPT = 60.0, 2 * MOST_ORDERS
 TRACES_KEPT = 2 * MOST_ORDERS

@@ -8,7 +8,7 @@ from rich.style import Style
 from textual.strip import Strip
 
 from fleet_tui.terminal.row_strip import RowStrip
-from fleet_tui.view.cells import Cells, Codes, Inks
+from fleet_tui.view.map.cells import Cells, Codes, Inks
 
 
 class CellStrip(RowStrip):

@@ -1,1 +1,1 @@
-"""TODO."""
+"""Text: sanitized, measured, shortened; durations and sizes in one format."""

@@ -7,7 +7,7 @@ from textual.geometry import Region
 from textual.strip import Strip
 
 from fleet_tui.terminal.cell_strip import CellStrip
-from fleet_tui.view.cells import Cells
+from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.roles import Ink
 from fleet_tui.widgets.ink_view import InkView
 

@@ -11,7 +11,7 @@ from textual.widget import Widget
 
 from fleet_tui.terminal.row_strip import RowStrip
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Run, width_of
+from fleet_tui.view.tables.table import Run, width_of
 
 
 class InkView(Widget):

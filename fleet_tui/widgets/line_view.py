@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Run, cut, width_of
+from fleet_tui.view.tables.table import Run, cut, width_of
 from fleet_tui.widgets.ink_view import InkView
 
 

@@ -7,15 +7,15 @@ import numpy as np
 from rich.style import Style
 from textual import events
 
-from fleet_tui.view.camera import ZOOM_STEP, Camera
-from fleet_tui.view.caption import Caption, caption_row
-from fleet_tui.view.cells import Cells
-from fleet_tui.view.layers import Look, Tags
-from fleet_tui.view.picture import backdrop, picture
+from fleet_tui.view.map.camera import ZOOM_STEP, Camera
+from fleet_tui.view.map.caption import Caption, caption_row
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.layers import Look, Tags
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.scene import Scene, SceneRobot
+from fleet_tui.view.map.trails import Trails
+from fleet_tui.view.map.viewport import Viewport, pick, pointed
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.scene import Scene, SceneRobot
-from fleet_tui.view.trails import Trails
-from fleet_tui.view.viewport import Viewport, pick, pointed
 from fleet_tui.widgets.cells_view import CellsView
 from fleet_tui.widgets.messages import RobotPicked, VertexPicked
 

@@ -4,9 +4,9 @@ from dataclasses import replace
 from time import monotonic
 from typing import ClassVar
 
-from fleet_tui.view.camera import ZOOM_STEP
-from fleet_tui.view.drawing import Drawing
-from fleet_tui.view.stride import COLUMNS, ROWS, Stride
+from fleet_tui.view.map.camera import ZOOM_STEP
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.stride import COLUMNS, ROWS, Stride
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.map_picture import MapPicture
 from fleet_tui.widgets.messages import VertexPicked

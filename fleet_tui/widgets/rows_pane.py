@@ -6,7 +6,7 @@ from textual import events
 from textual.geometry import Size
 
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Button, Row, Run, Table, cut, width_of
+from fleet_tui.view.tables.table import Button, Row, Run, Table, cut, width_of
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.messages import ButtonPressed, RowChosen, RowPicked

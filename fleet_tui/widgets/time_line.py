@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from textual import events
 
-from fleet_tui.view.time_line import Moment, time_line
+from fleet_tui.view.lines.time import Moment, time_line
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.messages import TimePicked
 

@@ -17,11 +17,11 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.state.reducer import apply
 from fleet_tui.text import limits as bounds
-from fleet_tui.view.alarm_rows import alarm_table
-from fleet_tui.view.fleet_rows import fleet_table
-from fleet_tui.view.floor_scene import floor_scene
-from fleet_tui.view.queue_rows import queue_table
+from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.selection import Selection
+from fleet_tui.view.tables.alarms import alarm_table
+from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.view.tables.queue import queue_table
 from tests.adapting import adapter_of, event_of
 from tests.fleets import F0, LINK, R0, T0, fleet, link_lost, link_up, pose, tick, told
 from tests.watched import config_of

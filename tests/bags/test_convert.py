@@ -17,16 +17,16 @@ from fleet_tui.bags.convert import Report, convert
 from fleet_tui.bags.opening import BagError
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.config.start import initial_state
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.recording import Recording
-from fleet_tui.journal.records import Heard, Keyframe, Told
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.link import Phase
 from fleet_tui.model.occupancy import grid_from_ros
-from fleet_tui.playback.frames import Frames
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.play.frames import Frames
+from fleet_tui.recording.recording import Recording
+from fleet_tui.recording.records import Heard, Keyframe, Told
 from fleet_tui.state.reducer import apply
 from tests.bags.made import KINDS, WALL, Said, bag_config, written
 from tests.fleets import F0, LINK, R0, order, order_queue
@@ -319,7 +319,7 @@ def test_of_many_live_maps_the_first_robots_stay(tmp_path: Path) -> None:
 
 
 def test_a_large_map_needs_no_process_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fleet_tui.playback.frames.decode_apart", None)
+    monkeypatch.setattr("fleet_tui.recording.play.frames.decode_apart", None)
     frame = {"resolution": 0.05, "width": 2500, "height": 2000, "origin": {"orientation": {"w": 1.0}}}
     said = [Said(0, f"/{R0}/{F0}/map", MAP, {"info": frame, "data": np.full(5_000_000, 100, np.int8)})]
     _, recording = made_of(written(tmp_path, "ros1", said), bag_config("ros1"), tmp_path / "r.jsonl.gz")

@@ -18,7 +18,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import load_themes
-from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
 from tests.bench.rows import Row, row
 from tests.played_terminal import PlayedDriver, paint, terminal_of

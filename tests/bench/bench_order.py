@@ -15,7 +15,7 @@ from fleet_tui.demo import demo_config, simulated
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.themes import load_themes
 from fleet_tui.transports.rosbridge.connection import Connection
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 from tests.bench.rows import Row, p95, row
 from tests.console_pilot import Console
 from tests.watched import WatchedStore

@@ -13,7 +13,7 @@ from unittest.mock import patch
 import fleet_tui
 from fleet_tui.app import FleetApp
 from fleet_tui.themes import load_themes
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.widgets.ink_view import InkView
 from tests.bench.bench_bytes import CountingDriver
 from tests.bench.driven_fleet import DrivenFleet

@@ -16,7 +16,7 @@ from fleet_tui.demo import demo_config, simulated
 from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.transports.rosbridge.connection import Connection
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 
 BEAT = 0.005
 ROBOTS = 10

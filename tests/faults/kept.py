@@ -7,12 +7,12 @@ from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager
 from pathlib import Path
 
+from fleet_tui.audit.entries import Origin
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.log import Audit
+from fleet_tui.audit.reader import Reading
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config
-from fleet_tui.journal.audit import Audit
-from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
-from fleet_tui.journal.entries import Origin
-from fleet_tui.journal.reader import Reading
 from fleet_tui.model import commands
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.audit_record import AuditRecord

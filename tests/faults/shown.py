@@ -1,9 +1,9 @@
 """What an operator reads: the top line, the fleet, the alarms, the line of commands, what needs attention."""
 
-from fleet_tui.headless.status import table
+from fleet_tui.cli.status.status import table
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.command_line import message_line
-from fleet_tui.view.status_line import console_notes
+from fleet_tui.view.lines.commands import message_line
+from fleet_tui.view.lines.status import console_notes
 
 
 def shown(state: FleetState) -> str:

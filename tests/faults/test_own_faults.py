@@ -8,7 +8,7 @@ from tests.faults.report import report
 
 BREAKS = """
 import os
-import fleet_tui.view.fleet_rows as rows
+import fleet_tui.view.tables.fleet as rows
 real = rows.fleet_table
 
 def fleet_table(*args):

@@ -20,8 +20,8 @@ from fleet_tui.config.check import checked
 from fleet_tui.config.load import load
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import ConfigError
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.records import Keyframe
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.records import Keyframe
 from tests.faults.in_terminal import in_terminal
 from tests.faults.kept import linked
 from tests.faults.through import lost

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.journal.audit import encode
+from fleet_tui.audit.log import encode
 from tests.journal.records import record
 
 

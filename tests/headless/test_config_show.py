@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.cli.config.origins import lines_of, values
 from fleet_tui.config.schema import Config, Link
-from fleet_tui.headless.origins import lines_of, values
 from tests.headless.running import run
 
 TEXT = """\

@@ -15,11 +15,11 @@ from fleet_tui.discovery.facts import BridgeFacts, Rosapi, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict
 from fleet_tui.discovery.tools import LOOK_FOR_NODE, named
 from fleet_tui.discovery.wire import Heard
-from fleet_tui.headless.doctor.charts import Chart
-from fleet_tui.headless.doctor.clocks import clock_findings, load_finding, round_trip_finding
-from fleet_tui.headless.doctor.graphs import connection_finding, label_finding
-from fleet_tui.headless.doctor.render import line, summary
-from fleet_tui.headless.doctor.terminal import (
+from fleet_tui.doctor.charts import Chart
+from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
+from fleet_tui.doctor.graphs import connection_finding, label_finding
+from fleet_tui.doctor.render import line, summary
+from fleet_tui.doctor.terminal import (
     BRAILLE,
     NOTHING,
     colour_finding,

@@ -17,7 +17,7 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.demo import demo_config
-from fleet_tui.headless.doctor.run import doctor
+from fleet_tui.doctor.run import doctor
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros_types import ServiceType
 from fleet_tui.simulator.server import RosbridgeServer

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.records import Told
 from fleet_tui.model.events import FloorGraphLoaded
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.records import Told
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.warehouse import build_floor
 from tests.headless.running import asked, config_file, run

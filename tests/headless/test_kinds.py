@@ -8,10 +8,10 @@ import msgspec
 import pytest
 
 from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS
+from fleet_tui.cli.orders.giving import command, how, pause
+from fleet_tui.cli.status.status import status
 from fleet_tui.config.schema import Config
-from fleet_tui.headless.doctor.run import doctor
-from fleet_tui.headless.orders import command, how, pause
-from fleet_tui.headless.status import status
+from fleet_tui.doctor.run import doctor
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.headless.running import asked, run
 from tests.made_up import mixed
@@ -21,7 +21,7 @@ from tests.made_up import mixed
 def config(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Config:
     """robot_1 has no cargo, and can't be paused."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
-    monkeypatch.setattr("fleet_tui.headless.orders.ENDING", ())  # signals are for main threads
+    monkeypatch.setattr("fleet_tui.cli.orders.giving.ENDING", ())  # signals are for main threads
     return mixed(monkeypatch, server.url, 1)
 
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.records import Keyframe
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.records import Keyframe
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from fleet_tui.simulator.ros.goals import EXECUTING, SUCCEEDED
 from tests.headless.running import audited, run

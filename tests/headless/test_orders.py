@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.headless.outcome import exit_code
+from fleet_tui.cli.orders.outcome import exit_code
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.frames import Frame, Payload

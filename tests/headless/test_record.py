@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.recording import Recording
-from fleet_tui.journal.records import Heard, Keyframe, RecordingError, Sent, Told
 from fleet_tui.model import events
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.recording import Recording
+from fleet_tui.recording.records import Heard, Keyframe, RecordingError, Sent, Told
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.headless.running import config_file, run, started
 

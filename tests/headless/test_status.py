@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.headless.report import attention, changes, report
+from fleet_tui.cli.status.report import attention, changes, report
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.fleets import LINK, T0, fleet, link_up, tick, told
 from tests.headless.running import config_file, run, started

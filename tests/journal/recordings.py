@@ -9,9 +9,9 @@ from typing import Any
 import msgspec
 
 from fleet_tui.config.schema import Config
-from fleet_tui.journal.records import VERSION, Header, Keyframe, Packer, Record, encode, public
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.recording.records import VERSION, Header, Keyframe, Packer, Record, encode, public
 from tests.fleets import T0, WALL, fleet
 from tests.watched import config_of
 

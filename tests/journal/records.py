@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from fleet_tui.journal.audit import Audit
-from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
-from fleet_tui.journal.entries import Origin
-from fleet_tui.journal.reader import Reading
+from fleet_tui.audit.entries import Origin
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.log import Audit
+from fleet_tui.audit.reader import Reading
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store

@@ -13,12 +13,12 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.audit import log as module
+from fleet_tui.audit.entries import TEXT_KEPT, Origin, command_records
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.log import Audit, auditing, encode, operator_name
 from fleet_tui.config.schema import Config, Operator
 from fleet_tui.config.start import initial_state
-from fleet_tui.journal import audit as module
-from fleet_tui.journal.audit import Audit, auditing, encode, operator_name
-from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
-from fleet_tui.journal.entries import TEXT_KEPT, Origin, command_records
 from fleet_tui.model.audit_record import VERSION
 from fleet_tui.model.commands import (
     CancelOrder,

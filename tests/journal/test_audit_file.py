@@ -11,16 +11,16 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.journal.audit import encode
-from fleet_tui.journal.audit_file import KEPT, AuditFile, part
-from fleet_tui.journal.reader import Reading
+from fleet_tui.audit.file import KEPT, AuditFile, part
+from fleet_tui.audit.log import encode
+from fleet_tui.audit.reader import Reading
 from tests.journal.records import record
 
 # Appends numbered records, and says each number once the record is written.
 WRITER = """
 import sys
 from pathlib import Path
-from fleet_tui.journal.audit_file import AuditFile
+from fleet_tui.audit.file import AuditFile
 path, name, first, count, size, limit = sys.argv[1:]
 file = AuditFile(Path(path), int(limit))
 for n in range(int(first), int(first) + int(count)):
@@ -183,7 +183,7 @@ def test_a_pipe_of_that_name_blocks_nobody(tmp_path: Path) -> None:
 FULL = """
 import resource, sys
 from pathlib import Path
-from fleet_tui.journal.audit_file import AuditFile
+from fleet_tui.audit.file import AuditFile
 file = AuditFile(Path(sys.argv[1]))
 resource.setrlimit(resource.RLIMIT_FSIZE, (250, resource.RLIM_INFINITY))
 line, failed = sys.stdin.buffer.read(), 0

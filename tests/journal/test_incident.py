@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.audit.entries import Origin
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.log import Audit, encode
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
-from fleet_tui.journal.audit import Audit, encode
-from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
-from fleet_tui.journal.entries import Origin
-from fleet_tui.journal.incident import Incident, collect, examined
+from fleet_tui.recording.incident import Incident, collect, examined
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.watched import config_of
 

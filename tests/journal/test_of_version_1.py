@@ -20,22 +20,22 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.headless.audit import write_records
-from fleet_tui.journal import upgrade
-from fleet_tui.journal.audit_file import FILE_NAME
-from fleet_tui.journal.export import write_csv
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.reader import Reading
-from fleet_tui.journal.records import RecordingError, Told, decode
-from fleet_tui.journal.search import search_of
+from fleet_tui.audit.export import write_csv
+from fleet_tui.audit.file import FILE_NAME
+from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.search import search_of
+from fleet_tui.cli.audit import write_records
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.events import GraphReceived, LabelsReceived, QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.playback.playhead import Playhead
+from fleet_tui.recording import upgrade
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.records import RecordingError, Told, decode
 from fleet_tui.rules.language.grammar import written
-from fleet_tui.view.audit_rows import line_text
-from fleet_tui.view.queue_rows import queue_table
+from fleet_tui.view.tables.audit import line_text
+from fleet_tui.view.tables.queue import queue_table
 from tests.fleets import order, order_queue, text_of
 
 FILES = Path(__file__).parent / "of_version_1"
@@ -132,7 +132,7 @@ def test_an_audit_log_reads_searches_and_exports_as_it_did(audit_log: Path) -> N
 
 
 def test_the_audit_command_prints_an_old_log(audit_log: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fleet_tui.headless.audit.state_folder", lambda: audit_log.parent)
+    monkeypatch.setattr("fleet_tui.cli.audit.state_folder", lambda: audit_log.parent)
     out = io.StringIO()
     assert write_records("", False, False, out) == ""
     assert out.getvalue().splitlines() == MEANING["audit"]

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.journal import reader
-from fleet_tui.journal.audit import encode
-from fleet_tui.journal.audit_file import part
-from fleet_tui.journal.reader import Reading
+from fleet_tui.audit import reader
+from fleet_tui.audit.file import part
+from fleet_tui.audit.log import encode
+from fleet_tui.audit.reader import Reading
 from tests.journal.records import record
 
 WHOLE = encode(record("r"))

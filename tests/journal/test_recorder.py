@@ -12,21 +12,21 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.audit.entries import Origin
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.journal import part_files, recorder
-from fleet_tui.journal.entries import Origin
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.part_files import Limits
-from fleet_tui.journal.recorder import Recorder
-from fleet_tui.journal.records import Heard, Keyframe, Mark, RecordingError, Sent, Told
-from fleet_tui.journal.taps import Taps
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.recording import part_files, recorder
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.part_files import Limits
+from fleet_tui.recording.recorder import Recorder
+from fleet_tui.recording.records import Heard, Keyframe, Mark, RecordingError, Sent, Told
+from fleet_tui.recording.taps import Taps
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.reducer import apply
 from fleet_tui.state.store import Store
@@ -247,7 +247,7 @@ def test_the_disk_is_full_for_a_while(
                 return write(fd, content[:size])
             raise OSError(28, "No space left on device")
 
-        full.setattr("fleet_tui.journal.part_file.os.write", refuse)
+        full.setattr("fleet_tui.recording.part_file.os.write", refuse)
         ticks(recording, store, 3, T0 + 0.1)
         recording.flush()
         assert recording.problem == "No space left on device"

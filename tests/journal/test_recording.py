@@ -13,12 +13,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from fleet_tui.audit.entries import Origin
 from fleet_tui.errors import FleetError
-from fleet_tui.journal.entries import Origin
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.parts import part_path, parts_beside
-from fleet_tui.journal.records import Heard, Keyframe, Lost, Mark, Record, RecordingError, Told, encode
 from fleet_tui.model.events import LinkHeard, TimePassed
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.parts import part_path, parts_beside
+from fleet_tui.recording.records import Heard, Keyframe, Lost, Mark, Record, RecordingError, Told, encode
 from tests.fleets import LINK, T0, WALL, fleet, told
 from tests.journal.recordings import PACKER, header, keyframe, packed, plain, written
 

@@ -10,11 +10,11 @@ import msgspec
 import pytest
 
 from fleet_tui.config.schema import Recording
-from fleet_tui.journal import recordings as module
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.recordings import Recordings, remove_stale
-from fleet_tui.journal.records import RecordingError
 from fleet_tui.model import events
+from fleet_tui.recording import recordings as module
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.recordings import Recordings, remove_stale
+from fleet_tui.recording.records import RecordingError
 from fleet_tui.state.store import Store
 from tests.fleets import T0, WALL, fleet
 from tests.watched import config_of
@@ -47,7 +47,7 @@ def test_the_last_minutes_are_at_hand_while_they_are_written(kept: Recordings, t
 
 
 def test_only_the_last_minutes_stay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fleet_tui.journal.recorder.KEYFRAME_EVERY", 0.0)
+    monkeypatch.setattr("fleet_tui.recording.recorder.KEYFRAME_EVERY", 0.0)
     monkeypatch.setattr(module, "RECENT_PART", 1e-6)
     config = msgspec.structs.replace(CONFIG, recording=Recording(recent_minutes=1e-6 / 60 * 2))
     kept = Recordings(config, Store(fleet()), tmp_path)

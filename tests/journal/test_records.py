@@ -8,9 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.audit.entries import Origin
 from fleet_tui.config.schema import Link
-from fleet_tui.journal.entries import Origin
-from fleet_tui.journal.records import (
+from fleet_tui.model import events
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.occupancy import build_grid
+from fleet_tui.recording.records import (
     Header,
     Heard,
     Keyframe,
@@ -24,9 +27,6 @@ from fleet_tui.journal.records import (
     encode,
     public,
 )
-from fleet_tui.model import events
-from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.model.occupancy import build_grid
 from tests.fleets import battery, fleet, graph, labels, pose, tick, told
 from tests.journal.recordings import header, keyframe, plain
 from tests.model.test_fleet_properties import ANY, FACTS

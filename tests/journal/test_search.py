@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.audit.export import COLUMNS, cell, export, write_csv
+from fleet_tui.audit.search import moment, search_of
 from fleet_tui.errors import FleetError
-from fleet_tui.journal.export import COLUMNS, cell, export, write_csv
-from fleet_tui.journal.search import moment, search_of
 from fleet_tui.model.audit_record import AuditRecord
 from tests.fleets import WALL
 from tests.journal.records import ANA, record

@@ -5,12 +5,13 @@ import pytest
 from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
-from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.state.command_events import COMMANDS_KEPT
+from fleet_tui.text.durations import age
 from tests.fleets import (
     F0,
     LINK,

@@ -25,8 +25,8 @@ from fleet_tui.model.request import Wish
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.keeping import next_to_send, waiting
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.view.fleet_rows import fleet_table
-from fleet_tui.view.questions import question
+from fleet_tui.view.lines.questions import question
+from fleet_tui.view.tables.fleet import fleet_table
 from tests.fleets import (
     R0,
     T0,

@@ -7,7 +7,7 @@ import pytest
 from fleet_tui.adapters.adapter import Site
 from fleet_tui.adapters.oh_ressources.adapter import OhRessources
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.headless.session import missing
+from fleet_tui.cli.session import missing
 from fleet_tui.model import events
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, ResumeRobot
 from fleet_tui.model.fleet import FleetState

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from fleet_tui.config.schema import Config
 from fleet_tui.console import replaying
-from fleet_tui.playback.start import playing
+from fleet_tui.recording.play.start import playing
 from fleet_tui.themes import load_themes
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 from tests.console_pilot import Console
 from tests.watched import WatchedStore
 

@@ -4,15 +4,15 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
+from fleet_tui.audit.entries import Origin, alarm_records, command_records
 from fleet_tui.config.schema import Alarms, Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.journal.entries import Origin, alarm_records, command_records
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.recording import Recording
-from fleet_tui.journal.records import Keyframe, Lost, Mark, Record, Told
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import CommandPathChanged, Event, LinkHeard, TimePassed
 from fleet_tui.model.link import CommandPath
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.recording import Recording
+from fleet_tui.recording.records import Keyframe, Lost, Mark, Record, Told
 from fleet_tui.state.reducer import apply
 from tests.fleets import LINK, R0, T0, WALL, battery, commanded, graph, labels, link_up, pose, queue
 from tests.journal.recordings import PACKER, header, written

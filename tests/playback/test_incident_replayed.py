@@ -4,7 +4,7 @@ import zipfile
 from pathlib import Path
 
 from fleet_tui.config.load import read
-from fleet_tui.journal.indexing import open_recording
+from fleet_tui.recording.indexing import open_recording
 from tests.faults.in_terminal import exists, in_terminal
 
 

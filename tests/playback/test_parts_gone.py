@@ -5,11 +5,11 @@ from typing import BinaryIO
 
 import pytest
 
-from fleet_tui.journal import indexing
-from fleet_tui.journal.members import open_plain
-from fleet_tui.journal.parts import part_path
-from fleet_tui.journal.records import Keyframe, RecordingError
 from fleet_tui.model.events import TimePassed
+from fleet_tui.recording import indexing
+from fleet_tui.recording.gzip_members import open_plain
+from fleet_tui.recording.parts import part_path
+from fleet_tui.recording.records import Keyframe, RecordingError
 from tests.fleets import LINK, T0, WALL, link_up
 from tests.journal.recordings import header, written
 from tests.playback.replayed import replayed

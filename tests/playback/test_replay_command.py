@@ -9,9 +9,9 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.errors import FleetError
-from fleet_tui.journal.records import VERSION
 from fleet_tui.model.events import TimePassed
-from fleet_tui.playback.times import moment_of
+from fleet_tui.recording.play.times import moment_of
+from fleet_tui.recording.records import VERSION
 from tests.fleets import T0
 from tests.journal.recordings import header, keyframe, written
 from tests.playback.taped import MadeUp, shift

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.journal.records import Heard
 from fleet_tui.model.events import TimePassed
+from fleet_tui.recording.records import Heard
 from tests.fleets import LINK, R0, T0, WALL, link_up
 from tests.playback.replayed import replayed
 from tests.playback.taped import MadeUp

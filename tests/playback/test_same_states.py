@@ -9,18 +9,18 @@ from hypothesis import strategies as st
 
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
-from fleet_tui.journal import recorder
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.recorder import Recorder
-from fleet_tui.journal.recording import Recording
-from fleet_tui.journal.records import Told
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, Event, FloorGraphLoaded, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import Phase
-from fleet_tui.playback.playhead import Playhead
+from fleet_tui.recording import recorder
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.recorder import Recorder
+from fleet_tui.recording.recording import Recording
+from fleet_tui.recording.records import Told
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
 from tests.fleets import place_order

@@ -8,14 +8,14 @@ import pytest
 
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
-from fleet_tui.journal import recorder
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.recorder import Recorder
-from fleet_tui.journal.records import Told
 from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.commands import CancelOrder, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import TimePassed
-from fleet_tui.playback.playhead import Playhead
+from fleet_tui.recording import recorder
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.recorder import Recorder
+from fleet_tui.recording.records import Told
 from tests.journal.recordings import plain
 from tests.linked import finished
 from tests.move_base_site import MoveBaseSite, move_base_site

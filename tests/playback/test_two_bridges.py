@@ -9,12 +9,12 @@ from msgspec.structs import replace
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Link
 from fleet_tui.config.start import initial_state
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.recorder import Recorder
-from fleet_tui.journal.records import Heard, Told
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.playback.playhead import Playhead
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.recorder import Recorder
+from fleet_tui.recording.records import Heard, Told
 from fleet_tui.simulator.frames import Payload, Publication
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 from textual.widgets import Input
 
-from fleet_tui.journal.audit import auditing, encode
-from fleet_tui.journal.audit_file import FILE_NAME, AuditFile
-from fleet_tui.journal.reader import Reading
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.log import auditing, encode
+from fleet_tui.audit.reader import Reading
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import Console, console
 from tests.journal.records import record

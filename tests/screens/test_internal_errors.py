@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.journal import reader
-from fleet_tui.journal.audit import auditing
+from fleet_tui.audit import reader
+from fleet_tui.audit.log import auditing
 from fleet_tui.screens import main
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.view.fleet_rows import fleet_table
+from fleet_tui.view.tables.fleet import fleet_table
 from tests.console_pilot import console
 from tests.watched import config_of
 

@@ -4,7 +4,7 @@ import pytest
 
 from fleet_tui.keys import KEYS
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 from tests.console_pilot import console
 from tests.watched import config_of
 

@@ -7,13 +7,13 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.headless.report import report
+from fleet_tui.cli.status.report import report
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.alarms.conditions import conditions
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.view.fleet_rows import fleet_table
-from fleet_tui.view.queue_rows import queue_table
-from fleet_tui.view.table import Table
+from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.view.tables.queue import queue_table
+from fleet_tui.view.tables.table import Table
 from tests.console_pilot import Console, console
 from tests.mixed_site import MOVE_BASE, NAV2, OH, MixedSite, mixed_site
 

@@ -3,8 +3,8 @@
 import json
 from pathlib import Path
 
-from fleet_tui.journal.indexing import open_recording
-from fleet_tui.journal.records import Heard, Keyframe, Mark, Sent
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.records import Heard, Keyframe, Mark, Sent
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import Console, console
 from tests.watched import config_of

@@ -11,7 +11,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 from tests.console_pilot import console
 from tests.played_terminal import PlayedDriver, shown, terminal_of
 from tests.watched import config_of

@@ -18,7 +18,7 @@ from fleet_tui.terminal.cell_strip import CellStrip
 from fleet_tui.terminal.glass import ONE_CELL_EACH, REMEMBERED, Glass
 from fleet_tui.terminal.looks import PLAIN, Look, look_of, nearest, sixteen, turn
 from fleet_tui.themes import load_themes
-from fleet_tui.view.cells import Cells
+from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.roles import Ink
 
 

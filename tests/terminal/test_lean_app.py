@@ -18,7 +18,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.terminal import lean_app
 from fleet_tui.terminal.lean_app import LeanApp, textual_fits
 from fleet_tui.themes import load_themes
-from fleet_tui.view.scene import Line, Mission, Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
 from tests.played_terminal import PlayedDriver, intended, paint, shown, terminal_of
 

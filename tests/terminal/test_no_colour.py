@@ -13,7 +13,7 @@ from fleet_tui.app import FleetApp
 from fleet_tui.config.start import initial_state
 from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
 from tests.played_terminal import PlayedDriver, shown, terminal_of
 from tests.watched import config_of
 

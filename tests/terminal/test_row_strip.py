@@ -11,7 +11,7 @@ from textual.strip import Strip
 
 from fleet_tui.terminal.cell_strip import CellStrip
 from fleet_tui.terminal.row_strip import RowStrip
-from fleet_tui.view.cells import Cells
+from fleet_tui.view.map.cells import Cells
 
 
 def of_segments() -> Strip:

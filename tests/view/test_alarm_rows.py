@@ -2,8 +2,8 @@
 
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.alarm_rows import alarm_table, unacknowledged
 from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from tests.fleets import LINK, R0, T0, WALL, battery, fleet, link_lost, link_up, text_of, tick, told
 
 

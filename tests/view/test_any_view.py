@@ -11,12 +11,12 @@ from fleet_tui.model.graph import Role
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import build_grid
 from fleet_tui.text.sanitize import cell_width
-from fleet_tui.view.camera import Camera
-from fleet_tui.view.drawing import Drawing
-from fleet_tui.view.layers import Look
-from fleet_tui.view.picture import backdrop, picture
-from fleet_tui.view.places import pixels
-from fleet_tui.view.scene import Mission, Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.places import pixels
+from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 
 metres = st.one_of(st.floats(-60, 60), st.sampled_from([math.nan, math.inf, -math.inf, 1e300]))
 been = st.tuples(st.floats(-60, 60), st.floats(-60, 60), st.floats(0, 60))

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.view.camera import MIN_SCALE, Camera, scale_bar
+from fleet_tui.view.map.camera import MIN_SCALE, Camera, scale_bar
 
 sizes = st.tuples(st.integers(1, 5000), st.integers(1, 5000))
 cameras = st.builds(

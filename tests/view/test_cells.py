@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.text.sanitize import cell_width, visible
-from fleet_tui.view.cells import Cells
+from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.roles import Ink
 
 texts = st.text(st.sampled_from("abz仓库한 ·▶e\u0301"), max_size=8)

@@ -1,6 +1,6 @@
 """What the console says of itself."""
 
-from fleet_tui.view.status_line import console_notes
+from fleet_tui.view.lines.status import console_notes
 from tests.fleets import fleet
 
 

@@ -9,14 +9,14 @@ from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.ros_logs import Diagnosis, LogLine, Severity
-from fleet_tui.view.console_rows import OwnFacts, console_table
-from fleet_tui.view.diagnostics_lines import foot_runs, page_runs
-from fleet_tui.view.health_rows import health_table
-from fleet_tui.view.link_rows import Links, link_table
-from fleet_tui.view.raw_message import raw_table
-from fleet_tui.view.robot_log_rows import lines_of, robot_log_table
-from fleet_tui.view.table import Run, Table, cut, width_of
-from fleet_tui.view.topic_rows import topic_table
+from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
+from fleet_tui.view.tables.console import OwnFacts, console_table
+from fleet_tui.view.tables.health import health_table
+from fleet_tui.view.tables.links import Links, link_table
+from fleet_tui.view.tables.raw_message import raw_table
+from fleet_tui.view.tables.robot_log import lines_of, robot_log_table
+from fleet_tui.view.tables.table import Run, Table, cut, width_of
+from fleet_tui.view.tables.topics import topic_table
 from tests.fleets import LINK, R0, T0, fleet, link_lost, link_up, of_kinds, tick, told
 from tests.view.test_hostile_text import TEXTS, WIDTHS, harmless
 

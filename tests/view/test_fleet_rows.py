@@ -5,9 +5,9 @@ import pytest
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.fleet_rows import CARGO, fleet_table, mission
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Run
+from fleet_tui.view.tables.fleet import CARGO, fleet_table, mission
+from fleet_tui.view.tables.table import Run
 from tests.fleets import (
     R0,
     T0,

@@ -10,8 +10,8 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import build_grid, grid_from_ros
-from fleet_tui.view.floor_scene import chart_robot, floor_scene
-from fleet_tui.view.scene import Scene, SceneRobot
+from fleet_tui.view.map.floor_scene import chart_robot, floor_scene
+from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.selection import Selection
 from tests.fleets import F0, R0, T0, battery, fleet, graph, labels, pose, queue, tick, told
 

@@ -13,15 +13,15 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import Order, OrderQueue, Stop, at_vertices
-from fleet_tui.view.alarm_rows import alarm_table
-from fleet_tui.view.command_line import message_line
-from fleet_tui.view.fleet_rows import fleet_table
-from fleet_tui.view.floor_scene import floor_scene
-from fleet_tui.view.queue_rows import CANCEL, queue_table
+from fleet_tui.view.lines.commands import message_line
+from fleet_tui.view.lines.status import status_line
+from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.roles import Ink
 from fleet_tui.view.selection import Selection
-from fleet_tui.view.status_line import status_line
-from fleet_tui.view.table import Row, Run, Table, column, cut, width_of
+from fleet_tui.view.tables.alarms import alarm_table
+from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.view.tables.queue import CANCEL, queue_table
+from fleet_tui.view.tables.table import Row, Run, Table, column, cut, width_of
 from tests.fleets import (
     F0,
     LINK,

@@ -4,20 +4,20 @@ import math
 
 import pytest
 
-from fleet_tui.headless.report import report
+from fleet_tui.cli.status.report import report
 from fleet_tui.keymap import keymap
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import CargoReported, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import CANCEL, ORDER, ORDER_TO, PAUSE, Kind
 from fleet_tui.screens.help import notes
-from fleet_tui.view.command_line import command_text
-from fleet_tui.view.fleet_rows import CARGO, fleet_table
-from fleet_tui.view.hints import hidden_keys, hints
-from fleet_tui.view.queue_rows import CANCEL as CANCEL_BUTTON
-from fleet_tui.view.queue_rows import CLEAR as CLEAR_BUTTON
-from fleet_tui.view.queue_rows import queue_table
-from fleet_tui.view.why_lines import why_lines
+from fleet_tui.view.lines.commands import command_text
+from fleet_tui.view.lines.hints import hidden_keys, hints
+from fleet_tui.view.lines.why import why_lines
+from fleet_tui.view.tables.fleet import CARGO, fleet_table
+from fleet_tui.view.tables.queue import CANCEL as CANCEL_BUTTON
+from fleet_tui.view.tables.queue import CLEAR as CLEAR_BUTTON
+from fleet_tui.view.tables.queue import queue_table
 from tests.fleets import (
     R0,
     T0,

@@ -8,12 +8,12 @@ from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
-from fleet_tui.view.camera import Camera
-from fleet_tui.view.labels import LONGEST, Room
-from fleet_tui.view.layers import Look
-from fleet_tui.view.picture import backdrop, picture
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.labels import LONGEST, Room
+from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 
 WIDTH, HEIGHT = 24, 9
 places = st.tuples(st.integers(0, WIDTH - 1), st.integers(0, HEIGHT - 1))

@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
-from fleet_tui.view.camera import Camera
-from fleet_tui.view.cells import Cells
-from fleet_tui.view.drawing import Drawing
-from fleet_tui.view.layers import Look
-from fleet_tui.view.picture import backdrop, picture
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.scene import Line, Mission, Scene, SceneRobot, SceneVertex
 
 FRAME = MapFrame(0.05, 400, 200)
 CAMERA = Camera.fit((400, 200), 80, 22)

@@ -10,8 +10,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
-from fleet_tui.view.floor_scene import floor_scene
-from fleet_tui.view.scene import Mission, Scene
+from fleet_tui.view.map.floor_scene import floor_scene
+from fleet_tui.view.map.scene import Mission, Scene
 from fleet_tui.view.selection import Selection
 from tests.fleets import F0, R0, T0, fleet, graph, pose, queue, tick, told
 

@@ -18,13 +18,13 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
-from fleet_tui.view.camera import Camera
-from fleet_tui.view.cells import Cells
-from fleet_tui.view.drawing import Drawing
-from fleet_tui.view.layers import Look
-from fleet_tui.view.picture import backdrop, picture
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.scene import Mission, Scene, SceneRobot, SceneVertex
 
 GOLDEN = Path(__file__).parent / "golden"
 WIDTH, HEIGHT = 64, 20

@@ -5,8 +5,8 @@ import pytest
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, Stage
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Wish, chain
-from fleet_tui.view.order_story import origin
-from fleet_tui.view.questions import losses, question, wish_text
+from fleet_tui.view.lines.questions import losses, question, wish_text
+from fleet_tui.view.tables.order_story import origin
 from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, queue, tick, told
 from tests.fleets import order as listed
 

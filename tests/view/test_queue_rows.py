@@ -9,9 +9,9 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop, at_vertices
 from fleet_tui.text.sanitize import cells_of
-from fleet_tui.view.queue_rows import CANCEL, CLEAR, queue_table
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.table import Button, Run, width_of
+from fleet_tui.view.tables.queue import CANCEL, CLEAR, queue_table
+from fleet_tui.view.tables.table import Button, Run, width_of
 from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, queue, text_of, tick, told
 
 WIDTHS = range(20, 121)

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
-from fleet_tui.view.camera import Camera
-from fleet_tui.view.drawing import Drawing
-from fleet_tui.view.raster import COARSE, ground, sample
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.raster import COARSE, ground, sample
 from fleet_tui.view.roles import Ink
 
 

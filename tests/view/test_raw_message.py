@@ -9,7 +9,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.counters import HEAD, Raw, TopicCounter
-from fleet_tui.view.raw_message import LONGEST_COPY, MOST_LINES, SHOWN_ITEMS, copied, raw_lines, raw_table
+from fleet_tui.view.tables.raw_message import (
+    LONGEST_COPY,
+    MOST_LINES,
+    SHOWN_ITEMS,
+    copied,
+    raw_lines,
+    raw_table,
+)
 from tests.fleets import T0
 from tests.view.test_hostile_text import TEXTS, harmless
 

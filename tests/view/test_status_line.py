@@ -9,9 +9,9 @@ from fleet_tui.keymap import keymap
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.view.hints import hints
+from fleet_tui.view.lines.hints import hints
+from fleet_tui.view.lines.status import status_line
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.status_line import status_line
 from tests.fleets import (
     LINK,
     R0,

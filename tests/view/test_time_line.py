@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.view.lines.time import MarkKind, Moment, TimeMark, bar, span, time_at, time_line, told
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.time_line import MarkKind, Moment, TimeMark, bar, span, time_at, time_line, told
 from tests.fleets import text_of
 
 ALARM = TimeMark(150.0, MarkKind.ALARM, "robot_0 offline")

@@ -5,8 +5,8 @@ from dataclasses import replace
 from itertools import pairwise
 
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.view.scene import Scene, SceneRobot
-from fleet_tui.view.trails import POINTS, SECONDS, STEP, Trails
+from fleet_tui.view.map.scene import Scene, SceneRobot
+from fleet_tui.view.map.trails import POINTS, SECONDS, STEP, Trails
 
 EMPTY = Scene("floor_0", MapFrame(0.05, 400, 200))
 

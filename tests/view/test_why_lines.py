@@ -3,7 +3,7 @@
 from fleet_tui.keymap import keymap
 from fleet_tui.model.events import CargoReported, PoseReported
 from fleet_tui.model.geometry import Pose
-from fleet_tui.view.why_lines import SHOWN, why_lines
+from fleet_tui.view.lines.why import SHOWN, why_lines
 from tests.fleets import R0, T0, fleet, graph, labels, link_up, pose, queue, tick, told
 from tests.planted import Planted
 

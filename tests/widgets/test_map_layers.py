@@ -13,8 +13,8 @@ from textual.pilot import Pilot
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, build_grid
+from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets import map_view
 from fleet_tui.widgets.map_view import MapView
 

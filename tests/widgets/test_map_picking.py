@@ -9,7 +9,7 @@ from textual.message import Message
 from textual.pilot import Pilot
 
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
 from fleet_tui.widgets.messages import RobotPicked, VertexPicked
 

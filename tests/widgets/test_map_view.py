@@ -13,9 +13,9 @@ from textual.pilot import Pilot
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.themes import load_themes
-from fleet_tui.view.drawing import Drawing
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import Ink
-from fleet_tui.view.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
 
 FRAME = MapFrame(0.05, 400, 200)

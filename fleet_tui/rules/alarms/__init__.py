@@ -1,1 +1,1 @@
-"""TODO."""
+"""Alarm rules: the conditions that need a person."""

@@ -7,13 +7,14 @@ its dead band, and what was known before the link went goes on.
 from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
-from fleet_tui.model.fleet import FleetState, age, behind_text, obstacle_text
+from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import Held, is_held
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.lag import BEHIND
+from fleet_tui.text.durations import age
 
 BAD_AFTER, BAD_FOR = 1.0, 10.0
 """Seconds from bad data to its alarm (other robots may send some, too), and without any until it

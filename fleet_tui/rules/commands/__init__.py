@@ -1,1 +1,1 @@
-"""TODO."""
+"""Rules of commands: checked before they leave, confirmed by telemetry, followed to their end."""

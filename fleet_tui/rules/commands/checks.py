@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from fleet_tui.errors import did_you_mean
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
-from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
@@ -28,6 +28,7 @@ from fleet_tui.rules.commands.route_checks import (
     same_place,
     unknown_vertex,
 )
+from fleet_tui.text.durations import age
 from fleet_tui.text.limits import some
 
 _NOT_POSITIVE = re.compile(r"-[0-9]+|0+", re.ASCII)

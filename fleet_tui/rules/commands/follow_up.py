@@ -14,14 +14,15 @@ from fleet_tui.model.commands import (
     Stage,
     Step,
 )
-from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest, listed_end
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.confirmation import find_order, is_given_again
 from fleet_tui.rules.commands.keeping import next_id
+from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.commands.pauses import is_overtaken
-from fleet_tui.rules.why.reason import last_command
+from fleet_tui.text.durations import age
 
 ANSWER_WITHIN = 1.0
 """Seconds for the robot's own word on the end of a goal, which comes beside its status."""

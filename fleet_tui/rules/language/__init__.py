@@ -1,1 +1,1 @@
-"""TODO."""
+"""The command language: parsed, completed, places found by what is typed."""

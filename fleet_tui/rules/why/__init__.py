@@ -1,1 +1,1 @@
-"""TODO."""
+"""Reasons why a robot stands still."""

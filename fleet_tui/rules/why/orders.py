@@ -8,11 +8,13 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
-from fleet_tui.model.fleet import FleetState, age
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.keeping import waiting
-from fleet_tui.rules.why.reason import RECENT, Reason, Strength, last_command, mission, name_of, stands_since
+from fleet_tui.rules.commands.newest import last_command
+from fleet_tui.rules.why.reason import RECENT, Reason, Strength, mission, name_of, stands_since
 from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
+from fleet_tui.text.durations import age
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:

@@ -6,7 +6,6 @@ from functools import partial
 
 from msgspec import Struct
 
-from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
@@ -51,20 +50,3 @@ def name_of(robot: Robot, vertex: str) -> str:
 def mission(robot: Robot, order: Order) -> str:
     """An order by its id and its stops."""
     return f"order {order.id}, {order.label or route_text(order.stops, partial(name_of, robot))}"
-
-
-def last_command(state: FleetState, robot: Robot, *kinds: type[Command]) -> CommandRecord | None:
-    """The newest command of these kinds that was given to the robot from here."""
-    ours = (one for one in reversed(state.commands) if one.command.robot == robot.name)
-    return next((one for one in ours if isinstance(one.command, kinds)), None)
-
-
-_UNDONE = frozenset({Stage.CHECKED, Stage.NOT_SENT, Stage.REFUSED, Stage.LOST})
-
-
-def own_pause(state: FleetState, robot: Robot) -> CommandRecord | None:
-    """Find the pause from here that the robot may be under: the last of its kind, unless it did nothing."""
-    record = last_command(state, robot, PauseRobot, ResumeRobot)
-    if record is None or not isinstance(record.command, PauseRobot) or record.stage in _UNDONE:
-        return None
-    return record

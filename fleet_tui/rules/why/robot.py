@@ -1,14 +1,16 @@
 """Reasons to stand still that lie in the robot: what it says of itself, and whether it is heard at all."""
 
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.fleet import FleetState, age, obstacle_text
+from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.graph import Role
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
-from fleet_tui.rules.why.reason import Reason, Strength, name_of, own_pause, stands_since
+from fleet_tui.rules.movement import JUMPS_WITHIN
+from fleet_tui.rules.why.reason import Reason, Strength, name_of, stands_since
 from fleet_tui.rules.why.traffic import graph_here, vertex_here
-from fleet_tui.state.reports import JUMPS_WITHIN
+from fleet_tui.text.durations import age
 
 JUMPS = 2
 """So many leaps within JUMPS_WITHIN seconds are no correction any more."""

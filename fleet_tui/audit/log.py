@@ -1,0 +1,218 @@
+"""The audit log of one console: every change of a command or an alarm becomes a line in a file.
+
+It watches the store, so a command's line is written before the command is sent, unless the disk takes
+longer than a moment. It never raises: what can't be written is kept, said on the screen, and written when
+that is possible again.
+"""
+
+import getpass
+import itertools
+import json
+import logging
+import math
+import os
+import secrets
+import sys
+import threading
+import time
+from collections import deque
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import msgspec
+
+from fleet_tui import __version__
+from fleet_tui.audit.entries import Origin, alarm_records, closing_records, command_records
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.config.schema import Config
+from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import visible
+
+LOG = logging.getLogger(__name__)
+
+# Records that wait for a disk that takes them, and seconds between two tries.
+WAITING, RETRY = 10_000, 1.0
+# Seconds that a fact waits for its lines; those of more than SLOW are, together, so many in each RETRY.
+PATIENCE, SLOW, SLOW_TOGETHER = 0.05, 0.02, 0.1
+# Seconds until a disk that does not answer is left alone at the end.
+LAST_CHANCE = 0.5
+
+HANGS = "the disk does not answer"
+
+
+def encode(record: AuditRecord) -> bytes:
+    """A record as a line. All but ASCII is escaped: no text from outside acts on who looks at the file."""
+    return json.dumps(msgspec.to_builtins(record), separators=(",", ":")).encode() + b"\n"
+
+
+def operator_name(config: Config) -> str:
+    """Who commands: the config's name, else the login name."""
+    try:
+        return config.operator.name or getpass.getuser()
+    except (KeyError, OSError):
+        return f"uid {os.getuid()}"
+
+
+def new_origin(config: Config, demo: bool = False) -> Origin:
+    """Who writes from this process on."""
+    console = f"{os.uname().nodename}:{os.getpid()}"
+    return Origin(operator_name(config), console, secrets.token_hex(4), demo)
+
+
+class Audit:
+    """Keeps the log: any thread may call it, one of its own writes, since a disk may hang."""
+
+    def __init__(self, file: AuditFile, origin: Origin) -> None:
+        self.file, self.origin = file, origin
+        self._waiting: deque[bytes] = deque()
+        self._taken = self._done = self._lost = 0
+        """Records so far: taken, of these written or given up; and those that are lost and not told of."""
+        self._problem = ""
+        self._begun = math.inf
+        """Since when a line is being written (monotonic)."""
+        self._slow, self._slow_since = 0.0, 0.0
+        self._closed = False
+        self._changed = threading.Condition()
+        self._thread = threading.Thread(target=self._work, name="fleet-tui-audit", daemon=True)
+        self._thread.start()
+
+    @property
+    def problem(self) -> str:
+        """Why lines are not written now."""
+        return self._problem or (HANGS if time.monotonic() - self._begun > PATIENCE else "")
+
+    @property
+    def notes(self) -> list[str]:
+        """What the operator must know of the log; nothing while it is written as it should be."""
+        if problem := self.problem:
+            return [f"audit: not written: {problem}"]
+        return [f"audit: {self.file.warning}"] if self.file.warning else []
+
+    def watch(self, before: FleetState, after: FleetState) -> None:
+        """Write what changed from one state to the next."""
+        now, wall = time.monotonic(), time.time()
+        commands = command_records(self.origin, before, after, lambda at: wall - (now - at))
+        self._take(itertools.chain(commands, alarm_records(self.origin, before, after, wall)))
+
+    def tell(self, change: str, words: str = "") -> None:
+        """Write what happened to the console itself."""
+        self._take([self._of_console(change, words)])
+
+    def close(self, state: FleetState) -> int:
+        """Write the last word on every open command. Returns how many records could not be written."""
+        self._take(closing_records(self.origin, state, time.time()))
+        self.tell("closed")
+        with self._changed:
+            self._closed = True
+            self._changed.notify_all()
+        self._thread.join(LAST_CHANCE)
+        return self._taken - self._done + self._lost
+
+    def _of_console(self, change: str, words: str) -> AuditRecord:
+        return self.origin.record(time.time(), kind="console", what="console", change=change, words=words)
+
+    def _take(self, records: Iterable[AuditRecord]) -> None:
+        with self._changed:
+            if self._closed:
+                return
+            try:
+                for record in records:
+                    self._keep(encode(record))
+            except Exception:
+                # Whatever is wrong with us, dispatch goes on.
+                LOG.exception("audit")
+                self._lost += 1
+            self._changed.notify_all()
+            self._wait()
+
+    def _keep(self, line: bytes) -> None:
+        if len(self._waiting) >= WAITING:
+            self._waiting.popleft()
+            self._lost += 1
+            self._done += 1
+        self._waiting.append(line)
+        self._taken += 1
+
+    def _wait(self) -> None:
+        """Until everything is written, while that is a matter of a moment."""
+        began = time.monotonic()
+        if began > self._slow_since + RETRY:
+            self._slow, self._slow_since = 0.0, began
+        if self._slow > SLOW_TOGETHER or self.problem:
+            return
+        if not self._changed.wait_for(lambda: self._done == self._taken or self._problem, PATIENCE):
+            LOG.error("audit: not written: %s: %s", self.file.path, HANGS)
+        took = time.monotonic() - began
+        self._slow += took * (took > SLOW)
+
+    def _work(self) -> None:
+        """Write line after line; on the log's own thread."""
+        while (line := self._next()) is not None:
+            try:
+                self.file.append(line)
+            except Exception as problem:  # noqa: BLE001  # whatever it is, the thread must not end by it
+                if not self._failed(line, getattr(problem, "strerror", None) or repr(problem)):
+                    break
+            else:
+                self._succeeded()
+        self.file.close()
+
+    def _next(self) -> bytes | None:
+        """The next line, None where there will be no more."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._waiting or self._closed)
+            if not self._waiting:
+                return None
+            self._begun = time.monotonic()
+            return self._waiting.popleft()
+
+    def _succeeded(self) -> None:
+        with self._changed:
+            self._begun = math.inf
+            self._done += 1
+            if not self._waiting:
+                self._problem = ""
+                if self._lost:
+                    words = f"{self._lost} records before this one could not be written"
+                    self._keep(encode(self._of_console("lost", words)))
+                    self._lost = 0
+            self._changed.notify_all()
+
+    def _failed(self, line: bytes, problem: str) -> bool:
+        """Keep the line, and wait until it is time to try again; False if there will be none."""
+        with self._changed:
+            self._begun = math.inf
+            self._waiting.appendleft(line)
+            if problem != self._problem:
+                LOG.error("audit: not written: %s: %s", self.file.path, problem)
+            self._problem = problem
+            self._changed.notify_all()
+            if self._closed:
+                return False
+            self._changed.wait_for(lambda: self._closed, RETRY)
+            return True
+
+
+@contextmanager
+def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> Iterator[Audit]:
+    """Keep the log of a console in the state folder while it runs. What it lacks in the end is said on
+    stderr, which must be a person's by then and no screen's."""
+    audit = Audit(AuditFile(folder / FILE_NAME), new_origin(config, demo))
+    audit.tell("opened", f"fleet-tui {__version__}" + (", read-only" if config.operator.read_only else ""))
+    store.watchers.append(audit.watch)
+    try:
+        yield audit
+    finally:
+        store.watchers.remove(audit.watch)
+        missing = audit.close(store.state)
+        if missing:
+            _say(f"audit: {missing} record{'s' * (missing != 1)} could not be written: {audit.problem}")
+
+
+def _say(text: str) -> None:
+    LOG.error("%s", text)
+    with suppress(OSError, ValueError):  # there may be nobody any more
+        sys.stderr.write(f"{visible(text)}\n")

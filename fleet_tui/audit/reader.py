@@ -1,0 +1,94 @@
+"""Reads the audit log back, the newest record first, whatever else lies in its files."""
+
+import os
+from collections.abc import Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+import msgspec
+
+from fleet_tui.audit.file import KEPT, part
+from fleet_tui.audit.upgrade import upgrade_audit
+from fleet_tui.config.small_file import open_file
+from fleet_tui.model.audit_record import AuditRecord
+
+BLOCK = 2**16
+LONGEST = 2**20
+"""Bytes of a line; what is longer is none of ours."""
+
+_DECODER = msgspec.json.Decoder(AuditRecord)
+
+
+@dataclass(slots=True)
+class Reading:
+    """The records of a log and its older parts. `unreadable` counts the lines so far that are no
+    records: torn by a kill or a full disk, or somebody else's."""
+
+    path: Path
+    unreadable: int = 0
+
+    @property
+    def note(self) -> str:
+        """What is to be said of the lines so far."""
+        if not self.unreadable:
+            return ""
+        return f"{self.unreadable} line{'s' * (self.unreadable != 1)} that can't be read"
+
+    def newest_first(self) -> Iterator[AuditRecord]:
+        """The records; nothing where there is no file. Raises OSError where one can't be read."""
+        with ExitStack() as stack:
+            # All at once, the newest first: who is renamed meanwhile is met twice, never missed.
+            files: dict[int, BinaryIO] = {}
+            for number in range(KEPT):
+                try:
+                    file = stack.enter_context(open_file(part(self.path, number)))
+                except FileNotFoundError:
+                    continue
+                files.setdefault(os.fstat(file.fileno()).st_ino, file)
+            for file in files.values():
+                for line in _lines_backwards(file):
+                    record = _decoded(line)
+                    if record is None:
+                        self.unreadable += bool(line.strip())
+                    else:
+                        yield record
+
+
+def _decoded(line: bytes) -> AuditRecord | None:
+    try:
+        return _DECODER.decode(line)
+    except msgspec.ValidationError:
+        return _of_older_version(line)
+    except (msgspec.MsgspecError, UnicodeError, RecursionError):
+        return None
+
+
+def _of_older_version(line: bytes) -> AuditRecord | None:
+    try:
+        return msgspec.convert(upgrade_audit(msgspec.json.decode(line)), AuditRecord)
+    except (msgspec.MsgspecError, KeyError, TypeError, ValueError, RecursionError):
+        return None
+
+
+def _lines_backwards(file: BinaryIO) -> Iterator[bytes]:
+    """The lines of a file, the last one first. Half a line, which follows the last newline, is marked
+    so that it is no record even where it looks like one."""
+    end = file.seek(0, os.SEEK_END)
+    mark = b"?"
+    pieces: list[bytes] = []  # of the line whose beginning is still to come, the last piece first
+    while end > 0:
+        start = max(0, end - BLOCK)
+        file.seek(start)
+        first, *lines = file.read(end - start).split(b"\n")
+        end = start
+        if lines:
+            line = b"".join([lines.pop(), *reversed(pieces)])
+            yield line and line + mark
+            yield from reversed(lines)
+            mark, pieces = b"", []
+        if sum(map(len, pieces)) < LONGEST:
+            pieces.append(first)
+    line = b"".join(reversed(pieces))
+    yield line and line + mark

@@ -1,0 +1,1 @@
+"""The command line: arguments, options, and the commands without a screen."""

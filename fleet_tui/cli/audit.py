@@ -1,0 +1,42 @@
+"""The audit log as text or CSV, for who has no console open."""
+
+import errno
+from datetime import datetime
+from typing import TextIO
+
+import click
+
+from fleet_tui.audit.export import write_csv
+from fleet_tui.audit.file import FILE_NAME
+from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.search import search_of
+from fleet_tui.errors import FleetError
+from fleet_tui.log_file import state_folder
+from fleet_tui.view.tables.audit import line_text
+
+
+def write_records(typed: str, as_csv: bool, demo: bool, out: TextIO) -> str:
+    """Write what was searched, newest first. Returns what else is to be said of the log.
+
+    Raises click's UsageError for a time that is none, FleetError where the log can't be read.
+    """
+    try:
+        search = search_of(typed, datetime.now().astimezone(), demo)
+    except FleetError as problem:
+        raise click.UsageError(str(problem)) from None
+    reading = Reading(state_folder() / FILE_NAME)
+    records = filter(search.wants, reading.newest_first())
+    try:
+        if as_csv:
+            count = write_csv(out, records)
+        else:
+            count = sum(bool(out.write(f"{line_text(record)}\n")) for record in records)
+    except BrokenPipeError:
+        raise
+    except OSError as problem:
+        if problem.errno in (errno.ENOSPC, errno.EDQUOT):
+            raise  # by the output: the log is only read
+        raise FleetError(f"{reading.path}: {problem.strerror}") from None
+    notes = [reading.note] if reading.note else []
+    notes += [] if count else ["no such record"]
+    return f"{reading.path}: {', '.join(notes)}" if notes else ""

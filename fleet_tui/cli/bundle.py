@@ -1,0 +1,26 @@
+"""`fleet-tui doctor --bundle`: what was found and what is recorded of it, in one archive."""
+
+import time
+
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import FleetError
+from fleet_tui.log_file import state_folder
+from fleet_tui.recording.incident import FOLDER, RECORDING, SPAN, Incident, collect
+from fleet_tui.recording.recordings import recent_runs
+
+
+def pack(config: Config, report: str, kind: str) -> str:
+    """Write the archive; a line that says where it is. Raises FleetError."""
+    incident = Incident()
+    incident.add(f"doctor.{kind}", "what the doctor found", lambda: report.encode())
+    runs = recent_runs(state_folder())
+    for name, files in runs.items():
+        incident.add_recording(f"{name}.jsonl.gz", files)
+    if not runs:
+        incident.add_recording(RECORDING, [])
+    collect(incident, config, state_folder(), time.time() - SPAN)
+    try:
+        return f"for the ticket: {incident.write(state_folder() / FOLDER)}"
+    except OSError as problem:
+        why = f"{problem.strerror or problem} ({state_folder()})"
+        raise FleetError(f"the archive can't be written: {why}; XDG_STATE_HOME names another place") from None

@@ -1,0 +1,175 @@
+"""The commands that need no screen. The command line imports this module when one of them is asked for."""
+
+import math
+import sys
+import time
+from pathlib import Path
+
+import click
+
+from fleet_tui.cli.config.commands import config
+from fleet_tui.cli.duration import Duration
+from fleet_tui.cli.options import FileName, common, fleet, merged, timeout
+from fleet_tui.cli.orders.commands import orders
+from fleet_tui.config.schema import Config
+from fleet_tui.text.sanitize import visible
+
+
+@click.group()
+def headless() -> None:
+    """Holds the commands; the command line shows them as its own."""
+
+
+for command in (config, *orders.commands.values()):
+    headless.add_command(command)
+
+
+@headless.command()
+@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/status.md tells the schema.")
+@click.option("--watch", is_flag=True, help="Go on, and say what changes (as JSON Lines with --json).")
+@click.option("--oneline", is_flag=True, help="One line, for a status bar.")
+@timeout(5.0)
+@fleet
+@merged
+def status(
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    as_json: bool,
+    watch: bool,
+    oneline: bool,
+    timeout: float,
+) -> None:
+    """The fleet as a table or JSON, without a screen. Exit code 0: all well, 1: something needs attention,
+    3: no link."""
+    if as_json and oneline:
+        raise click.UsageError("--json and --oneline: one of them")
+    from fleet_tui.cli.chosen import chosen
+    from fleet_tui.cli.status.status import status as run
+    from fleet_tui.log_file import log_to_file
+
+    log_to_file(debug)
+    config = chosen(config_file, url)
+    sys.exit(run(config, timeout, as_json, oneline, watch, click.echo))
+
+
+@headless.command()
+@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/commands.md tells the schema.")
+@common
+@merged
+def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
+    """The kinds of robots with what each reports and accepts."""
+    from fleet_tui.cli.kinds import kinds as run
+
+    run(as_json, click.echo)
+
+
+@headless.command()
+@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/doctor.md tells the schema.")
+@click.option("--robot", metavar="ROBOT", default="", help="Only this one, its bridge and its floors.")
+@click.option("--bundle", is_flag=True, help="And pack it with recordings, log and audit log, for a ticket.")
+@timeout(20.0)
+@fleet
+@merged
+def doctor(
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    as_json: bool,
+    robot: str,
+    bundle: bool,
+    timeout: float,
+) -> None:
+    """What is wrong between here and the robots, outside in, each with a remedy. Commands nothing. Exit
+    code 0: all well, 1: something is wrong or was left out, 3: no link."""
+    from fleet_tui.cli.chosen import chosen_to_examine
+    from fleet_tui.doctor.run import doctor as run
+    from fleet_tui.log_file import log_to_file
+
+    log_to_file(debug)
+    began = time.monotonic()
+    config, unnamed = chosen_to_examine(config_file, url, timeout / 2)
+    timeout -= time.monotonic() - began
+    said: list[str] = []
+
+    def say(line: str) -> None:
+        click.echo(line)
+        said.append(click.unstyle(line))
+
+    code = run(config, timeout, as_json, say, robot, unnamed)
+    if bundle:
+        _pack(config, said, as_json)
+    sys.exit(code)
+
+
+def _pack(config: Config, said: list[str], as_json: bool) -> None:
+    """Pack what the doctor said, and say where it is: not into the JSON."""
+    from fleet_tui.cli.bundle import pack
+
+    click.echo(visible(pack(config, "\n".join([*said, ""]), "json" if as_json else "txt")), err=as_json)
+
+
+@headless.command()
+@click.argument("file", type=FileName(path_type=Path))
+@click.option("--for", "seconds", type=Duration(), default="366d", help="End after 45s, 30m, 8h, ...")
+@click.option("--rotate-mb", type=click.FloatRange(1), help="A new file after so many MB.")
+@click.option("--rotate-every", type=Duration(), help="A new file after 30m, 1h, ...")
+@click.option("--keep", type=click.IntRange(0), help="How many files stay, 0: all.")
+@click.option("--timeout", type=click.FloatRange(0.1), help="End if there is no link after so many seconds.")
+@fleet
+@merged
+def record(
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    file: Path,
+    seconds: float,
+    rotate_mb: float | None,
+    rotate_every: float | None,
+    keep: int | None,
+    timeout: float | None,
+) -> None:
+    """Write everything that comes over the wire to FILE, until Ctrl-C or SIGTERM. Commands nothing. Exit code
+    0: fine, 3: there never was a link."""
+    from fleet_tui.cli.chosen import chosen
+    from fleet_tui.cli.record import record as run
+    from fleet_tui.log_file import log_to_file
+    from fleet_tui.recording.part_files import Limits
+
+    log_to_file(debug)
+    config = chosen(config_file, url)
+    usual = config.recording
+    limits = Limits(
+        (usual.rotate_mb if rotate_mb is None else rotate_mb) * 1e6,
+        usual.rotate_minutes * 60 if rotate_every is None else rotate_every,
+        usual.keep if keep is None else keep,
+    )
+    is_live = sys.stderr.isatty()
+    sys.exit(run(config, file, limits, seconds, timeout or math.inf, click.echo, is_live))
+
+
+@headless.command()
+@click.argument("words", nargs=-1)
+@click.option("--robot", default="", help="Only of this robot.")
+@click.option("--since", default="", metavar="TIME", help="30m, 2h, 7d, 12:00 or 2024-05-31T12:00.")
+@click.option("--csv", "as_csv", is_flag=True, help="For a spreadsheet.")
+@click.option("--demo", is_flag=True, help="What the demo wrote, instead of what real fleets did.")
+@common
+@merged
+def audit(
+    config_file: str | None,
+    debug: bool,
+    words: tuple[str, ...],
+    robot: str,
+    since: str,
+    as_csv: bool,
+    demo: bool,
+) -> None:
+    """What was commanded and how it went on, newest first; WORDS as in the console's audit log."""
+    from fleet_tui.cli.audit import write_records
+
+    named = {"robot": robot, "since": since}
+    typed = [*words, *(f"{name}:{value}" for name, value in named.items() if value)]
+    said = write_records(" ".join(typed), as_csv, demo, sys.stdout)
+    if said:
+        click.echo(visible(said), err=True)

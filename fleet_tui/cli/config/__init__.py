@@ -1,0 +1,1 @@
+"""`fleet-tui config`: a configuration made, and one explained."""

@@ -1,0 +1,60 @@
+"""`fleet-tui config init` and `config show`."""
+
+import os
+
+import click
+
+from fleet_tui.cli.options import NearestGroup, common, merged, screen, timeout
+from fleet_tui.config.load import find, load, user_folder
+from fleet_tui.config.schema import Config
+from fleet_tui.text.sanitize import visible
+
+
+@click.group(cls=NearestGroup)
+def config() -> None:
+    """Make a configuration, or see the one in effect."""
+
+
+@config.command()
+@click.option("--from-live", "url", metavar="URL", default="", help="Ask the bridge there what it has.")
+@click.option("--output", metavar="FILE", default="", help="Write it there instead of printing it.")
+@click.option("--force", is_flag=True, help="Write over a file that is there.")
+@timeout(20.0)
+@common
+@merged
+def init(config_file: str | None, debug: bool, url: str, output: str, force: bool, timeout: float) -> None:
+    """A commented configuration, ready to edit: an example, or what a bridge has. With --config FILE the
+    bridge is reached as its [rosbridge] says: certificates, authorization."""
+    from fleet_tui.cli.config.init import example, from_live, write
+    from fleet_tui.log_file import log_to_file
+
+    log_to_file(debug)
+    known = load(find(config_file)) if config_file else Config()
+    text = from_live(known, url, timeout) if url else example()
+    write(text, output, force, click.echo)
+
+
+@config.command()
+@click.option("--origin", "with_origin", is_flag=True, help="And where each value comes from.")
+@screen
+@common
+@merged
+def show(
+    config_file: str | None, debug: bool, with_origin: bool, read_only: bool, drawing: str | None
+) -> None:
+    """Every value in effect. What is secret is not shown."""
+    from fleet_tui.cli.config.origins import show as lines
+
+    found = load(find(config_file))
+    options = {"operator.read_only": read_only, "ui.drawing": drawing}
+    for line in lines(found, _why(config_file), with_origin, options):
+        click.echo(visible(line))
+
+
+def _why(given: str | None) -> str:
+    """Why this file is the one in effect."""
+    if given:
+        return "option --config"
+    if os.environ.get("FLEET_TUI_CONFIG"):
+        return "environment: FLEET_TUI_CONFIG"
+    return "the user's" if find(None) == user_folder() / "config.toml" else "in this folder"

@@ -1,0 +1,105 @@
+"""The command line: reads the config, builds the parts, hands over.
+
+What needs the screen or the simulator is imported where it is used: `check` answers without them.
+"""
+
+import gc
+
+import click
+
+from fleet_tui import __version__
+from fleet_tui.cli.options import FileName, NearestGroup, common, fleet, merged, screen, with_url
+from fleet_tui.config.access import access_problems, unsafe_places
+from fleet_tui.config.check import missing_files
+from fleet_tui.config.load import find, read, user_folder
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import ConfigError, did_you_mean
+from fleet_tui.text.sanitize import visible
+
+
+class Commands(NearestGroup):
+    """The commands. Most are imported when one is asked for: the console starts without them."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read an address in a command's place as --url."""
+        return super().parse_args(ctx, with_url(args))
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """A command by its name."""
+        return super().get_command(ctx, cmd_name) or self._others().get(cmd_name)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Every command's name."""
+        return sorted([*self.commands, *self._others()])
+
+    def _others(self) -> dict[str, click.Command]:
+        from fleet_tui.cli.commands import headless
+        from fleet_tui.cli.replayed import replayed
+        from fleet_tui.cli.serve import served
+        from fleet_tui.cli.simulated import simulated
+
+        return {**headless.commands, **simulated.commands, **served.commands, **replayed.commands}
+
+
+@click.group(
+    cls=Commands, invoke_without_command=True, context_settings={"help_option_names": ["-h", "--help"]}
+)
+@click.version_option(__version__, prog_name="fleet-tui")
+@screen
+@fleet
+@click.pass_context
+def commands(
+    ctx: click.Context,
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    read_only: bool,
+    drawing: str | None,
+) -> None:
+    """The terminal console for robot fleets behind a rosbridge server.
+
+    Without a command it opens the console; `fleet-tui ws://HOST:9090` opens it on what is behind
+    that address, without a configuration. `fleet-tui demo` shows it with simulated robots.
+    """
+    if ctx.invoked_subcommand is None:
+        gc.disable()  # until the first paint: it would go through all that is imported again and again
+        from fleet_tui.arriving import open_with
+
+        open_with(config_file, url, read_only, drawing, debug)
+
+
+@commands.command()
+@click.argument("file", type=FileName(), required=False)
+@common
+@merged
+def check(config_file: str | None, debug: bool, file: str | None) -> None:
+    """Validate a configuration: every problem at once."""
+    path = find(file or config_file)
+    config, problems = read(path)
+    problems += [*missing_files(config), *_graph_problems(config)]
+    problems += [*access_problems(config), *_theme_problems(config)]
+    for line in unsafe_places(config):
+        click.echo(visible(f"{path}: warning: {line}"), err=True)
+    if problems:
+        raise ConfigError([f"{path}: {line}" for line in problems])
+    robots, floors = len(config.robots), len(config.floors)
+    counts = f"{robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}"
+    click.echo(f"{visible(str(path))}: fine: {counts}")
+
+
+def _graph_problems(config: Config) -> list[str]:
+    """Name what is wrong with the graph files that are there."""
+    from fleet_tui.maps.route_graphs import load_floor_graph
+
+    files = [(n, config.beside(floor.graph)) for n, floor in enumerate(config.floors) if floor.graph]
+    loaded = [(n, load_floor_graph("", path)) for n, path in files if path.is_file()]
+    return [f"floors[{n}].graph: {graph.problem}" for n, graph in loaded if graph.problem]
+
+
+def _theme_problems(config: Config) -> list[str]:
+    from fleet_tui.themes import load_themes
+
+    themes, _ = load_themes(user_folder() / "themes")
+    if config.ui.theme in themes:
+        return []
+    return [f"ui.theme: no theme {config.ui.theme!r}{did_you_mean(config.ui.theme, themes)}"]

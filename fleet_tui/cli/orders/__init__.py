@@ -1,0 +1,1 @@
+"""Orders and other commands from a shell: checked, sent, awaited."""

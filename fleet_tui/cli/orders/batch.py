@@ -1,0 +1,90 @@
+"""`fleet-tui run`: a file of commands, one after the other."""
+
+from collections.abc import Iterable, Iterator
+
+import click
+
+from fleet_tui.cli.orders.giving import Say, await_reports, forbidden, said, sending, unreachable
+from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, Outcome, exit_code, unsent
+from fleet_tui.cli.orders.sending import How, Sending, divide
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import CommandError
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.request import Wish
+from fleet_tui.rules.language.grammar import find_robot, parse, tokens
+from fleet_tui.text.sanitize import visible
+
+Line = tuple[int, str]
+WOULD = "would be sent"
+FREE = ("pause", "resume")
+"""Commands that are not checked against what a robot reports."""
+
+
+def lines_of(text: str) -> list[Line]:
+    """The commands of a file, each with its line's number; `#` begins a comment line."""
+    lines = enumerate((line.strip() for line in text.splitlines()), 1)
+    return [(number, line) for number, line in lines if line and not line.startswith("#")]
+
+
+def _robots(line: str, state: FleetState) -> Iterator[str]:
+    """The robots that a line may name: they stand first, or after the command."""
+    for token in tokens(line)[:2]:
+        try:
+            yield find_robot(token.text, state).name
+        except CommandError:
+            continue
+
+
+def _wishes(lines: Iterable[Line], state: FleetState) -> list[tuple[int, Wish]]:
+    """What each line asks. Raises click's UsageError with every line that asks nothing."""
+    found, wrong = list[tuple[int, Wish]](), list[str]()
+    for number, line in lines:
+        try:
+            found.append((number, parse(line, state)))
+        except CommandError as problem:
+            wrong.append(visible(f"line {number}: {problem}"))
+    if wrong:
+        raise click.UsageError("nothing was sent\n" + "\n".join(wrong))
+    return found
+
+
+def run_batch(
+    config: Config, lines: list[Line], how: How, dry_run: bool, keep_going: bool, as_json: bool, say: Say
+) -> int:
+    """Send the commands of a file, each when the one before has ended; the exit code. All lines are read
+    before the first is sent. With `dry_run` nothing is sent."""
+    if (reason := forbidden(config)) and not dry_run:
+        say(f"fleet-tui: nothing was sent: {reason}", err=True)
+        return NOT_DONE
+    with sending(config, how, say) as given:
+        busy = [line for _, line in lines if line.split()[0].casefold() not in FREE]
+        named = [name for line in busy for name in _robots(line, given.state)]
+        await_reports(given, list(dict.fromkeys(named)) or list(given.state.robots), bool(named))
+        if reason := unreachable(given.state, named):
+            say(f"fleet-tui: nothing was sent: {visible(reason)}", err=True)
+            return NO_LINK
+        wishes = _wishes(lines, given.state)
+        if dry_run:
+            return said((one for _, wish in wishes for one in _tried(given, wish)), as_json, say)
+        return _give_all(given, wishes, keep_going, as_json, say)
+
+
+def _give_all(
+    given: Sending, wishes: list[tuple[int, Wish]], keep_going: bool, as_json: bool, say: Say
+) -> int:
+    codes = list[int]()
+    for done, (number, wish) in enumerate(wishes, 1):
+        given.begin()
+        codes.append(said(given.give(wish), as_json, say, given))
+        if codes[-1] != DONE and not keep_going:
+            left = len(wishes) - done
+            say(f"stopped at line {number}, {left} line{'s' * (left != 1)} left", err=True)
+            break
+    return exit_code(codes)
+
+
+def _tried(given: Sending, wish: Wish) -> list[Outcome]:
+    """What would become of a line, as the fleet is now."""
+    wish, unable = divide(given.state, wish)
+    held = given.check(wish)
+    return [*unable, *(held or [unsent(given.state, one, "", DONE, WOULD) for one in wish.commands])]

@@ -1,0 +1,175 @@
+"""The commands that command robots: what stands after `fleet-tui`."""
+
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from fleet_tui.cli.options import FileName, fleet, merged
+from fleet_tui.config.schema import Config
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+TIMEOUT, DRIVE_TIMEOUT = 15.0, 3600.0
+ALL = "all"
+
+
+@click.group()
+def orders() -> None:
+    """Holds the commands; the command line shows them as its own."""
+
+
+def _asked(command: F) -> F:
+    """What every command here can be told."""
+    limits = click.FloatRange(0.1, 86400)
+    text = "Seconds to wait at most: 15, with --until-done 3600."
+    command = click.option("--timeout", type=limits, help=text)(command)
+    command = click.option("--yes", is_flag=True, help="Send it in spite of warnings.")(command)
+    return click.option("--json", "as_json", is_flag=True, help="As JSON: docs/commands.md.")(command)
+
+
+def _start(config_file: str | None, url: str | None, debug: bool) -> Config:
+    from fleet_tui.cli.chosen import chosen_to_command
+    from fleet_tui.log_file import log_to_file
+
+    log_to_file(debug)
+    return chosen_to_command(config_file, url)
+
+
+def _give(
+    words: Sequence[str],
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    as_json: bool,
+    yes: bool,
+    timeout: float | None,
+    until_done: bool = False,
+) -> None:
+    from fleet_tui.cli.orders.giving import command, how
+
+    config = _start(config_file, url, debug)
+    seconds = timeout or (DRIVE_TIMEOUT if until_done else TIMEOUT)
+    sys.exit(command(config, words, how(config, seconds, yes, until_done), as_json, click.echo))
+
+
+@orders.command()
+@click.argument("robot")
+@click.argument("places", nargs=-1, required=True, metavar="FROM TO [TO ...]")
+@click.option("--until-done", is_flag=True, help="Wait until it is driven, not only in the queue.")
+@_asked
+@fleet
+@merged
+def order(robot: str, places: tuple[str, ...], **options: Any) -> None:
+    """Place an order: A B is A -> B, TO alone is where the robot goes from where it is. A B C is A -> B and B
+    -> C, or one order with three stops where the robot takes such. Places are labels or vertex ids (id=7 is
+    always the id). Done when it is in the queue."""
+    _give(["order", robot, *places], **options)
+
+
+@orders.command()
+@click.argument("robot")
+@click.argument("id", metavar="ID")
+@_asked
+@fleet
+@merged
+def cancel(robot: str, id: str, **options: Any) -> None:
+    """Cancel one order of a robot."""
+    _give(["cancel", robot, id], **options)
+
+
+@orders.command()
+@click.argument("robot")
+@_asked
+@fleet
+@merged
+def clear(robot: str, **options: Any) -> None:
+    """Clear all orders of a robot."""
+    _give(["clear", robot], **options)
+
+
+def _which(robot: str | None, every: bool) -> str:
+    if every is (robot is not None):
+        raise click.UsageError("which robot? Give its name, or --all")
+    return robot or ALL
+
+
+def _fleet(command: F) -> F:
+    """A robot, or every one."""
+    command = click.option("--all", "every", is_flag=True, help="Every robot, at once.")(command)
+    return click.argument("robot", required=False)(command)
+
+
+@orders.command()
+@_fleet
+@_asked
+@fleet
+@merged
+def pause(
+    robot: str | None,
+    every: bool,
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    as_json: bool,
+    yes: bool,
+    timeout: float | None,
+) -> None:
+    """Pause a robot, or with --all every one, at once. Not a safety device."""
+    from fleet_tui.cli.orders.giving import how
+    from fleet_tui.cli.orders.giving import pause as run
+
+    name, config = _which(robot, every), _start(config_file, url, debug)
+    sys.exit(run(config, name, how(config, timeout or TIMEOUT, yes), as_json, click.echo))
+
+
+@orders.command()
+@_fleet
+@_asked
+@fleet
+@merged
+def resume(robot: str | None, every: bool, **options: Any) -> None:
+    """Resume a robot, or with --all every one."""
+    _give(["resume", _which(robot, every)], **options)
+
+
+@orders.command()
+@click.argument("file", type=FileName(allow_dash=True))
+@click.option("--dry-run", is_flag=True, help="Say what would be sent, and send nothing.")
+@click.option("--keep-going", is_flag=True, help="Go on after a command that failed.")
+@_asked
+@fleet
+@merged
+def run(
+    file: str,
+    dry_run: bool,
+    keep_going: bool,
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    as_json: bool,
+    yes: bool,
+    timeout: float | None,
+) -> None:
+    """Send the commands of FILE, one a line as in the console's palette (robot_0 Base > Store, cancel
+    robot_0 12, pause all), each when the one before has ended; - is standard input, # begins a comment
+    line. Nothing is sent where a line can't be understood."""
+    from fleet_tui.cli.orders.batch import lines_of, run_batch
+    from fleet_tui.cli.orders.giving import how
+
+    config, lines = _start(config_file, url, debug), lines_of(_text(file))
+    asked = how(config, timeout or TIMEOUT, yes)
+    sys.exit(run_batch(config, lines, asked, dry_run, keep_going, as_json, click.echo))
+
+
+def _text(file: str) -> str:
+    """What stands in a file. Raises click's UsageError where it can't be read."""
+    try:
+        data = sys.stdin.buffer.read() if file == "-" else Path(file).read_bytes()
+        return data.decode()
+    except OSError as problem:
+        raise click.UsageError(f"{file}: {problem.strerror}") from None
+    except UnicodeDecodeError:
+        raise click.UsageError(f"{file}: this is no text in UTF-8") from None

@@ -1,0 +1,208 @@
+"""`fleet-tui order`, `cancel`, `clear`, `pause`, `resume` and `run`: commands without a screen."""
+
+import signal
+import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager, suppress
+
+import click
+
+from fleet_tui.audit.log import auditing
+from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, tell
+from fleet_tui.cli.orders.sending import LINK_WITHIN, How, Sending, reaches, unreported
+from fleet_tui.cli.session import session
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.errors import CommandError
+from fleet_tui.log_file import state_folder
+from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.problem import Rights
+from fleet_tui.model.request import Wish
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.batches import summary
+from fleet_tui.rules.commands.checks import no_link
+from fleet_tui.rules.language.grammar import ALL, find_robot, parse_words
+from fleet_tui.text.sanitize import visible
+from fleet_tui.view.lines.commands import command_text
+from fleet_tui.view.lines.questions import question
+
+LABELS_WITHIN = 1.0
+"""Seconds more for labels, which a floor need not have, for the robot's word on whether it is paused, and for
+goals, of which there may be none."""
+
+LOOK = "fleet-tui status and fleet-tui audit show what became of it"
+
+ENDING = (signal.SIGTERM, signal.SIGHUP)
+"""`timeout` and services end a command so; a terminal that has gone does."""
+
+Say = Callable[..., None]
+
+
+class _Ended(KeyboardInterrupt):
+    """Somebody else ended it: it goes like Ctrl-C, but for the exit code."""
+
+
+def _end(number: int, _frame: object) -> None:
+    raise _Ended(number)
+
+
+def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> How:
+    """How the config and the options let commands be given."""
+    rights = Rights(config.operator.read_only, config.operator.armed)
+    return How(rights, timeout, yes, until_done)
+
+
+def forbidden(config: Config) -> str:
+    """Why this console may not command, empty where it may."""
+    if config.operator.read_only:
+        return f"this console is read-only: operator.read_only in {config.path}"
+    return "" if config.operator.armed else f"this console is not armed: operator.armed in {config.path}"
+
+
+def robots_of(config: Config, word: str) -> list[str]:
+    """The robots that a word means. Raises click's UsageError, naming the nearest, where there is none."""
+    state = initial_state(config, 0.0)
+    try:
+        return list(state.robots) if word.casefold() == ALL else [find_robot(word, state).name]
+    except CommandError as problem:
+        raise click.UsageError(visible(str(problem))) from None
+
+
+@contextmanager
+def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
+    """A link to send on, with the audit log kept; whoever ends it learns what is not known."""
+    given = None
+    # Under nohup it goes on when its terminal goes.
+    numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
+    for number in numbers:
+        signal.signal(number, _end)
+    with ExitStack() as opened:  # and closed after the last words: that takes its time
+        try:
+            link, store = opened.enter_context(session(config))
+            given = Sending(link, store, asked)
+            with auditing(state_folder(), config, store) as audit:
+                try:
+                    yield given
+                finally:
+                    for note in audit.notes:
+                        say(note, err=True)
+        except KeyboardInterrupt as end:
+            for number in (signal.SIGINT, *numbers):
+                signal.signal(number, signal.SIG_IGN)  # a second one would only spoil what is said now
+            with suppress(OSError):  # there may be nobody any more
+                if given and given.under_way:
+                    _say_what_is_open(given, say)
+                else:
+                    say("interrupted: nothing more was sent", err=True)
+            if isinstance(end, _Ended):
+                raise SystemExit(128 + end.args[0]) from None
+            raise
+
+
+def _say_what_is_open(given: Sending, say: Say) -> None:
+    for record in given.under_way:
+        known = f"order {record.order_id} is in the queue, and stays there"
+        if record.has_further_leg(given.state.robots[record.command.robot].kind):
+            known += ", but nobody gives the robot its other stops now"
+        known = known if record.is_decided else f"it was {record.stage.value}, and may still be carried out"
+        say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
+
+
+def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
+    """Wait for a link to each of these robots and, where they matter, for their reports."""
+
+    def comes(holds: Callable[[FleetState, Robot], object], seconds: float) -> None:
+        given.store.wait(
+            lambda state: all(holds(state, state.robots[name]) for name in robots), min(seconds, given.left)
+        )
+
+    if not reports:
+        comes(reaches, LINK_WITHIN)
+        return
+    comes(lambda state, robot: reaches(state, robot) and _is_heard(robot), LINK_WITHIN)
+    if all(reaches(given.state, given.state.robots[name]) for name in robots):
+        comes(
+            lambda _, robot: _has_labels(robot) and _tells_pause(robot) and _tells_goals(robot), LABELS_WITHIN
+        )
+
+
+def unreachable(state: FleetState, robots: Iterable[str]) -> str:
+    """Why the first of these robots that can't be reached can't be, empty where all can."""
+    asked = (no_link(state, state.robots[name], ResumeRobot(name)) for name in robots)
+    return next((problem.text for found in asked for problem in found), "")
+
+
+def _is_heard(robot: Robot) -> bool:
+    """Whether it has spoken, and all that a command is checked against has come."""
+    return robot.heard is not None and not unreported(robot)
+
+
+def _has_labels(robot: Robot) -> bool:
+    """Whether the labels of every floor have come."""
+    return not robot.kind.expects("labels") or all(chart.labels for chart in robot.charts.values())
+
+
+def _tells_pause(robot: Robot) -> bool:
+    return robot.paused is not None or not robot.says_paused
+
+
+def _tells_goals(robot: Robot) -> bool:
+    """Whether it is known what the robot drives: its action servers are silent before their first goal."""
+    return not robot.kind.keeps_goals or bool(robot.goals)
+
+
+def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say: Say) -> int:
+    """Give one command, in the words of the command language; the exit code."""
+    robots = robots_of(config, words[1])
+
+    def unsent(reason: str, code: int) -> int:
+        typed = visible(" ".join(words))
+        return said([Outcome(robots[0], typed, typed, NOT_SENT, reason, code)], as_json, say)
+
+    if reason := forbidden(config):
+        return unsent(reason, NOT_DONE)
+    with sending(config, asked, say) as given:
+        await_reports(given, robots, words[0] != "resume")
+        state = given.state
+        if reason := unreachable(state, robots):
+            return unsent(reason, NO_LINK)
+        try:
+            wish = parse_words(words, state)
+        except CommandError as wrong:
+            absent = unreported(state.robots[robots[0]])
+            if absent:
+                return unsent(f"{wrong}; never came: {', '.join(absent)}", NOT_DONE)
+            raise click.UsageError(visible(str(wrong))) from None
+        if not as_json and sys.stdin.isatty():
+            _ask(given, wish)
+        return said(given.give(wish), as_json, say, given)
+
+
+def _ask(given: Sending, wish: Wish) -> None:
+    """Ask a person at a terminal what others answer with --yes."""
+    found = given.warnings(wish)
+    shown = [problem for problem in found if problem.check != "losses"]
+    if found and click.confirm(question(given.state, wish, shown), err=True):
+        given.override()
+
+
+def pause(config: Config, word: str, asked: How, as_json: bool, say: Say) -> int:
+    """Pause a robot, or all, on each bridge as soon as there is a connection; the exit code."""
+    robots = robots_of(config, word)
+    with sending(config, asked, say) as given:
+        return said(given.pause(robots), as_json, say, given)
+
+
+def said(outcomes: Iterable[Outcome], as_json: bool, say: Say, given: Sending | None = None) -> int:
+    """Say each outcome when it is there, and how many robots as a whole; the exit code of all."""
+    codes, before = list[int](), len(given.records) if given else 0
+    for outcome in outcomes:
+        tell(outcome, as_json, say)
+        codes.append(outcome.code)
+    # Of several bridges the slower ones were told later: all of it is one request.
+    batch = given.records[before:] if given and not as_json else []
+    if given and len(batch) > 1 and all(isinstance(one.command, PauseRobot | ResumeRobot) for one in batch):
+        what, words = summary(given.state, batch)
+        say(visible(f"{what}: {words}"), err=exit_code(codes) != DONE)
+    return exit_code(codes)

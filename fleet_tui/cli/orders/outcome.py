@@ -1,0 +1,84 @@
+"""What became of one command, as a line or as JSON. docs/commands.md tells the schema."""
+
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass
+
+from fleet_tui.model.commands import Command, CommandRecord, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.language.grammar import written
+from fleet_tui.text.sanitize import visible
+from fleet_tui.view.lines.commands import command_text
+
+VERSION = 2
+DONE, NOT_DONE, USAGE, NO_LINK = 0, 1, 2, 3
+SUCCESSES = frozenset({Stage.CONFIRMED, Stage.TAKEN})
+NOT_SENT = Stage.NOT_SENT.value
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """`command` as it can be typed, `text` the same in words; `outcome` the stage at which it ended, with
+    the robot's or the console's own `words`; `code` the exit code that it asks for."""
+
+    robot: str
+    command: str
+    text: str
+    outcome: str
+    words: str
+    code: int
+    order_id: str | None = None
+    seconds: float | None = None
+
+    def line(self) -> str:
+        """The outcome in one line, harmless to a terminal."""
+        return visible(f"{self.text}: {self.outcome}" + (f" ({self.words})" if self.words else ""))
+
+
+def unsent(state: FleetState, command: Command, words: str, code: int, outcome: str = NOT_SENT) -> Outcome:
+    """The outcome of a command that never left."""
+    return _outcome(state, command, outcome, words, code)
+
+
+def ended(state: FleetState, record: CommandRecord, waited: float) -> Outcome:
+    """The outcome of a command that was sent; `waited`: for how many seconds, where it has not ended."""
+    # An order may have gone on already: what decided the command counts.
+    step = record.outcome or record.steps[-1]
+    words, code, outcome = step.words, NOT_DONE, step.stage.value
+    if step.stage in SUCCESSES:
+        code = DONE
+    elif not record.is_decided:
+        why = f"it was {outcome} {words}".strip()
+        outcome = Stage.UNKNOWN.value
+        words = f"{why}; nothing more came within {waited:.0f} s: it may still be carried out"
+    seconds = round(step.at - record.issued_at, 3) if record.is_decided else None
+    return _outcome(state, record.command, outcome, words, code, record.order_id, seconds)
+
+
+def _outcome(
+    state: FleetState,
+    command: Command,
+    outcome: str,
+    words: str,
+    code: int,
+    order_id: str | None = None,
+    seconds: float | None = None,
+) -> Outcome:
+    typed, text = written(command, state), command_text(state, command)
+    return Outcome(command.robot, typed, text, outcome, words, code, order_id, seconds)
+
+
+def tell(outcome: Outcome, as_json: bool, say: Callable[..., None]) -> None:
+    """Say an outcome: JSON to standard output, a line to standard output or, where it is bad, to errors."""
+    if as_json:
+        values = {"version": VERSION, **asdict(outcome), "done": outcome.code == DONE}
+        del values["text"], values["code"]
+        say(json.dumps(values))
+    else:
+        say(outcome.line(), err=outcome.code != DONE)
+
+
+def exit_code(codes: Iterable[int]) -> int:
+    """One exit code for several: no link and wrong usage only where that is all there is to say."""
+    found = set(codes) or {DONE}
+    return found.pop() if len(found) == 1 else NOT_DONE

@@ -1,0 +1,248 @@
+"""From a wish to the outcome of each of its commands: checked, sent, waited for."""
+
+import time
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+from fleet_tui.cli.orders.driving import follow_order
+from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, ended, unsent
+from fleet_tui.cli.session import WaitingStore
+from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.model.commands import (
+    ClearOrders,
+    Command,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.problem import Problem, Rights
+from fleet_tui.model.request import Wish
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
+
+LINK_WITHIN = 5.0
+"""Seconds to wait at most for a link and for what a robot reports."""
+
+HANDOVER = 2.0
+"""Seconds until the link has sent a command, or refused it, at most: one that comes later it refuses."""
+
+CODES = {"no link": NO_LINK, "unknown vertex": USAGE, "unattended": USAGE}
+
+
+@dataclass(frozen=True, slots=True)
+class How:
+    """How commands are to be given. `timeout`: seconds to wait at most for all that a line asks; `yes`:
+    warnings don't hold it back; `until_done`: an order is done when it was driven."""
+
+    rights: Rights
+    timeout: float
+    yes: bool = False
+    until_done: bool = False
+
+
+def unreported(robot: Robot) -> list[str]:
+    """What an order or a cancel is checked and confirmed against, of what has not come."""
+    kind = robot.kind
+    values: dict[str, object] = {
+        name: getattr(robot, name) for name in ("queue", "cargo") if kind.expects(name)
+    }
+    if kind.keeps_goals:  # by its first sign of life the goals that it has are known
+        values["pose"] = robot.pose
+    if kind.expects("graph"):
+        values |= {f"graph of {floor}": chart.graph for floor, chart in robot.charts.items()}
+    return [name for name, value in values.items() if value is None]
+
+
+def reaches(state: FleetState, robot: Robot) -> bool:
+    """Whether commands to a robot are known to get through."""
+    link = state.links[robot.link]
+    return link.phase is Phase.UP and link.command_path in (CommandPath.ALIVE, CommandPath.UNREGISTERED)
+
+
+def _losses(state: FleetState, wish: Wish) -> Iterator[Problem]:
+    """Warn of a clear: whoever types it sees no queue."""
+    for command in wish.commands:
+        robot = state.robots.get(command.robot)
+        if isinstance(command, ClearOrders) and robot is not None and robot.orders.open:
+            count = len(robot.orders.open)
+            text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
+            yield Problem("losses", text, blocks=False)
+
+
+def _unattended(state: FleetState, wish: Wish) -> Iterator[Problem]:
+    """Name the orders whose later stops nobody would give once this command has ended."""
+    for command in wish.commands:
+        robot = state.robots.get(command.robot)
+        if isinstance(command, PlaceOrder) and robot and robot.kind.gives_stops and len(command.stops) > 1:
+            stays = f"{robot.name} takes one stop at a time: with --until-done this command stays"
+            yield Problem("unattended", f"{stays}, and gives the next one")
+
+
+def divide(state: FleetState, wish: Wish) -> tuple[Wish, list[Outcome]]:
+    """Of a wish for several robots what their kinds accept, and what becomes of the rest."""
+    able = acceptable(state, wish)[0]
+    return able, _unable(state, (one for one in wish.commands if one not in able.commands))
+
+
+def _unable(state: FleetState, commands: Iterable[Command]) -> list[Outcome]:
+    return [unsent(state, command, unaccepted(state, command), NOT_DONE) for command in commands]
+
+
+class Sending:
+    """Gives commands on a session, and keeps the record of each: the state forgets old ones."""
+
+    def __init__(self, link: FleetLink, store: WaitingStore, how: How) -> None:
+        self._link = link
+        self.store = store
+        self._how = how
+        self._records: dict[int, CommandRecord] = {}
+        self._driven: dict[int, Outcome] = {}
+        store.watchers.append(self._keep)
+        self.begin()
+
+    def begin(self) -> None:
+        """The time that a line may take begins now."""
+        self._deadline = time.monotonic() + self._how.timeout
+
+    def _keep(self, before: FleetState, after: FleetState) -> None:
+        self._records.update((record.id, record) for record in after.commands)
+
+    @property
+    def state(self) -> FleetState:
+        """The newest picture of the fleet."""
+        return self.store.state
+
+    @property
+    def records(self) -> list[CommandRecord]:
+        """Every command that was given."""
+        return list(self._records.values())
+
+    @property
+    def left(self) -> float:
+        """Seconds until the time is up."""
+        return max(0.0, self._deadline - time.monotonic())
+
+    @property
+    def under_way(self) -> list[CommandRecord]:
+        """What was given and of which the last is not known."""
+        return [
+            record for id_, record in self._records.items() if not record.is_decided or id_ in self._driven
+        ]
+
+    def give(self, wish: Wish) -> Iterator[Outcome]:
+        """Check a wish, send it, and wait for the outcome of each command. To one robot they are sent one
+        after the other, none after one that went wrong; to several, all at once."""
+        wish, unable = divide(self.state, wish)
+        yield from unable
+        wrong = self._problems(wish)
+        if wrong:
+            yield from self._hold_back(wish.commands, wrong)
+        elif len({command.robot for command in wish.commands}) > 1:
+            yield from self.await_ends([self._link.submit(command) for command in wish.commands])
+        else:
+            yield from self._one_after_the_other(wish.commands)
+
+    def check(self, wish: Wish) -> list[Outcome]:
+        """What would hold a wish back now, nothing where it would be sent."""
+        wrong = self._problems(wish)
+        return list(self._hold_back(wish.commands, wrong)) if wrong else []
+
+    def warnings(self, wish: Wish) -> list[Problem]:
+        """What a person may override, nothing where the wish is never sent."""
+        found = self._problems(wish)
+        return [] if any(problem.blocks for problem in found) else found
+
+    def override(self) -> None:
+        """Send in spite of warnings from now on."""
+        self._how = replace(self._how, yes=True)
+        self.begin()
+
+    def _problems(self, wish: Wish) -> list[Problem]:
+        found = [*problems(self.state, wish, self._how.rights), *_losses(self.state, wish)]
+        if not self._how.until_done:
+            found += _unattended(self.state, wish)
+        asked = [command for command in wish.commands if not isinstance(command, PauseRobot | ResumeRobot)]
+        for name in dict.fromkeys(command.robot for command in asked):
+            absent = unreported(self.state.robots[name])
+            if absent:
+                found.append(Problem("never came", f"{name}: never came: {', '.join(absent)}", blocks=False))
+        return [problem for problem in found if problem.blocks or not self._how.yes]
+
+    def _hold_back(self, commands: Sequence[Command], wrong: list[Problem]) -> Iterator[Outcome]:
+        words = ", ".join(problem.text for problem in wrong)
+        words += "" if wrong[0].blocks else ": --yes sends it all the same"
+        code = CODES.get(wrong[0].check, NOT_DONE) if wrong[0].blocks else NOT_DONE
+        yield from (unsent(self.state, command, words, code) for command in commands)
+
+    def _one_after_the_other(self, commands: Sequence[Command]) -> Iterator[Outcome]:
+        for number, command in enumerate(commands):
+            command_id = self._link.submit(command)
+            (outcome,) = self.await_ends([command_id])
+            if outcome.code == DONE and self._how.until_done:
+                self._driven[command_id] = outcome
+                continue
+            yield outcome
+            if outcome.code != DONE:
+                rest = commands[number + 1 :]
+                yield from (unsent(self.state, one, "the one before went wrong", NOT_DONE) for one in rest)
+                break
+        while self._driven:
+            command_id, outcome = next(iter(self._driven.items()))
+            latest = partial(self._records.__getitem__, command_id)
+            driven = follow_order(latest, outcome, self.store, self.left)
+            del self._driven[command_id]
+            yield driven
+
+    def pause(self, robots: Sequence[str]) -> Iterator[Outcome]:
+        """Pause robots, those of a bridge as soon as it can be reached, however slow the others are."""
+        unable = [name for name in robots if unaccepted(self.state, PauseRobot(name))]
+        yield from _unable(self.state, map(PauseRobot, unable))
+        ids, waiting = list[int](), [name for name in robots if name not in unable]
+        until = time.monotonic() + min(LINK_WITHIN, self.left)
+        while waiting:
+            now = self._reached(waiting, until - time.monotonic())
+            ids += [self._link.submit(PauseRobot(name)) for name in now]
+            waiting = [name for name in waiting if name not in now]
+        yield from self.await_ends(ids)
+
+    def _reached(self, waiting: list[str], seconds: float) -> list[str]:
+        """The robots that a pause can be sent to; all of them when it is no use to wait any longer."""
+
+        def connected(state: FleetState) -> list[str]:
+            links = {name: state.links[state.robots[name].link] for name in waiting}
+            return [name for name, link in links.items() if link.commands_connected]
+
+        if self._how.rights.read_only or not self.store.wait(connected, seconds):
+            return waiting
+        return connected(self.state)
+
+    def await_ends(self, ids: Sequence[int]) -> Iterator[Outcome]:
+        """Wait for the end of each command."""
+        for command_id in ids:
+            # However little time is left for an answer: whether it left at all is known here.
+            self.store.wait(partial(self._was_tried, command_id), HANDOVER)
+            self.store.wait(partial(self._has_ended, command_id), self.left)
+            record = self._records.get(command_id)
+            if record is not None:
+                yield self._with_link(ended(self.state, record, self._how.timeout), record)
+
+    def _was_tried(self, command_id: int, _: FleetState) -> bool:
+        return command_id in self._records and self._records[command_id].stage is not Stage.CHECKED
+
+    def _has_ended(self, command_id: int, _: FleetState) -> bool:
+        return command_id in self._records and self._records[command_id].is_decided
+
+    def _with_link(self, outcome: Outcome, record: CommandRecord) -> Outcome:
+        """The exit code of no link, where that kept it from being sent."""
+        if record.stage is not Stage.NOT_SENT or self._how.rights.read_only:
+            return outcome
+        link = self.state.links[self.state.robots[record.command.robot].link]
+        if link.commands_connected and link.command_path is not CommandPath.DEAD:
+            return outcome
+        words = f"{outcome.words}: {link.command_reason}" if link.command_reason else outcome.words
+        return replace(outcome, words=words, code=NO_LINK)

@@ -1,0 +1,173 @@
+"""`fleet-tui record`: writes what comes over the wire, without a screen. It only listens."""
+
+import shlex
+import signal
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from types import FrameType
+
+import msgspec
+
+from fleet_tui.audit.log import new_origin
+from fleet_tui.cli.session import WaitingStore, has_link, session
+from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.config.access import access_problems
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.errors import ConfigError
+from fleet_tui.maps.floor_files import load_maps
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
+from fleet_tui.recording.part_files import Limits
+from fleet_tui.recording.recorder import Recorder
+from fleet_tui.recording.taps import Taps
+from fleet_tui.text.sanitize import visible
+
+FINE, NO_LINK = 0, 3
+ENDING = (signal.SIGTERM, signal.SIGHUP)
+"""A service is ended, a terminal has gone."""
+LOOK_EVERY, SHOW_EVERY = 0.25, 1.0
+"""Seconds between looks at how it goes, and until the line on a terminal is written again."""
+MAP_WITHIN = 20.0
+"""Seconds for a live map to come before the next one is asked for."""
+
+Say = Callable[[str], None]
+
+
+class Ended(Exception):  # noqa: N818  # asked for from outside, no error
+    """Somebody asked it to end, or its terminal has gone."""
+
+
+@contextmanager
+def _ended_by_signals() -> Iterator[None]:
+    # Under nohup it goes on when its terminal goes.
+    numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
+
+    def end(_number: int, _frame: FrameType | None) -> None:
+        # What comes now must not be cut short by another one.
+        for number in numbers:
+            signal.signal(number, signal.SIG_IGN)
+        raise Ended
+
+    for number in numbers:
+        signal.signal(number, end)
+    with suppress(Ended):
+        yield
+
+
+class _Watch:
+    """Says what changes, and on a terminal how it goes."""
+
+    def __init__(self, recorder: Recorder, say: Say, is_live: bool) -> None:
+        self._recorder, self._say, self._is_live = recorder, say, is_live
+        self._links: dict[str, str] = {}
+        self._problem = ""
+        self._counted, self._written, self._shown_at = 0, 0, time.monotonic()
+        self.had_link = False
+
+    def look(self, state: FleetState) -> None:
+        """Say what has changed."""
+        self.had_link = self.had_link or has_link(state)
+        for link in state.links.values():
+            up = link.phase is Phase.UP
+            words = "up" if up else f"no link{': ' if link.reason else ''}{link.reason}"
+            if self._links.get(link.name) != words and (up or link.reason):
+                self._links[link.name] = words
+                self._line(f"{link.url}: {words}")
+        problem = self._recorder.problem
+        if problem != self._problem:
+            self._problem = problem
+            self._line(f"not recorded: {problem}" if problem else "recording again")
+        if self._is_live and time.monotonic() - self._shown_at >= SHOW_EVERY:
+            self._show(state)
+
+    def _line(self, text: str) -> None:
+        if self._is_live:
+            sys.stderr.write("\r\x1b[K")
+        self._say(visible(text))
+
+    def _show(self, state: FleetState) -> None:
+        """One line that is written over."""
+        recorder, now = self._recorder, time.monotonic()
+        passed = now - self._shown_at
+        rate, flow = (recorder.records - self._counted) / passed, (recorder.size - self._written) / passed
+        self._counted, self._written, self._shown_at = recorder.records, recorder.size, now
+        online = sum(map(state.is_online, state.robots.values()))
+        size = f"{recorder.size / 1e6:.1f} MB ({flow / 1e3:.0f} kB/s)"
+        text = (
+            f"{now - recorder.began:.0f} s, {online} of {len(state.robots)} robots online, "
+            f"{recorder.records:,} records ({rate:.0f}/s), {size}"
+        )
+        sys.stderr.write(f"\r{text[:79]}\x1b[K")
+        sys.stderr.flush()
+
+    def close(self, state: FleetState) -> None:
+        """Say how it ended."""
+        self.look(state)
+        recorder, files = self._recorder, len(self._recorder.paths)
+        size = f"{recorder.size / 1e6:.1f} MB in {files} file{'s' * (files != 1)}"
+        self._line(f"{recorder.records:,} records, {size}")
+
+
+def _load_maps(config: Config, link: FleetLink) -> None:
+    for loaded in load_maps(config):
+        link.tell(loaded)
+
+
+def _has_no_map(state: FleetState, robot: str, floor: str) -> bool:
+    return state.robots[robot].charts[floor].grid is None and state.floors[floor].live is None
+
+
+def _live_maps(config: Config, store: WaitingStore, link: FleetLink) -> Iterator[None]:
+    """Ask for one live map after the other, of each floor that has no file: so a replay can show it."""
+    for floor in [floor.name for floor in config.floors if not floor.map]:
+        robot = next((robot.name for robot in config.robots if floor in config.floors_of(robot)), "")
+        until = time.monotonic() + MAP_WITHIN
+        while robot and not has_link(store.state):
+            until = time.monotonic() + MAP_WITHIN
+            yield
+        if robot:
+            link.show_map(robot, floor)
+        while robot and _has_no_map(store.state, robot, floor) and time.monotonic() < until:
+            yield
+    link.show_map(config.robots[0].name, "")
+
+
+def record(
+    config: Config, path: Path, limits: Limits, seconds: float, timeout: float, say: Say, is_live: bool
+) -> int:
+    """Record for so many seconds, until SIGTERM or Ctrl-C; the exit code. Without a link within `timeout`
+    seconds it ends. Raises RecordingError where the file can't be made, ConfigError for an unsafe secret."""
+    operator = msgspec.structs.replace(config.operator, read_only=True)
+    config = msgspec.structs.replace(config, operator=operator)
+    problems = access_problems(config)
+    if problems:
+        # Before there is a file.
+        raise ConfigError([f"{config.path}: {line}" for line in problems])
+    store = WaitingStore(initial_state(config, time.monotonic()))
+    taps = Taps()
+    recorder = taps.attach(Recorder(path, config, store, new_origin(config), limits))
+    shown = visible(str(path))
+    say(f"recording to {shown}; to look at it: fleet-tui replay {shlex.quote(shown)}")
+    watch = _Watch(recorder, say, is_live)
+    with _ended_by_signals():
+        try:
+            with session(config, taps, store) as (link, _):
+                _load_maps(config, link)
+                maps = _live_maps(config, store, link)
+                while _goes_on(recorder.began, seconds, timeout, watch):
+                    next(maps, None)
+                    watch.look(store.state)
+                    time.sleep(LOOK_EVERY)
+        finally:
+            taps.detach(recorder)
+            watch.close(store.state)
+    return FINE if watch.had_link else NO_LINK
+
+
+def _goes_on(began: float, seconds: float, timeout: float, watch: _Watch) -> bool:
+    passed = time.monotonic() - began
+    return passed < seconds and (watch.had_link or passed < timeout)

@@ -1,0 +1,88 @@
+"""The command that plays a recording; imported when a command that needs the command line is."""
+
+import sys
+import time
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import click
+
+from fleet_tui.cli.options import FileName, common, merged, screen
+from fleet_tui.config.load import load_if_any
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import ConfigError
+from fleet_tui.text.sanitize import visible
+
+PATIENCE = 0.5
+"""Seconds between two words on how far it is."""
+
+
+@click.group()
+def replayed() -> None:
+    """Holds the command; the command line shows it as its own."""
+
+
+@replayed.command()
+@click.argument("file", type=FileName())
+@click.option(
+    "--speed",
+    type=click.FloatRange(0.25, 64),
+    default=1.0,
+    show_default=True,
+    help="How many times as fast as it was.",
+)
+@click.option(
+    "--at", "start", default="", metavar="TIME", help="12:04:31, 2024-05-31T12:04:31, +90s or +1m30s."
+)
+@screen
+@common
+@merged
+def replay(
+    config_file: str | None,
+    debug: bool,
+    file: str,
+    speed: float,
+    start: str,
+    read_only: bool,
+    drawing: str | None,
+) -> None:
+    """Look at a recording, or a ROS bag, with the console. Nothing can be sent."""
+    from fleet_tui.bags.opening import is_bag
+    from fleet_tui.console import open_replay
+    from fleet_tui.recording.play.start import playing
+
+    found, path, notes = load_if_any(config_file), Path(file), list[str]()
+    with TemporaryDirectory(prefix="fleet-tui-") as folder:
+        if is_bag(path):
+            path, notes = _recording_of(path, found, Path(folder))
+        player, config = playing(path, found, speed, start, _Progress(), notes)
+        open_replay(config, player, drawing, debug)
+
+
+def _recording_of(bag: Path, config: Config, folder: Path) -> tuple[Path, list[str]]:
+    """What a bag has of the configured topics, as a recording, and what is to be said of it."""
+    from fleet_tui.bags.convert import convert
+    from fleet_tui.bags.opening import BagError
+
+    made = folder / "bag.jsonl.gz"
+    try:
+        notes = convert(bag, config, made, _Progress()).notes
+    except BagError as problem:
+        raise ConfigError([str(problem)]) from None
+    over_progress = "\r" if sys.stderr.isatty() else ""
+    for note in notes:
+        click.echo(over_progress + visible(note), err=True)
+    return made, notes
+
+
+class _Progress:
+    """Says how far reading is, where that takes a while."""
+
+    def __init__(self) -> None:
+        self._next = time.monotonic() + PATIENCE
+
+    def __call__(self, share: float) -> None:
+        now = time.monotonic()
+        if now >= self._next and sys.stderr.isatty():
+            self._next = now + PATIENCE
+            click.echo(f"\rreading: {share:4.0%} ", nl=False, err=True)

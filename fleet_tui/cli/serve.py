@@ -1,0 +1,84 @@
+"""`fleet-tui serve`. The web server is imported when it is to run: it is an extra."""
+
+import sys
+
+import click
+
+from fleet_tui.cli.options import drawing_mode, fleet, merged
+from fleet_tui.config.load import find, load
+from fleet_tui.errors import ConfigError, FleetError, NoConfigError
+
+
+@click.group()
+def served() -> None:
+    """Holds the command; the command line shows it as its own."""
+
+
+@served.command()
+@click.option(
+    "--port", type=click.IntRange(0, 65535), default=8000, show_default=True, help="0 takes a free one."
+)
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
+@click.option(
+    "--allow-commands", is_flag=True, help="Let commands leave; without it the browser only watches."
+)
+@click.option("--demo", is_flag=True, help="Every tab with a simulated fleet of its own.")
+@drawing_mode
+@fleet
+@merged
+def serve(
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+    port: int,
+    host: str,
+    allow_commands: bool,
+    demo: bool,
+    drawing: str | None,
+) -> None:
+    """Show the console in a browser, on this machine alone and read-only unless told otherwise."""
+    command = [sys.executable, "-m", "fleet_tui", *(["demo"] if demo else [])]
+    command += _address(url, config_file, demo, allow_commands, debug) if url else _file(config_file, demo)
+    command += [] if allow_commands else ["--read-only"]
+    command += ["--debug"] if debug else []
+    command += ["--drawing", drawing] if drawing else []
+    try:
+        from fleet_tui.serve.run import run
+    except ModuleNotFoundError as missing:
+        needed = "pip install 'textual-serve==1.1.3', or fleet-tui with its extra: 'fleet-tui[serve]'"
+        raise FleetError(f"serve needs {missing.name}, which is not installed: {needed}") from missing
+    click.echo(_said(allow_commands), err=True)
+    run(command, host, port, debug, click.echo, lambda line: click.echo(line, err=True))
+
+
+def _address(url: str, config_file: str | None, demo: bool, allow_commands: bool, debug: bool) -> list[str]:
+    """Return the option for the fleet at an address. What is wrong with it is said here, not in each tab."""
+    if config_file or demo:
+        raise click.UsageError(f"{'--config' if config_file else '--demo'} and --url: one of them")
+    from fleet_tui.discovery.address import bridge_at
+    from fleet_tui.discovery.awaiting import Discovering
+    from fleet_tui.log_file import log_to_file
+
+    log_to_file(debug)
+    site = Discovering(bridge_at(url)).result()
+    if site.config.robots and site.unclear and allow_commands:
+        raise ConfigError(site.unclear)
+    return ["--url", url]
+
+
+def _file(config_file: str | None, demo: bool) -> list[str]:
+    """Return the option for a configuration; a demo needs none."""
+    try:
+        path = find(config_file)
+    except NoConfigError:
+        if demo:
+            return []
+        raise
+    load(path)
+    return ["--config", str(path.absolute())]
+
+
+def _said(allow_commands: bool) -> str:
+    if allow_commands:
+        return "Commands are allowed: who opens a tab commands the robots."
+    return "read-only: no command leaves; --allow-commands lets them."

@@ -1,0 +1,206 @@
+"""The commands that simulate robots. The command line imports this module when one of them is asked for."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, TypeVar
+
+import click
+
+from fleet_tui.cli.options import common, merged, screen
+from fleet_tui.config.load import load_if_any
+from fleet_tui.errors import did_you_mean
+from fleet_tui.simulator.faults import parse_faults_of
+from fleet_tui.simulator.kinds import KINDS
+from fleet_tui.simulator.site import MIXED, faults_of, needs_graph_files, site_of
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def _fault_list(kind: str) -> str:
+    return "\n".join(f"  {name:<15}{text}" for name, (text, _) in KINDS[kind].faults.items())
+
+
+USUAL = next(iter(KINDS))
+FAULT_LIST = "\b\nFaults:\n" + _fault_list(USUAL)
+WORDS = (*KINDS, MIXED)
+LAST_PORT = 65535
+ALL_FAULTS = FAULT_LIST + "".join(
+    f"\n\n\b\nFaults of --kind {kind}:\n{_fault_list(kind)}" for kind in KINDS if kind != USUAL
+)
+
+
+def _faults(command: F) -> F:
+    """What the simulator is to do wrong."""
+    return click.option(
+        "--fault",
+        default="",
+        metavar="NAME[:ROBOT],...",
+        help="What goes wrong, for every robot or for one; see below.",
+    )(command)
+
+
+def _simulation(command: F) -> F:
+    """How the simulator behaves, faults aside."""
+    speed = click.option(
+        "--speed",
+        type=click.FloatRange(0.1, 100.0),
+        default=1.0,
+        show_default=True,
+        help="Seconds of the robots' time in a second; the rates on the wire stay.",
+    )
+    return speed(_faults(command))
+
+
+def _ros(command: F) -> F:
+    """The generation of ROS; without it the one that is usual for the robots."""
+    return click.option(
+        *("--ros", "ros"),
+        type=click.Choice(["1", "2"]),
+        default=None,
+        show_default="the usual one of the kind",
+        help="Generation of ROS.",
+    )(command)
+
+
+def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) -> str:
+    if kind not in WORDS:
+        near = did_you_mean(kind, WORDS) or f": {', '.join(WORDS)}"
+        raise click.BadParameter(f"no such kind of robots: {kind}{near}")
+    return kind
+
+
+def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None:
+    """Say that the servers are there. Before that, a port may not be had, and no file is written."""
+    from fleet_tui.simulator.navigating.graph_file import write_graphs
+
+    if graph_file:
+        write_graphs(graph_file, floors)
+    for url in urls:
+        click.echo(url)
+
+
+@click.group()
+def simulated() -> None:
+    """Holds the commands; the command line shows them as its own."""
+
+
+def _kind(command: F) -> F:
+    """The kind of the simulated robots."""
+    return click.option(
+        *("--kind", "kind"),
+        default=USUAL,
+        callback=_known_kind,
+        metavar="|".join(WORDS),
+        show_default=True,
+        help=f"What the robots are; {MIXED}: of all kinds in turn, on two bridges.",
+    )(command)
+
+
+def _check(kind: str, robots: int, ros: str | None) -> None:
+    """Refuse what such robots can't be. Raises UsageError."""
+    if kind == MIXED:
+        if robots < len(KINDS):
+            raise click.UsageError(f"robots of all {len(KINDS)} kinds are at least --robots {len(KINDS)}")
+        if ros:
+            raise click.UsageError("robots of all kinds run on ROS 1 and 2: --ros is for one kind")
+    elif ros and ros not in KINDS[kind].ros:
+        raise click.UsageError(f"robots of kind {kind} run on ROS {' and '.join(KINDS[kind].ros)} only")
+
+
+@simulated.command(epilog=ALL_FAULTS)
+@_kind
+@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
+@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@_ros
+@_simulation
+@screen
+@common
+@merged
+def demo(
+    config_file: str | None,
+    debug: bool,
+    kind: str,
+    robots: int,
+    floors: int,
+    fault: str,
+    speed: float,
+    ros: str | None,
+    read_only: bool,
+    drawing: str | None,
+) -> None:
+    """Open the console on a simulated fleet. No ROS, no network."""
+    from fleet_tui.demo import simulated as running
+
+    _check(kind, robots, ros)
+    parse_faults_of(fault, faults_of(site_of(kind, robots, ros or "")))
+    with (
+        TemporaryDirectory(prefix="fleet-tui-") as folder,
+        running(robots, floors, fault, speed, ros or "", kind) as urls,
+    ):
+        from fleet_tui.console import open_console
+        from fleet_tui.demo import demo_config
+
+        found = load_if_any(config_file)
+        first, *further = urls
+        config = demo_config(found, first, robots, floors, ros or "", kind, Path(folder), further)
+        open_console(config, read_only, drawing, debug, demo=True)
+
+
+@simulated.command(epilog=ALL_FAULTS)
+@_kind
+@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
+@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@click.option(
+    "--port",
+    type=click.IntRange(0, LAST_PORT),
+    default=9090,
+    show_default=True,
+    help=f"0 takes a free one. A {MIXED} fleet takes the next one too.",
+)
+@click.option(
+    "--rate", type=click.FloatRange(0.1, 100), default=10.0, show_default=True, help="Poses per second."
+)
+@click.option("--seed", type=int, default=1, show_default=True)
+@click.option("--stop-with-stdin", is_flag=True, hidden=True)
+@click.option(
+    "--first", type=click.IntRange(0, 9999), default=0, show_default=True, help="Number of the first robot."
+)
+@click.option(
+    "--graph-file",
+    metavar="PATH",
+    type=click.Path(path_type=Path),
+    help="Write the route graph, for robots that publish none, here: a GeoJSON file, with several floors a"
+    " folder of them.",
+)
+@_ros
+@_simulation
+@common
+@merged
+def sim(
+    config_file: str | None,
+    debug: bool,
+    kind: str,
+    robots: int,
+    floors: int,
+    port: int,
+    rate: float,
+    seed: int,
+    stop_with_stdin: bool,
+    first: int,
+    graph_file: Path | None,
+    fault: str,
+    speed: float,
+    ros: str | None,
+) -> None:
+    """Serve a simulated fleet to several consoles, until Ctrl-C."""
+    from fleet_tui.simulator.run import run
+
+    _check(kind, robots, ros)
+    if kind == MIXED and port == LAST_PORT:
+        raise click.UsageError(f"a {MIXED} fleet takes two ports: --port {LAST_PORT} is the last one")
+    if graph_file and not needs_graph_files(kind):
+        raise click.UsageError(f"robots of kind {kind} publish their graph: --graph-file is for others")
+    announce = partial(_announce, graph_file, floors)
+    run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros or "", kind)

@@ -1,0 +1,177 @@
+"""The fleet at one moment as plain values, for `status --json`. The schema is in docs/status.md."""
+
+import math
+from typing import Any
+
+from fleet_tui.cli.session import missing
+from fleet_tui.cli.status.navigation import navigation
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import PAUSE
+from fleet_tui.model.link import NO_WAY, LinkState, Phase
+from fleet_tui.model.order import Stop
+from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.alarms.conditions import behind, late
+
+VERSION = 2
+
+Values = dict[str, Any]
+
+
+def _age(state: FleetState, at: float | None) -> float | None:
+    return None if at is None else round(max(0.0, state.now - at), 1)
+
+
+def _link(state: FleetState, link: LinkState) -> Values:
+    return {
+        "name": link.name,
+        "url": link.url,
+        "state": link.phase.value,
+        "reason": link.reason or None,
+        "since_s": _age(state, link.since),
+        "last_message_s": _age(state, link.heard),
+        "commands": link.command_path.value,
+        "commands_reason": link.command_reason or None,
+        "late_s": round(link.late, 1),
+        "bad_frames": link.faults,
+    }
+
+
+def _value(reading: Reading[Any] | None, digits: int = 1) -> Any:
+    if reading is None:
+        return None
+    return round(reading.value, digits) if isinstance(reading.value, float) else reading.value
+
+
+def _pose(robot: Robot, state: FleetState) -> Values | None:
+    if robot.pose is None:
+        return None
+    pose = robot.pose.value
+    yaw = round(math.degrees(pose.yaw), 1)
+    return {
+        "x_m": round(pose.x, 2),
+        "y_m": round(pose.y, 2),
+        "yaw_deg": yaw,
+        "age_s": _age(state, robot.pose.at),
+    }
+
+
+def _stop(robot: Robot, role: str, stop: Stop | None) -> Values:
+    if stop is None or stop.pose is not None:
+        place = None if stop is None or stop.pose is None else [round(stop.pose.x, 2), round(stop.pose.y, 2)]
+        return {role: None, f"{role}_label": None, f"{role}_m": place}
+    return {role: stop.vertex, f"{role}_label": robot.name_of(stop.vertex), f"{role}_m": None}
+
+
+def _orders(robot: Robot) -> list[Values]:
+    return [
+        {
+            "position": position,
+            "id": order.id,
+            **_stop(robot, "start", order.start),
+            **_stop(robot, "end", order.end),
+            "status": order.word,
+            "status_text": order.state.value if order.state else None,
+            "current": robot.orders.is_current(order),
+        }
+        for position, order in enumerate(robot.orders.in_sequence())
+    ]
+
+
+def _robot(state: FleetState, robot: Robot) -> Values:
+    kind = robot.kind
+    values: Values = {
+        "name": robot.name,
+        "kind": kind.name,
+        "link": robot.link,
+        "online": state.is_online(robot),
+        "heard_s": _age(state, robot.heard),
+    }
+    if "pose" in kind.reports:
+        values |= {
+            "floor": robot.floor,
+            "frame_id": robot.frame_id or None,
+            "pose": _pose(robot, state),
+        }
+    told = {
+        "battery": ("battery_percent", _value(robot.battery)),
+        "cargo": ("cargo", _value(robot.cargo)),
+        "obstacle": ("obstacle_s", _value(robot.obstacle)),
+    }
+    values |= {name: value for reported, (name, value) in told.items() if reported in kind.reports}
+    if "paused" in kind.reports or kind.can(PAUSE):
+        values["paused"] = state.pause(robot)
+    if kind.lists_orders:
+        values["orders"] = _orders(robot) if robot.queue else None
+    values |= navigation(state, robot)
+    return values | {"bad_messages": robot.faults, "never_came": missing(robot)}
+
+
+def attention(state: FleetState) -> list[str]:
+    """One line for each thing that is not as it should be; empty when all is well."""
+    # Said before they have lasted long enough for an alarm: this command does not wait for that.
+    lagging = [behind(state), *(late(state, link, {}) for link in state.links.values())]
+    lines = [f"{one.source}: {one.text}" for one in lagging if one is not None]
+    for link in state.links.values():
+        if link.phase is not Phase.UP:
+            lines.append(f"{link.name}: no link to {link.url}: {link.reason or 'nothing answers'}")
+        elif link.command_path in NO_WAY:
+            lines.append(f"{link.name}: commands don't get through: {link.command_reason}")
+    for alarm in state.alarms:
+        if alarm.holds and alarm.condition.kind not in ("link", "commands"):
+            lines.append(f"{alarm.condition.source}: {alarm.text}")
+    for robot in state.robots.values():
+        absent = missing(robot)
+        if state.links[robot.link].phase is not Phase.UP or not absent:
+            continue
+        lines.append(
+            f"{robot.name}: never seen"
+            if robot.heard is None
+            else f"{robot.name}: never came: {', '.join(absent)}"
+        )
+    # An alarm may have said it already.
+    return list(dict.fromkeys(lines))
+
+
+def report(state: FleetState) -> Values:
+    """Everything that `status --json` prints."""
+    return {
+        "version": VERSION,
+        "time": state.wall,
+        "behind_s": round(state.behind, 1),
+        "links": [_link(state, link) for link in state.links.values()],
+        "robots": [_robot(state, robot) for robot in state.robots.values()],
+        "alarms": [
+            {
+                "source": alarm.condition.source,
+                "kind": alarm.condition.kind,
+                "priority": alarm.condition.priority.name.lower(),
+                "text": alarm.text,
+                "active": alarm.holds,
+            }
+            for alarm in state.alarms
+        ],
+        "attention": attention(state),
+    }
+
+
+def changes(before: Values, after: Values) -> Values:
+    """What of a report is not as it was: whole links and robots, all alarms; ages alone are no change."""
+    changed: Values = {}
+    for part in ("links", "robots"):
+        old = {entry["name"]: _ageless(entry) for entry in before[part]}
+        new = [entry for entry in after[part] if _ageless(entry) != old.get(entry["name"])]
+        if new:
+            changed[part] = new
+    for part in ("alarms", "attention"):
+        if after[part] != before[part]:
+            changed[part] = after[part]
+    return {"version": VERSION, "time": after["time"], "changed": changed} if changed else {}
+
+
+def _ageless(entry: Values) -> Values:
+    ages = ("since_s", "last_message_s", "heard_s", "late_s", "blocked_s")
+    kept = {name: value for name, value in entry.items() if name not in ages}
+    for part, age in (("pose", "age_s"), ("progress", "elapsed_s")):
+        if kept.get(part):
+            kept[part] = {name: value for name, value in kept[part].items() if name != age}
+    return kept

@@ -1,0 +1,95 @@
+"""`fleet-tui status`: the fleet as a table, as JSON or as one line."""
+
+import json
+import shutil
+import time
+from collections.abc import Callable
+
+from fleet_tui.cli.session import WaitingStore, has_link, is_known, session
+from fleet_tui.cli.status.report import attention, changes, report
+from fleet_tui.config.schema import Config
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.sanitize import visible
+from fleet_tui.view.lines.status import status_line
+from fleet_tui.view.tables.alarms import alarm_table
+from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.view.tables.table import Run
+
+FINE, ATTENTION, NO_LINK = 0, 1, 3
+WATCH_EVERY = 1.0
+RIPENS = 0.5
+ONE_LINE = 79
+
+Say = Callable[[str], None]
+
+
+def _text(runs: tuple[Run, ...]) -> str:
+    return "".join(text for text, _ in runs).rstrip()
+
+
+def table(state: FleetState) -> str:
+    """The fleet in words: the same rows as the console's, then what needs attention."""
+    width = max(60, shutil.get_terminal_size((120, 24)).columns)
+    first = next(iter(state.robots))
+    fleet = fleet_table(state, first, width)
+    lines = [_text(status_line(state, "")), *(_text(row.runs) for row in fleet.rows)]
+    alarms = alarm_table(state, lambda wall: time.strftime("%H:%M:%S", time.localtime(wall)))
+    lines += [_text(row.runs) for row in alarms.rows]
+    wrong = attention(state)
+    lines += [f"! {visible(line)}" for line in wrong] if wrong else ["all well"]
+    return "\n".join(line.strip() for line in lines)
+
+
+def one_line(state: FleetState) -> str:
+    """What fits a status bar: who is online, and the first thing that needs attention."""
+    online = sum(state.is_online(robot) for robot in state.robots.values())
+    wrong = attention(state)
+    text = f"{online}/{len(state.robots)} online"
+    if wrong:
+        more = f" +{len(wrong) - 1}" if len(wrong) > 1 else ""
+        room = ONE_LINE - len(text) - len(more) - 3
+        first = visible(wrong[0])
+        text += f" ! {first if len(first) <= room else first[: room - 3] + '...'}{more}"
+    return text
+
+
+def verdict(state: FleetState) -> int:
+    """The exit code that says how the fleet is."""
+    if not has_link(state):
+        return NO_LINK
+    return ATTENTION if attention(state) else FINE
+
+
+def _watch(store: WaitingStore, state: FleetState, as_json: bool, oneline: bool, say: Say) -> None:
+    """Say what changes after a state that was said, until interrupted."""
+    before, said = report(state), one_line(state)
+    while True:
+        time.sleep(WATCH_EVERY)
+        state = store.state
+        if oneline:
+            if (line := one_line(state)) != said:
+                say(line)
+            said = line
+            continue
+        after = report(state)
+        changed = changes(before, after)
+        if changed:
+            say(json.dumps(changed) if as_json else table(state) + "\n")
+            before = after
+
+
+def status(config: Config, timeout: float, as_json: bool, oneline: bool, watch: bool, say: Say) -> int:
+    """Print how the fleet is; the exit code."""
+    with session(config) as (_, store):
+        store.wait(is_known, timeout)
+        # Alarms ripen at the next tick of the clock.
+        known_at = time.monotonic()
+        store.wait(lambda state: state.now > known_at, RIPENS)
+        state = store.state
+        if oneline:
+            say(one_line(state))
+        else:
+            say(json.dumps(report(state)) if as_json else table(state))
+        if watch:
+            _watch(store, state, as_json, oneline, say)
+        return verdict(state)

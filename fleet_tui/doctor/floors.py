@@ -1,0 +1,171 @@
+"""What is said of floors: the map, the graph on it, the labels, and where the robots stand. Pure."""
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from fleet_tui.config.schema import Config, FloorEntry, RobotEntry
+from fleet_tui.discovery.facts import TopicFacts
+from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
+from fleet_tui.doctor.charts import OFF_MAP, Chart, charts_of, class_at, live_grid
+from fleet_tui.doctor.graphs import connection_finding, graph_file_finding, label_finding
+from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
+from fleet_tui.model.geometry import MapFrame
+from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.navigation_events import LocalisationReported
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN
+
+
+class FloorFiles(NamedTuple):
+    """What a floor's files held, None where the config names none."""
+
+    map: FloorMapLoaded | None = None
+    graph: FloorGraphLoaded | None = None
+
+
+def floor_findings(
+    config: Config, floor: FloorEntry, files: FloorFiles, mute: list[RobotEntry], topics: list[TopicFacts]
+) -> Iterator[Finding]:
+    """The floor's map, then what each different chart says of it. `mute`: robots that publish no graph."""
+    loaded, file = files
+    grid = loaded.grid if loaded else live_grid(floor.name, topics)
+    yield _map(floor, loaded, grid)
+    charts = charts_of(floor.name, topics)
+    needing = [robot for robot in mute if floor.name in config.floors_of(robot)]
+    if file is not None or needing:
+        yield graph_file_finding(floor, file, len(needing))
+        if file is not None and file.graph is not None:
+            charts.append((Chart(file.graph, file.labels), [floor.graph]))
+    for chart, robots in charts:
+        by = f" by {listed(robots)}" if len(charts) > 1 else ""
+        if grid is not None and chart.frame is not None:
+            yield _sizes(floor, by, grid.frame, chart.frame, loaded is None or loaded.tied)
+        placed = placed_grid(loaded, topics, floor.name, chart)
+        if chart.graph is not None:
+            yield _vertices(floor, by, chart, chart.graph, placed)
+            yield connection_finding(floor, by, chart, chart.graph, len(config.floors) > 1)
+        if chart.graph is not None and chart.labels is not None:
+            yield label_finding(floor, by, chart.labels, chart.graph)
+
+
+def placed_grid(
+    loaded: FloorMapLoaded | None, topics: list[TopicFacts], floor: str, chart: Chart
+) -> OccupancyGrid | None:
+    """A floor's map where it lies in the world: a plain image lies as a chart's map_metadata says."""
+    grid = loaded.grid if loaded else live_grid(floor, topics)
+    if grid is None or loaded is None or loaded.tied:
+        return grid
+    return OccupancyGrid(chart.frame, grid.levels) if chart.frame else None
+
+
+def _map(floor: FloorEntry, loaded: FloorMapLoaded | None, grid: OccupancyGrid | None) -> Finding:
+    if loaded is not None and loaded.problem:
+        return Finding(floor.name, "map", Verdict.FAIL, loaded.problem, "correct floors.map of this floor")
+    if grid is None:
+        nothing = "no map file in the config, and no live map came"
+        remedy = "give floors.map, or publish the map: until then vertices stand on empty ground"
+        return Finding(floor.name, "map", Verdict.WARN, nothing, remedy)
+    source = floor.map if loaded else "the live map"
+    return Finding(floor.name, "map", Verdict.OK, f"{source}: {_size(grid.frame)}")
+
+
+def _size(frame: MapFrame) -> str:
+    return f"{frame.width} x {frame.height} px, {frame.resolution:.3g} m each"
+
+
+def _sizes(floor: FloorEntry, by: str, map_: MapFrame, told: MapFrame, tied: bool) -> Finding:
+    """Whether the picture and map_metadata speak of one map; a plain image has but its size."""
+    same = (map_.width, map_.height) == (told.width, told.height)
+    if same and tied:
+        pixel = told.resolution
+        same = abs(map_.resolution - pixel) < 1e-4 * pixel and all(
+            abs(one - other) < pixel
+            for one, other in (
+                (map_.origin.x, told.origin.x),
+                (map_.origin.y, told.origin.y),
+                (map_.origin.yaw, told.origin.yaw),
+            )
+        )
+    if same:
+        return Finding(floor.name, "map size", Verdict.OK, f"agrees with map_metadata{by}")
+    return Finding(
+        floor.name,
+        "map size",
+        Verdict.FAIL,
+        f"the map is {_place(map_)}, map_metadata{by} says {_place(told)}",
+        "they are two different maps: take the picture the robots drive by, or restart their map server",
+    )
+
+
+def _place(frame: MapFrame) -> str:
+    return f"{_size(frame)} from ({frame.origin.x:.2f}, {frame.origin.y:.2f})"
+
+
+def _vertices(
+    floor: FloorEntry, by: str, chart: Chart, graph: RouteGraph, grid: OccupancyGrid | None
+) -> Finding:
+    count = f"{len(graph.vertices)} vertices{by}"
+    if not graph.vertices:
+        return Finding(
+            floor.name, "vertices", Verdict.FAIL, f"the graph{by} has none", "load the graph again"
+        )
+    if grid is None:
+        return Finding(floor.name, "vertices", Verdict.SKIPPED, f"{count}, and no map to look them up on")
+    found: dict[int, list[str]] = {FREE: [], OCCUPIED: [], UNKNOWN: [], OFF_MAP: []}
+    for vertex in graph.vertices.values():
+        type_ = f", type {vertex.type}," if vertex.type else ""
+        place = f"{chart.name_of(vertex.id)}{type_} at ({vertex.x:.2f}, {vertex.y:.2f})"
+        found[class_at(grid, vertex.x, vertex.y)].append(place)
+    remedy = 'do map and graph belong together? Is [profile] origin right ("ros" or "added")?'
+    if found[OFF_MAP]:
+        off = f"{len(found[OFF_MAP])} of {count} off the map: {listed(found[OFF_MAP])}"
+        return Finding(floor.name, "vertices", Verdict.FAIL, off, remedy)
+    if found[OCCUPIED]:
+        walled = f"{len(found[OCCUPIED])} of {count} in a wall: {listed(found[OCCUPIED])}"
+        return Finding(floor.name, "vertices", Verdict.FAIL, walled, remedy)
+    if found[UNKNOWN]:
+        unknown = f"{len(found[UNKNOWN])} of {count} on unknown ground: {listed(found[UNKNOWN])}"
+        return Finding(floor.name, "vertices", Verdict.WARN, unknown, remedy)
+    return Finding(floor.name, "vertices", Verdict.OK, f"{count}, all on free ground")
+
+
+Placed = PoseReported | LocalisationReported
+
+
+def place_finding(
+    config: Config, pose: Placed, grids: Mapping[str, OccupancyGrid | None], floors: list[str], told: str
+) -> Finding:
+    """Whether a robot stands on a map it knows. `told`: its floor, where its frame means none."""
+    if isinstance(pose, LocalisationReported):
+        return _place_on(pose, grids, floors, told)
+    frame = pose.frame_id.lstrip("/")
+    floor = next((floor for floor in config.floors if floor.frame == frame), None)
+    if floor is None:
+        near = nearest(frame, [one.frame for one in config.floors])
+        remedy = f'give the floor it is on frame_id = "{frame}"' + (f" ({near[0]} is near)" if near else "")
+        measured = f"its poses are in frame {pose.frame_id!r}, which is no floor's"
+        return Finding(pose.robot, "place", Verdict.FAIL, measured, remedy)
+    return _place_on(pose, grids, floors, floor.name)
+
+
+def _place_on(
+    pose: Placed, grids: Mapping[str, OccupancyGrid | None], floors: list[str], floor: str
+) -> Finding:
+    at = f"({pose.pose.x:.2f}, {pose.pose.y:.2f}) on {floor or 'a floor that is not known'}"
+    if not floor:
+        remedy = 'give it its floor ([[robots]] floors = ["NAME"]), or [profile.topics] floor'
+        return Finding(pose.robot, "place", Verdict.WARN, at, remedy)
+    if floor not in floors:
+        remedy = f"add {floor} to its floors in the config"
+        return Finding(pose.robot, "place", Verdict.WARN, f"{at}, which is not among its floors", remedy)
+    grid = grids.get(floor)
+    if grid is None:
+        return Finding(pose.robot, "place", Verdict.SKIPPED, f"{at}, and no map to look it up on")
+    ground = class_at(grid, pose.pose.x, pose.pose.y)
+    if ground == OFF_MAP:
+        remedy = "does the map belong to this floor? Is the robot localised?"
+        return Finding(pose.robot, "place", Verdict.FAIL, f"{at} is off the map", remedy)
+    if ground == OCCUPIED:
+        remedy = "is the robot localised? Is the map still true?"
+        return Finding(pose.robot, "place", Verdict.WARN, f"{at} is in a wall", remedy)
+    return Finding(pose.robot, "place", Verdict.OK, f"{at}, {'free' if ground == FREE else 'unknown'} ground")

@@ -1,0 +1,110 @@
+"""Everything that a bridge which answers tells: round trips, rosapi, and what comes on its topics."""
+
+import asyncio
+import time
+from collections.abc import Iterable, Mapping
+
+from fleet_tui.adapters.adapter import Adapter, Feed
+from fleet_tui.adapters.probes import QueryProbe
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.config.fleet import adapters_of, feeds_of
+from fleet_tui.config.schema import Config
+from fleet_tui.discovery.facts import BridgeFacts, Rosapi
+from fleet_tui.discovery.rosapi import (
+    ANSWER_WITHIN,
+    ask_publishers,
+    ask_services,
+    clock_ahead,
+    look_around,
+)
+from fleet_tui.discovery.wire import Wire
+from fleet_tui.doctor.listening import listen
+from fleet_tui.errors import LinkError
+
+ROUND_TRIPS = 10
+BETWEEN = 0.05  # seconds between two of them while all topics come
+
+
+async def measure_calls(wire: Wire, until: float, pause: float = 0.0) -> tuple[float, ...]:
+    """Round trips to the bridge itself in seconds, one after the other."""
+    trips = list[float]()
+    until = min(until, time.monotonic() + ANSWER_WITHIN)
+    while len(trips) < ROUND_TRIPS and time.monotonic() < until:
+        began = time.monotonic()
+        try:
+            await wire.beat(max(0.1, until - time.monotonic()))
+        except LinkError:
+            # The first one that is not answered has taken at least as long.
+            if wire.lost or trips:
+                break
+        trips.append(time.monotonic() - began)
+        await asyncio.sleep(pause)
+    return tuple(trips)
+
+
+async def _look_up(
+    wanted: list[Feed], adapters: Mapping[str, Adapter], wire: Wire, rosapi: Rosapi, until: float
+) -> Rosapi:
+    """Ask rosapi about the topics and services of a bridge's robots."""
+    named = [one.address for one in wanted]
+    robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
+    services = [service for robot in robots for _, service, _ in adapters[robot].services(robot)]
+    services += [query.service for query in _queries(robots, adapters)]
+    rosapi = await ask_publishers(wire, rosapi, named, until)
+    rosapi = await ask_services(wire, rosapi, services, until)
+    if all(map(rosapi.has, named)):
+        return rosapi
+    # One of the same type may be what was meant.
+    expected = {one.type for one in wanted}
+    others = [
+        topic
+        for topic, type_ in rosapi.topics.items()
+        if topic not in rosapi.publishers and any(same_type(type_, one) for one in expected)
+    ]
+    return await ask_publishers(wire, rosapi, others, until)
+
+
+def _queries(robots: Iterable[str], adapters: Mapping[str, Adapter]) -> list[QueryProbe]:
+    probes = [probe for robot in robots for probe in adapters[robot].probes(robot)]
+    return [probe for probe in probes if isinstance(probe, QueryProbe)]
+
+
+async def _ask_robots(
+    wanted: list[Feed], adapters: Mapping[str, Adapter], wire: Wire, rosapi: Rosapi, until: float
+) -> dict[str, object]:
+    """Ask the services of which only the type is known for sure: of another one `{}` may be a command."""
+
+    async def answer(query: QueryProbe) -> object:
+        try:
+            return await wire.call(query.service, query.args, min(ANSWER_WITHIN, until - time.monotonic()))
+        except LinkError:
+            return f"no answer within {ANSWER_WITHIN:g} s"
+
+    robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
+    queries = [
+        query
+        for query in _queries(robots, adapters)
+        if same_type(rosapi.services.get(query.service) or "", query.type) and time.monotonic() < until
+    ]
+    answers = await asyncio.gather(*map(answer, queries))
+    return {query.service: found for query, found in zip(queries, answers, strict=True)}
+
+
+async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeFacts:
+    """Everything about a bridge that answers, by the monotonic `until`: questions and topics side by side."""
+    trips = await measure_calls(wire, until)
+    rosapi, ahead = await look_around(wire), None
+    drawn = [floor.name for floor in config.floors if floor.map]
+    adapters = adapters_of(config)
+    wanted = feeds_of(config, adapters, name)
+    listening = asyncio.ensure_future(listen(config.bridge(name), adapters, wanted, rosapi, until, drawn))
+    if not rosapi.problem:
+        ahead = await clock_ahead(wire)
+        rosapi = await _look_up(wanted, adapters, wire, rosapi, until)
+    answers = await _ask_robots(wanted, adapters, wire, rosapi, until)
+    busy = () if listening.done() else await measure_calls(wire, until, BETWEEN)
+    heard = await listening
+    lost = wire.lost or heard.lost
+    return BridgeFacts(
+        name, rosapi, tuple(heard.topics), trips, ahead, lost, busy, heard.behind, adapters, answers
+    )

@@ -1,0 +1,97 @@
+"""Whether a floor's graph hangs together, its labels with it, and whether its file can be read. Pure."""
+
+from collections.abc import Mapping
+
+from fleet_tui.config.schema import FloorEntry
+from fleet_tui.discovery.finding import Finding, Verdict, listed
+from fleet_tui.doctor.charts import Chart
+from fleet_tui.model.events import FloorGraphLoaded
+from fleet_tui.model.graph import Role, RouteGraph
+from fleet_tui.model.order import natural
+
+
+def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing: int) -> Finding:
+    """Whether there is a file with the graph where robots need one, and all of it could be read."""
+    if file is None:
+        absent = (
+            f"none, and {needing} of its robots publish{'es' * (needing == 1)} no graph: no place has a name"
+        )
+        remedy = "give floors.graph of this floor: a route graph of Nav2 (GeoJSON)"
+        return Finding(floor.name, "graph file", Verdict.WARN, absent, remedy)
+    if file.graph is not None and not needing:
+        unused = f"{floor.graph} is for nobody: every robot of the floor publishes its graph"
+        return Finding(floor.name, "graph file", Verdict.WARN, unused, "take floors.graph away")
+    if file.graph is None:
+        remedy = "correct floors.graph of this floor"
+        return Finding(floor.name, "graph file", Verdict.FAIL, file.problem, remedy)
+    if file.problem:
+        return Finding(floor.name, "graph file", Verdict.WARN, file.problem, "correct the file")
+    counts = f"{len(file.graph.vertices)} vertices, {len(file.labels)} labels"
+    return Finding(floor.name, "graph file", Verdict.OK, f"{floor.graph}: {counts}")
+
+
+def connection_finding(
+    floor: FloorEntry, by: str, chart: Chart, graph: RouteGraph, has_others: bool
+) -> Finding:
+    """Whether every vertex can be reached from every other."""
+    lost = _cut_off(graph, has_others)
+    count = f"{len(graph.edges)} edges{by}"
+    if not lost:
+        return Finding(floor.name, "graph", Verdict.OK, f"{count}, every vertex can be reached")
+    names = listed([chart.name_of(vertex) for vertex in sorted(lost, key=natural)])
+    return Finding(
+        floor.name,
+        "graph",
+        Verdict.FAIL,
+        f"{count}: {len(lost)} of {len(graph.vertices)} vertices can't be reached: {names}",
+        "an edge is missing in the graph: orders to or from there will stand still",
+    )
+
+
+def _cut_off(graph: RouteGraph, has_others: bool) -> set[str]:
+    """The vertices to or from which the largest part of the graph has no way. By elevator there is
+    a way over the other floors."""
+    onward: dict[str, set[str]] = {id_: set() for id_ in graph.vertices}
+    backward: dict[str, set[str]] = {id_: set() for id_ in graph.vertices}
+    shafts = (
+        [id_ for id_, vertex in graph.vertices.items() if vertex.role is Role.ELEVATOR] if has_others else []
+    )
+    pairs = [(edge.start, edge.end) for edge in graph.edges]
+    pairs += [(shafts[0], shaft) for shaft in shafts[1:]] + [(shaft, shafts[0]) for shaft in shafts[1:]]
+    if not graph.directed:
+        pairs += [(end, start) for start, end in pairs]
+    for start, end in pairs:
+        onward[start].add(end)
+        backward[end].add(start)
+    largest, rest = set[str](), set(graph.vertices)
+    while len(rest) > len(largest):
+        start = min(rest)
+        part = _reached(start, onward) & _reached(start, backward)
+        largest = max(largest, part, key=len)
+        rest -= part
+    return set(graph.vertices) - largest
+
+
+def _reached(start: str, ways: Mapping[str, set[str]]) -> set[str]:
+    seen, todo = {start}, [start]
+    while todo:
+        new = ways[todo.pop()] - seen
+        seen |= new
+        todo.extend(new)
+    return seen
+
+
+def label_finding(floor: FloorEntry, by: str, labels: Mapping[str, str], graph: RouteGraph) -> Finding:
+    """Whether each label names a vertex, and one only."""
+    lost = [f"{label} ({vertex})" for vertex, label in labels.items() if vertex not in graph.vertices]
+    if lost:
+        measured = f"{len(lost)} of {len(labels)} labels{by} name a vertex that is not there: {listed(lost)}"
+        remedy = "do labels and graph belong together? Is the label's field for the id right?"
+        return Finding(floor.name, "labels", Verdict.FAIL, measured, remedy)
+    twice = sorted({label for label in labels.values() if list(labels.values()).count(label) > 1})
+    if twice:
+        remedy = "orders by label take the first one: give each its own"
+        return Finding(floor.name, "labels", Verdict.WARN, f"given twice{by}: {listed(twice)}", remedy)
+    if not labels:
+        return Finding(floor.name, "labels", Verdict.WARN, f"none{by}", "orders can be given by id only")
+    return Finding(floor.name, "labels", Verdict.OK, f"{len(labels)} labels{by}, each names a vertex")

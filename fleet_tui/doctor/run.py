@@ -1,0 +1,208 @@
+"""`fleet-tui doctor`: every bridge one by one, then floors, clocks and the terminal."""
+
+import asyncio
+import json
+import os
+import shutil
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import assert_never
+
+from msgspec import structs
+
+from fleet_tui.config.access import unsafe_places
+from fleet_tui.config.fleet import adapters_of
+from fleet_tui.config.schema import DEFAULT_LINK, Config
+from fleet_tui.discovery.approach import Approach
+from fleet_tui.discovery.facts import BridgeFacts, TopicFacts
+from fleet_tui.discovery.finding import Finding, Verdict
+from fleet_tui.discovery.wire import Wire
+from fleet_tui.doctor.causes import causes_of, rosapi_finding
+from fleet_tui.doctor.charts import Chart, charts_of
+from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
+from fleet_tui.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
+from fleet_tui.doctor.gather import gather
+from fleet_tui.doctor.names import spelling_finding
+from fleet_tui.doctor.probing import bridge_probes, probe_findings
+from fleet_tui.doctor.render import as_values, line, summary
+from fleet_tui.doctor.services import service_findings
+from fleet_tui.doctor.terminal import terminal_findings
+from fleet_tui.doctor.topics import robot_findings
+from fleet_tui.errors import ConfigError, did_you_mean
+from fleet_tui.maps.floor_files import load_floors
+from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.navigation_events import FloorReported, LocalisationReported
+from fleet_tui.transports.loop import network_loop
+
+FINE, BROKEN, NO_LINK = 0, 1, 3
+SPARE = 1.5  # seconds kept for what comes after the bridges, at most a quarter of all
+
+Take = Callable[[Finding], None]
+
+
+async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFacts | None:
+    """One bridge from outside in; None where there is no way to it."""
+    bridge = config.bridge(name)
+    wire = Wire(bridge)
+    approach = Approach(name, bridge, wire, "" if config.path != Path() else "the address")
+    try:
+        is_up = True
+        async with asyncio.timeout_at(asyncio.get_running_loop().time() + max(0.1, until - time.monotonic())):
+            async for finding in approach.walk():
+                take(finding)
+                is_up = is_up and finding.verdict is Verdict.OK
+        return await gather(config, name, wire, until) if is_up else None
+    except TimeoutError:
+        take(
+            Finding(name, "time", Verdict.FAIL, "the time was over before it answered", "a longer --timeout")
+        )
+        return None
+    finally:
+        wire.close()
+
+
+def only(config: Config, robot: str) -> Config:
+    """The same with one robot and its floors. Raises ConfigError for a name that no robot has."""
+    known = {entry.name: entry for entry in config.robots}
+    if robot not in known:
+        raise ConfigError([f"--robot {robot}: no such robot{did_you_mean(robot, known)}"])
+    floors = [floor for floor in config.floors if floor.name in config.floors_of(known[robot])]
+    return structs.replace(config, robots=[known[robot]], floors=floors)
+
+
+def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
+    """What one bridge that answers is judged by."""
+    yield round_trip_finding(facts)
+    yield rosapi_finding(facts)
+    yield load_finding(facts)
+    if facts.lost:
+        remedy = "see the log of rosbridge: the rest was measured on what came before"
+        yield Finding(facts.name, "link", Verdict.FAIL, f"it broke while measuring: {facts.lost}", remedy)
+    yield from bridge_probes(facts)
+    spelling = spelling_finding(config, facts)
+    if spelling is not None:
+        yield spelling
+    causes = causes_of(config, facts)
+    yield from (cause.finding for cause in causes)
+    robots = [robot for robot in config.robots if facts.of(robot.name)]
+    for robot in robots:
+        yield from robot_findings(config, robot, facts, causes)
+    for robot in robots:
+        yield from service_findings(robot.name, facts, causes)
+        yield from probe_findings(robot.name, facts)
+
+
+def building_findings(
+    config: Config, part: Config, loaded: dict[str, FloorFiles], topics: list[TopicFacts]
+) -> Iterator[Finding]:
+    """What floors, maps and places are judged by, over all bridges."""
+    grids, adapters = {}, adapters_of(part)
+    mute = [robot for robot in part.robots if "graph" not in adapters[robot.name].kind.reports]
+    for floor in part.floors:
+        files = loaded.get(floor.name, FloorFiles())
+        yield from floor_findings(config, floor, files, mute, topics)
+        charts = [chart for chart, _ in charts_of(floor.name, topics) if chart.frame] or [Chart()]
+        grids[floor.name] = placed_grid(files.map, topics, floor.name, charts[0])
+    yield from _places(config, grids, topics)
+
+
+def _places(
+    config: Config, grids: dict[str, OccupancyGrid | None], topics: list[TopicFacts]
+) -> Iterator[Finding]:
+    """Where each robot stands that tells it."""
+    floors_of = {robot.name: config.floors_of(robot) for robot in config.robots}
+    told = {
+        one.robot: one.floor for one in (facts.event for facts in topics) if isinstance(one, FloorReported)
+    }
+    for facts in topics:
+        pose = facts.event
+        if isinstance(pose, PoseReported | LocalisationReported):
+            floors = floors_of[pose.robot]
+            alone = floors[0] if len(floors) == 1 else ""
+            yield place_finding(config, pose, grids, floors, told.get(pose.robot, alone))
+
+
+def _bridges(whole: Config, config: Config, until: float, take: Take) -> Iterator[BridgeFacts]:
+    """Every bridge that can be reached, once all that is found on it is handed over."""
+    names = list(config.bridges)
+    for n, name in enumerate(names):
+        now = time.monotonic()
+        share = now + (until - now) / (len(names) - n)
+        walking = asyncio.run_coroutine_threadsafe(_walk(config, name, share, take), network_loop())
+        facts = walking.result()
+        if facts is not None:
+            _hand_over(bridge_findings(whole, facts), take)
+            yield facts
+
+
+def _all(whole: Config, config: Config, timeout: float, take: Take) -> int:
+    """Everything of `config`, a part of the whole one, in its order, each finding handed over at once; how
+    many bridges could be reached."""
+    until = time.monotonic() + timeout - min(SPARE, timeout / 4)
+    for line_ in unsafe_places(config):
+        take(Finding("config", "safety", Verdict.WARN, line_))
+    with ThreadPoolExecutor(1) as pool:
+        loading = pool.submit(_files, config)
+        reached = list(_bridges(whole, config, until, take))
+        loaded = loading.result()
+    topics = [facts for bridge in reached for facts in bridge.topics]
+    if reached or loaded:
+        _hand_over(building_findings(whole, config, loaded, topics), take)
+    for bridge in reached:
+        _hand_over(clock_findings(bridge), take)
+    _hand_over(terminal_findings(), take)
+    return len(reached)
+
+
+def _files(config: Config) -> dict[str, FloorFiles]:
+    files = dict[str, FloorFiles]()
+    for loaded in load_floors(config):
+        found = files.get(loaded.floor, FloorFiles())
+        match loaded:
+            case FloorMapLoaded():
+                files[loaded.floor] = found._replace(map=loaded)
+            case FloorGraphLoaded():
+                files[loaded.floor] = found._replace(graph=loaded)
+            case _:
+                assert_never(loaded)
+    return files
+
+
+def _hand_over(findings: Iterable[Finding], take: Take) -> None:
+    for finding in findings:
+        take(finding)
+
+
+def doctor(
+    config: Config,
+    timeout: float,
+    as_json: bool,
+    say: Callable[[str], None],
+    robot: str = "",
+    unnamed: str = "",
+) -> int:
+    """Look at everything within `timeout` seconds, or at what concerns one robot, and say what was found;
+    the exit code. `unnamed`: why the configuration has no robots, if it has none."""
+    part = only(config, robot) if robot else config
+    plain = (sys.stdout.encoding or "ascii").lower().replace("-", "") != "utf8"
+    is_tty = sys.stdout.isatty()
+    colour = is_tty and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+    width = shutil.get_terminal_size().columns if is_tty else 0
+    findings = list[Finding]()
+
+    def take(finding: Finding) -> None:
+        findings.append(finding)
+        if not as_json:
+            say(line(finding, plain, colour, width))
+
+    reached = _all(config, part, timeout, take)
+    if unnamed:
+        take(Finding(DEFAULT_LINK, "robots", Verdict.FAIL, unnamed))
+    broken = any(finding.is_failure or finding.out_of_time for finding in findings)
+    code = NO_LINK if not reached else BROKEN if broken else FINE
+    say(json.dumps(as_values(findings, time.time(), code)) if as_json else summary(findings, width))
+    return code

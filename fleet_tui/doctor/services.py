@@ -1,0 +1,54 @@
+"""What is said of each robot's services. Pure, and none of them is called."""
+
+from collections.abc import Iterator, Sequence
+
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.discovery.facts import BridgeFacts
+from fleet_tui.discovery.finding import Finding, Verdict
+from fleet_tui.doctor.causes import Cause
+from fleet_tui.doctor.names import near_service
+
+
+def service_findings(robot: str, facts: BridgeFacts, causes: Sequence[Cause]) -> Iterator[Finding]:
+    """One finding for each service, one for all where they can't be looked up."""
+    if facts.rosapi.problem:
+        yield Finding(robot, "services", Verdict.SKIPPED, "without rosapi only a command would show them")
+    elif not facts.knows(robot):
+        yield Finding(robot, "services", Verdict.SKIPPED, "not on this bridge: see above")
+    else:
+        called = list(facts.adapters[robot].services(robot))
+        for key, service, expected in called:
+            cause = next((cause for cause in causes if service in cause.services), None)
+            if cause is None:
+                yield _service(robot, key, service, expected, facts)
+            else:
+                values = {"service": service, "node": facts.rosapi.owners.get(service)}
+                folded = f"{cause.short}: see above"
+                yield Finding(robot, f"service {key}", Verdict.SKIPPED, folded, values=values)
+
+
+def _service(robot: str, key: str, service: str, expected: str, facts: BridgeFacts) -> Finding:
+    rosapi, adapter = facts.rosapi, facts.adapters[robot]
+    table = adapter.names.table
+    there, node = rosapi.services.get(service), rosapi.owners.get(service)
+    values = {"service": service, "type": there or None, "expected_type": expected, "node": node or None}
+
+    def finding(verdict: Verdict, measured: str, remedy: str = "", out_of_time: bool = False) -> Finding:
+        return Finding(robot, f"service {key}", verdict, measured, remedy, values, out_of_time)
+
+    if service not in rosapi.services:
+        free = rosapi.services.keys() - {name for _, name, _ in adapter.services(robot)}
+        start = f"start the node that offers it, or correct [{table}.services] {key}"
+        remedy = near_service(table, robot, key, service, free) or start
+        return finding(Verdict.FAIL, f"{service} is not on the bridge", remedy)
+    if there is None:
+        return finding(Verdict.SKIPPED, "no time was left to ask for its type", "a longer --timeout", True)
+    by = f", by {node}" if node else ""
+    if there and not same_type(there, expected):
+        return finding(
+            Verdict.FAIL,
+            f"{service}{by} has type {there}, not {expected}",
+            f'if its fields are the same: [{table}.service_types] {key} = "{there}"; else correct'
+            f" [{table}.services] {key}",
+        )
+    return finding(Verdict.OK, f"{service}, {there or 'its type was not told'}{by}")

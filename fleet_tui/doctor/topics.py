@@ -1,0 +1,247 @@
+"""What is said of each robot and its topics. Pure."""
+
+from collections.abc import Iterator, Sequence
+
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.config.schema import Config, RobotEntry
+from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts, Rosapi, TopicFacts, is_hidden
+from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
+from fleet_tui.discovery.tools import LATCHED, LOOK_FOR_NODE, named
+from fleet_tui.doctor.causes import Cause
+from fleet_tui.doctor.clocks import falls_behind
+from fleet_tui.doctor.names import near_topic, robots_on
+
+SLOWEST_POSES = 5.0  # Hz; robots give about 10
+UNSEEN = "without rosapi nobody can tell whether it is there"
+
+
+def robot_findings(
+    config: Config, robot: RobotEntry, facts: BridgeFacts, causes: Sequence[Cause]
+) -> Iterator[Finding]:
+    """The robot itself, then each of its topics. What has one of the `causes` is not told again."""
+    topics = facts.of(robot.name)
+    first = _robot(config, robot, topics, facts, causes)
+    yield first
+    for one in topics:
+        if one.wanted.robot != robot.name:  # several share it: it is told of the first
+            continue
+        cause = next((cause for cause in causes if one.topic in cause.topics), None)
+        if cause is not None:
+            yield _finding(one, Verdict.SKIPPED, f"{cause.short}: see above")
+        elif first.is_failure and (not one.wanted.floor or not facts.knows(robot.name)):
+            yield _finding(one, Verdict.SKIPPED, f"{first.measured.partition(':')[0]}: see above")
+        elif one.count or one.complaint or not facts.rosapi.lacks_action_of(one.topic):
+            yield _topic(config, one, facts)
+
+
+def _robot(
+    config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts, causes: Sequence[Cause]
+) -> Finding:
+    if not facts.knows(robot.name):
+        known = {other.name for other in config.robots}
+        others = nearest(robot.name, robots_on(facts.adapters[robot.name].names, facts.rosapi) - known)
+        remedy = f"did you mean {listed(others)}? Correct its name" if others else "correct its name"
+        place, table = f"robots[{config.robots.index(robot)}].name", facts.table(robot.name)
+        return Finding(
+            robot.name,
+            "robot",
+            Verdict.FAIL,
+            f"not on this bridge: none of its {len(topics)} topics is there",
+            f"{remedy} in {place} ([{table}.topics] if all are named otherwise), or switch it on",
+        )
+    # What is latched tells of the past.
+    live = [one for one in topics if not one.wanted.floor and not one.wanted.latched]
+    live.sort(key=lambda one: one.wanted.silent)
+    heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
+    explained = [cause for one in asked for cause in causes if one.topic in cause.topics]
+    if not heard and explained and len(explained) >= len(asked):
+        return Finding(robot.name, "robot", Verdict.SKIPPED, f"{explained[0].short}: see above")
+    if not heard and any(one.is_silent for one in asked):
+        return _silent(robot, asked, facts)
+    measured = f"heard on {len(heard)} of {len(live)} live topics"
+    return Finding(robot.name, "robot", Verdict.OK if heard else Verdict.SKIPPED, measured)
+
+
+def _silent(robot: RobotEntry, asked: list[TopicFacts], facts: BridgeFacts) -> Finding:
+    nodes = sorted({node for one in asked for node in facts.rosapi.publishers.get(one.topic, ())})
+    by = f", published by {listed(nodes)}" if nodes else ""
+    waited = max(one.waited for one in asked)
+    look = named(LOOK_FOR_NODE, facts.rosapi.ros, nodes[0] if nodes else "")
+    return Finding(
+        robot.name,
+        "robot",
+        Verdict.FAIL,
+        f"silent: nothing came on {listed([one.topic for one in asked])} in {waited:.1f} s{by}",
+        f"is it switched on and in the network? Do its nodes run ({look})?"
+        + f" ({UNSEEN}: is its name right?)" * bool(facts.rosapi.problem),
+        {"nodes": nodes},
+    )
+
+
+def _finding(
+    facts: TopicFacts, verdict: Verdict, measured: str, remedy: str = "", **values: object
+) -> Finding:
+    wanted = facts.wanted
+    check = f"{wanted.key} of {wanted.floor}" if wanted.floor else wanted.key
+    # The only thing that is skipped with a remedy is what there was no time for.
+    out_of_time = verdict is Verdict.SKIPPED and bool(remedy)
+    return Finding(
+        wanted.robot, check, verdict, measured, remedy, {"topic": facts.topic, **values}, out_of_time
+    )
+
+
+def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
+    rosapi = bridge.rosapi
+    if not rosapi.problem and not facts.count and not rosapi.has(facts.topic):
+        return _missing(config, facts, bridge)
+    there, expected = rosapi.topics.get(facts.topic, ""), facts.wanted.type
+    if there and not same_type(there, expected):
+        return _wrong_type(config, facts, there, bridge)
+    if facts.wanted.large and not facts.subscribed:
+        return _finding(facts, Verdict.OK, f"{expected}, one is enough: not listened to", type=there)
+    if bridge.lost and not facts.count:
+        return _finding(facts, Verdict.SKIPPED, f"the link was lost: {bridge.lost}")
+    return _what_came(config, facts, bridge)
+
+
+def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
+    wanted, key = facts.wanted, facts.wanted.key
+    remedy = near_topic(config, facts, bridge)
+    floor = next((floor for floor in config.floors if floor.name == wanted.floor), None)
+    measured = f"{facts.topic} is not on the bridge"
+    if facts.topic in bridge.rosapi.topics:
+        measured = f"nobody publishes {facts.topic}, it is only listened to"
+    if key == "map" and floor is not None and floor.map:
+        return _finding(facts, Verdict.OK, f"{measured}, nor needed: {floor.name} has a map file")
+    if key == "map":
+        remedy = (
+            remedy or f"publish it, or give floors.map of {wanted.floor}: without either the ground is empty"
+        )
+        return _finding(facts, Verdict.WARN, measured, remedy)
+    if key == "map_metadata" and (floor is None or not floor.map or floor.map.endswith((".yaml", ".yml"))):
+        return _finding(facts, Verdict.WARN, measured, remedy)
+    table = bridge.adapters[wanted.robot].names.table
+    if wanted.silent:
+        none = f'start the node that publishes it, or [{table}.topics] {key} = "" where there is none'
+        return _finding(facts, Verdict.WARN, measured, remedy or none)
+    start = f"start the node that publishes it, or correct [{table}.topics] {key}"
+    return _finding(facts, Verdict.FAIL, measured, remedy or start)
+
+
+def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFacts) -> Finding:
+    key, expected = facts.wanted.key, facts.wanted.type
+    other = near_topic(config, facts, bridge)
+    table = bridge.table(facts.wanted.robot)
+    same = f'if its fields are the same: [{table}.types] {key} = "{there}"'
+    return _finding(
+        facts,
+        Verdict.FAIL,
+        f"{facts.topic} has type {there}, not {expected}: it is not subscribed",
+        f"{same}; else {other}" if other else f"{same}; else correct [{table}.topics] {key}",
+        type=there,
+        expected_type=expected,
+    )
+
+
+def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
+    rosapi = bridge.rosapi
+    nodes = rosapi.publishers.get(facts.topic)
+    values = {
+        "type": rosapi.topics.get(facts.topic) or None,
+        "expected_type": facts.wanted.type,
+        "publishers": None if nodes is None else len(nodes),
+        "nodes": nodes,
+        "messages": facts.count,
+        "unreadable": facts.faults,
+        "rate_hz": None if facts.rate is None else round(facts.rate, 2),
+        "age_s": None if facts.age is None else round(facts.age, 2),
+        "first_after_s": None if facts.first_after is None else round(facts.first_after, 3),
+    }
+    if facts.fragmented or (facts.again and facts.count):
+        verdict, measured, remedy = _asked_again(facts, rosapi)
+    elif facts.count:
+        verdict, measured, remedy = _judged(config, facts, bridge)
+    else:
+        verdict, measured, remedy = _nothing_came(facts, rosapi)
+    if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
+        table = bridge.table(facts.wanted.robot)
+        remedy += f" ({UNSEEN}: are [{table}.topics] {facts.wanted.key} and its type right?)"
+    if verdict is Verdict.OK:
+        measured = f"{measured}, {facts.wanted.type}"
+    by = f", by {listed(nodes)}" if nodes and verdict is not Verdict.SKIPPED else ""
+    if verdict is Verdict.OK and nodes and len(nodes) > 1:
+        verdict, remedy = Verdict.WARN, f"{len(nodes)} nodes speak for one robot: stop all but one"
+    return _finding(facts, verdict, f"{measured}{by}", remedy, **values)
+
+
+def _asked_again(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
+    """Why a floor's topic came only when it was asked for plainly, or in pieces."""
+    if facts.fragmented:
+        binary = "never as cbor, " if facts.wanted.large else ""
+        return (
+            Verdict.WARN,
+            f"comes {binary}only in pieces of JSON ({facts.fragmented / 1e6:.1f} MB): it is larger than the"
+            " bridge's max_message_size",
+            "start rosbridge with a larger max_message_size (10 MB in its launch file, 1 MB with ros2 run)",
+        )
+    asked = "cbor, or quality of service" if facts.wanted.large else "quality of service"
+    return (
+        Verdict.WARN,
+        f"came only when it was asked for without {asked}: its publisher is volatile",
+        f"who subscribes late must get it at once: publish it {named(LATCHED, rosapi.ros)}",
+    )
+
+
+def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
+    key = facts.wanted.key
+    had_time = facts.waited >= LONG_ENOUGH and not facts.complaint
+    if had_time and rosapi.lists_action_of(facts.topic):
+        return Verdict.OK, "its action server is there; nothing comes before the first goal", ""
+    if had_time and is_hidden(facts.topic):
+        return Verdict.SKIPPED, "an action's: it is in no list, and nothing comes before the first goal", ""
+    if had_time and facts.wanted.silent:
+        return Verdict.OK, f"nothing came in {facts.waited:.1f} s: it comes only when it changes", ""
+    if not facts.is_silent:
+        return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
+    nodes = rosapi.publishers.get(facts.topic)
+    nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
+    if facts.complaint:
+        nothing += f", rosbridge says: {facts.complaint}"
+    if not facts.wanted.latched:
+        look = named(LOOK_FOR_NODE, rosapi.ros, nodes[0] if nodes else "")
+        return Verdict.FAIL, nothing, f"does the node that publishes it run ({look})?"
+    if facts.held_by and nodes:
+        return (
+            Verdict.FAIL,
+            f"{nothing}: another client of the bridge took it before its publisher was found, and so nobody"
+            " gets the last value; that is no fault of its publisher",
+            "restart rosbridge, or let all its clients go for a second",
+        )
+    optional = key in ("map", "map_metadata") and nodes is None
+    late = f"who subscribes late must get it: publish it {named(LATCHED, rosapi.ros)}"
+    return (Verdict.WARN if optional else Verdict.FAIL), nothing, late
+
+
+def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Verdict, str, str]:
+    fields = f"correct [{bridge.table(facts.wanted.robot)}.fields], or the node that publishes it"
+    if facts.event is None and facts.faults:
+        return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
+    if facts.faults:
+        return Verdict.FAIL, f"{facts.faults} parts can't be read: {facts.problem}", fields
+    if facts.wanted.latched:
+        return Verdict.OK, f"came {facts.first_after or 0.0:.2f} s after a late subscribe", ""
+    age = f"last {facts.age or 0.0:.1f} s ago"
+    measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
+    if facts.wanted.fast and (facts.rate or 0.0) < SLOWEST_POSES:
+        if falls_behind(bridge):
+            return Verdict.SKIPPED, f"{measured}: the bridge falls behind, see its load above", ""
+        slow = f"{measured}: poses should come with about 10 Hz"
+        return Verdict.WARN, slow, "is the network or the robot's computer overloaded?"
+    adapter, usual = bridge.adapters[facts.wanted.robot], config.alarms.offline_after
+    silence = adapter.kind.silence_of(facts.wanted.key, usual)
+    if facts.rate is not None and 1 / facts.rate > silence:
+        if silence == usual:
+            return Verdict.WARN, f"{measured}: rarer than offline_after", "raise alarms.offline_after"
+        table = f"{adapter.names.table}.silence"
+        return Verdict.WARN, f"{measured}: it is old after {silence:g} s", f"raise {table}.{facts.wanted.key}"
+    return Verdict.OK, measured, ""

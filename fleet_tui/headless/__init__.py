@@ -1,1 +1,0 @@
-"""The second front end: the same link, store and model without a screen."""

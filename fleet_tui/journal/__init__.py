@@ -1,1 +1,0 @@
-"""What is kept on disk of what happened: the audit log and recordings, written, read back and exported."""

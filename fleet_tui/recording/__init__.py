@@ -1,0 +1,1 @@
+"""Recordings: written while the fleet is watched, indexed, read back."""

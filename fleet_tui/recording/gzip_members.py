@@ -1,0 +1,83 @@
+"""Lines out of a gzip file, member by member, however it ends and whatever it holds."""
+
+import os
+import stat
+import zlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+from fleet_tui.recording.records import RecordingError
+
+READ, UNPACKED = 2**16, 2**20
+"""Bytes that are read, and unpacked, at a time: packed, a thousand bytes may be one."""
+LONGEST_LINE = 2**28
+"""Bytes of a record."""
+
+
+def open_plain(path: Path) -> BinaryIO:
+    """Open a file, and nothing that would keep us waiting. Raises RecordingError."""
+    try:
+        fd = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+    except FileNotFoundError:
+        made = "recordings are made with `fleet-tui record FILE`"
+        raise RecordingError(f"{path}: no such file: {made}") from None
+    except (OSError, ValueError) as problem:
+        raise RecordingError(f"{path}: can't be read: {getattr(problem, 'strerror', problem)}") from None
+    if not stat.S_ISREG(os.fstat(fd).st_mode):
+        os.close(fd)
+        raise RecordingError(f"{path}: is no file")
+    return os.fdopen(fd, "rb")
+
+
+@dataclass(slots=True)
+class Lines:
+    """The whole lines of a gzip file from a member on. After the last one, `note` says how it ended, where
+    that was not as it should; `done` bytes were read so far."""
+
+    file: BinaryIO
+    note: str = ""
+    done: int = 0
+
+    def __iter__(self) -> Iterator[tuple[int, bytes]]:
+        """Each line, with the offset of the member in which it began. Raises RecordingError for a line
+        that is too long, and for what can't be read."""
+        pieces: list[bytes] = []
+        member = length = 0
+        for offset, chunk in self._chunks():
+            *lines, rest = chunk.split(b"\n")
+            for line in lines:
+                yield (member if pieces else offset), b"".join([*pieces, line])
+                pieces, length = [], 0
+            if rest:
+                member = member if pieces else offset
+                pieces.append(rest)
+                length += len(rest)
+                if length > LONGEST_LINE:
+                    raise RecordingError(f"a line is longer than {LONGEST_LINE:,} bytes: it is no recording")
+        if pieces and not self.note:
+            self.note = "its last record is not whole"
+
+    def _chunks(self) -> Iterator[tuple[int, bytes]]:
+        offset = self.file.tell()
+        unpack, packed = zlib.decompressobj(wbits=31), b""
+        started = False
+        try:
+            while packed := packed or self.file.read(READ):
+                self.done = self.file.tell()
+                started = True
+                chunk = unpack.decompress(packed, UNPACKED)
+                packed = unpack.unconsumed_tail
+                if chunk:
+                    yield offset, chunk
+                if unpack.eof:
+                    packed = unpack.unused_data
+                    offset = self.file.tell() - len(packed)
+                    unpack, started = zlib.decompressobj(wbits=31), False
+            if started:
+                self.note = "it ends in the middle: it was cut off, or is still being written"
+        except zlib.error:
+            self.note = f"it is damaged: what follows byte {offset:,} is left out where it can't be read"
+        except OSError as problem:
+            raise RecordingError(f"can't be read: {problem.strerror}") from None

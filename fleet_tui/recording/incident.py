@@ -1,0 +1,193 @@
+"""An incident as one archive, to be attached to a ticket: what was recorded, and what it was recorded with.
+
+What can't be had is named in it; nothing that is secret is in it.
+"""
+
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import zipfile
+from collections.abc import Callable
+from contextlib import suppress
+from datetime import datetime
+from importlib import metadata
+from itertools import takewhile
+from pathlib import Path
+from typing import IO
+
+from fleet_tui import __version__
+from fleet_tui.audit.file import FILE_NAME
+from fleet_tui.audit.log import encode
+from fleet_tui.audit.reader import Reading
+from fleet_tui.config.access import without_secrets
+from fleet_tui.config.as_toml import as_toml
+from fleet_tui.config.schema import Config
+from fleet_tui.model.audit_record import AuditRecord
+
+LOG_BYTES = 2**20
+"""So much of the end of the log."""
+EARLIEST = (1980, 1, 1, 0, 0, 0)
+"""The first moment that a ZIP can name; a clock that nobody has set yet stands before it."""
+SPAN = 3600.0
+"""Seconds of the audit log."""
+RECORDING = "recording.jsonl.gz"
+FOLDER = "incidents"
+"""Of the state folder."""
+DOCTOR = 10.0
+"""Seconds for a doctor."""
+POLL, GRACE = 0.1, 5.0
+"""Seconds between looks at the doctor, and what it gets beyond its time."""
+
+README = """\
+An incident of a robot fleet, packed by fleet-tui {version} on {host} at {time}.
+
+{contents}
+Everything is text, or text in gzip. No secret is in it; names of hosts, robots and operators are.
+"""
+
+
+class Incident:
+    """Collects the parts. Not on the loop of a screen: files are read, a doctor is waited for."""
+
+    def __init__(self) -> None:
+        self._parts: dict[str, bytes] = {}
+        self._recordings: dict[str, tuple[list[Path], int]] = {}
+        self._about: list[tuple[str, str]] = []
+
+    def add(self, name: str, about: str, made: Callable[[], bytes]) -> None:
+        """Add a part. What goes wrong while it is made is written down instead."""
+        try:
+            self._parts[name] = made()
+        except (OSError, ValueError) as problem:
+            about = f"missing: {about} ({problem})"
+        self._about.append((name, about))
+
+    def add_recording(self, name: str, files: list[Path]) -> None:
+        """Add a recording made of these files, the oldest first: together they are one, too."""
+        about = f"the last minutes that a console saw: fleet-tui replay {name}"
+        if files:
+            # Of the last one only what it is now: it goes on, and is whole at this moment alone.
+            size = 0
+            with suppress(FileNotFoundError):
+                last = files[-1].stat()
+                size = last.st_size
+                about += f" (up to {time.strftime('%F %T', time.localtime(last.st_mtime))})"
+            self._recordings[name] = files, size
+        else:
+            about = (
+                "missing: the last minutes (no console keeps any; fleet-tui record FILE records from now on)"
+            )
+        self._about.append((name, about))
+
+    def _contents(self) -> str:
+        width = max((len(name) for name, _ in self._about), default=0) + 2
+        return "".join(f"{name:<{width}}{about}\n" for name, about in self._about)
+
+    def write(self, folder: Path) -> Path:
+        """Write the archive, which only its owner reads, whole or not at all. Raises OSError."""
+        now = time.localtime()
+        path = folder / f"incident-{time.strftime('%Y%m%d-%H%M%S', now)}.zip"
+        words = {"version": __version__, "host": platform.node(), "time": time.strftime("%F %T %z", now)}
+        made = max(now[:6], EARLIEST)
+        text = README.format(contents=self._contents(), **words)
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        fd, part = tempfile.mkstemp(dir=folder, prefix=".incident-")
+        try:
+            with os.fdopen(fd, "wb") as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+                for name, content in {"README.txt": text.encode(), **self._parts}.items():
+                    archive.writestr(zipfile.ZipInfo(name, made), content, zipfile.ZIP_DEFLATED)
+                for name, (files, size) in self._recordings.items():
+                    with archive.open(zipfile.ZipInfo(name, made), "w") as recording:
+                        _join(files, size, recording)
+            path.touch(mode=0o600, exist_ok=False)  # the name is ours from now on
+            Path(part).replace(path)
+        finally:
+            Path(part).unlink(missing_ok=True)
+        return path
+
+
+def _join(files: list[Path], last_size: int, into: IO[bytes]) -> None:
+    for path in files:
+        # The oldest may have made room meanwhile.
+        with suppress(FileNotFoundError), path.open("rb") as file:
+            if path == files[-1]:
+                into.write(file.read(last_size))
+            else:
+                shutil.copyfileobj(file, into)
+
+
+def pack(config: Config, folder: Path, shot: str, recent: list[Path], is_over: Callable[[], bool]) -> Path:
+    """Pack what a console has: a screenshot (SVG), the files of the last minutes, and everything else.
+    Raises OSError."""
+    incident = Incident()
+    incident.add_recording(RECORDING, recent)
+    incident.add("screen.svg", "what the console showed", shot.encode)
+    incident.add("doctor.txt", "what the doctor found", lambda: examined(config, DOCTOR, is_over))
+    collect(incident, config, folder, time.time() - SPAN)
+    return incident.write(folder / FOLDER)
+
+
+def collect(incident: Incident, config: Config, folder: Path, since: float) -> None:
+    """Everything a state folder has from Unix time `since` on, and what the program runs on."""
+    incident.add("config.toml", "what is in effect", lambda: as_toml(without_secrets(config)).encode())
+    incident.add("versions.txt", "of the program and what it uses", lambda: versions().encode())
+    incident.add("fleet-tui.log", "the end of the log", lambda: _end_of(folder / "fleet-tui.log"))
+    incident.add(
+        FILE_NAME, "commands and alarms, the oldest first", lambda: _audit(folder / FILE_NAME, since)
+    )
+
+
+def versions() -> str:
+    """A line for the program, the interpreter, the system, and each package that is installed."""
+    lines = [f"fleet-tui {__version__}", f"Python {sys.version}", platform.platform()]
+    packages = {f"{one.name} {one.version}" for one in metadata.distributions()}
+    return "\n".join([*lines, *sorted(packages, key=str.lower)]) + "\n"
+
+
+def _end_of(path: Path) -> bytes:
+    with path.open("rb") as file:
+        file.seek(max(0, file.seek(0, os.SEEK_END) - LOG_BYTES))
+        return file.read()
+
+
+def _audit(path: Path, since: float) -> bytes:
+    def is_recent(record: AuditRecord) -> bool:
+        return datetime.fromisoformat(record.time).timestamp() >= since
+
+    newest = takewhile(is_recent, Reading(path).newest_first())
+    return b"".join(map(encode, reversed(list(newest))))
+
+
+def examined(config: Config, within: float, is_over: Callable[[], bool]) -> bytes:
+    """What `fleet-tui doctor` says within so many seconds, in a process of its own, which does not outlive
+    `is_over`. Raises OSError where it says nothing."""
+    with tempfile.NamedTemporaryFile("w", suffix=".toml", encoding="utf-8") as file:
+        file.write(as_toml(config.whole()))
+        file.flush()
+        command = [
+            sys.executable,
+            "-m",
+            "fleet_tui",
+            "doctor",
+            "--config",
+            file.name,
+            "--timeout",
+            f"{within:g}",
+        ]
+        out = subprocess.PIPE
+        with subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT
+        ) as child:
+            until = time.monotonic() + within + GRACE
+            while time.monotonic() < until and not is_over():
+                try:
+                    found: bytes = child.communicate(timeout=POLL)[0]
+                    return found
+                except subprocess.TimeoutExpired:
+                    continue
+            child.kill()
+    raise OSError("the doctor did not end")

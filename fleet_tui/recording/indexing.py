@@ -1,0 +1,174 @@
+"""Looks through a recording once: what is in it, and where."""
+
+import math
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import msgspec
+
+from fleet_tui.config.check import checked
+from fleet_tui.recording.gzip_members import Lines, open_plain
+from fleet_tui.recording.parts import parts_beside
+from fleet_tui.recording.recording import LAST_SECOND, Moment, Place, Recording
+from fleet_tui.recording.records import VERSION, Header, Keyframe, Lost, Mark, RecordingError, decode
+
+MOST_MARKS = 100_000
+"""Marks, and losses, that are kept in memory."""
+LONGEST_UP = 1e11
+"""Monotonic seconds: longer than any machine was up."""
+
+# Nearly all records; they are read when they are played.
+_BULK = (b'{"kind":"heard"', b'{"kind":"sent"', b'{"kind":"told"')
+
+
+class _Stamp(msgspec.Struct):
+    """What every record has."""
+
+    kind: str
+    at: float = math.nan
+    wall: float = math.nan
+    version: int = 0
+
+
+_STAMPS = msgspec.json.Decoder(_Stamp)
+
+
+def _stamp(line: bytes) -> _Stamp:
+    try:
+        return _STAMPS.decode(line)
+    except (msgspec.MsgspecError, ValueError, RecursionError):
+        raise RecordingError("a line is no record") from None
+
+
+def open_recording(path: Path, progress: Callable[[float], None] = lambda _share: None) -> Recording:
+    """Look through all parts of the recording that a file is part of. `progress` is told the share that
+    is done, from 0 to 1. Raises RecordingError."""
+    found, notes = _parts(path)
+    recording = Recording(path, found[0][1], notes=notes)
+    total = sum(size for _, _, size in found)
+    done = 0
+    for part, _, size in found:
+        for read in _look_through(recording, part):
+            progress(min(1.0, (done + read) / total))
+        done += size
+    if not recording.keyframes:
+        raise RecordingError(f"{path}: nothing in it can be played: {recording.note or 'it has just begun'}")
+    return recording
+
+
+def _parts(path: Path) -> tuple[list[tuple[Path, Header, int]], list[str]]:
+    """The parts with their headers and sizes, and what is wrong with others that have such a name."""
+    found: dict[Path, tuple[Path, Header, int]] = {}
+    problems: dict[Path, RecordingError] = {}
+    for part in parts_beside(path):
+        try:
+            found[part] = part, *_header(part)
+        except RecordingError as problem:
+            problems[part] = problem
+    if path in problems:
+        raise problems[path]
+    if not found:
+        found[path] = path, *_header(path)
+    # The first ones may be gone: a service keeps only so many.
+    _, wanted, _ = found.get(path) or next(iter(found.values()))
+    parts = [part for part in found.values() if part[1].recording == wanted.recording]
+    return parts, [str(problem) for problem in problems.values()]
+
+
+def _header(path: Path) -> tuple[Header, int]:
+    """The header of a file, and its bytes. Raises RecordingError, which names the file."""
+    with open_plain(path) as file:
+        lines = Lines(file)
+        try:
+            _, line = next(iter(lines), (0, b""))
+            stamp = _stamp(line) if line else None
+            if stamp is None or stamp.kind != "header":
+                why = lines.note or "it does not begin as one"
+                raise RecordingError(f"is no recording of fleet-tui: {why}")
+            if stamp.version > VERSION:
+                raise RecordingError(
+                    f"was written by a newer fleet-tui (format {stamp.version}, this one reads {VERSION}):"
+                    " update it"
+                )
+            header = decode(line, stamp.version)
+            assert isinstance(header, Header)
+            problems = checked(header.config)
+            if problems:
+                raise RecordingError(f"holds a configuration that is none: {problems[0]}")
+        except RecordingError as problem:
+            raise RecordingError(f"{path}: {problem}") from None
+        return header, max(1, os.fstat(file.fileno()).st_size)
+
+
+def _look_through(recording: Recording, part: Path) -> Iterator[int]:
+    """Take what a part holds into the recording. Yields the bytes that were read so far."""
+    recording.parts.append(part)
+    try:
+        with open_plain(part) as file:
+            lines = Lines(file)
+            yield from _take_lines(recording, part, lines)
+            if lines.note:
+                recording.notes.append(f"{part.name}: {lines.note}")
+    except RecordingError as problem:
+        words = str(problem).removeprefix(f"{part}: ")
+        recording.notes.append(f"{part.name}: {words}: what follows in it is left out")
+
+
+def _take_lines(recording: Recording, part: Path, lines: Lines) -> Iterator[int]:
+    told = in_member = nth = 0
+    last = b""
+    try:
+        for member, line in lines:
+            if lines.done != told:
+                yield (told := lines.done)
+            if line.startswith(_BULK):
+                last = line
+                continue
+            if last:
+                _reach(recording, last)
+                last = b""
+            nth = nth if member == in_member else 0
+            in_member = member
+            nth += _take(recording, Place(part, member, nth), line)
+    finally:
+        if last:
+            _reach(recording, last)
+
+
+def _take(recording: Recording, place: Place, line: bytes) -> bool:
+    """Take a record; whether it is a keyframe."""
+    moment = _reach(recording, line)
+    record = decode(line, recording.header.version)
+    match record:
+        case Header():
+            _follow(recording, place.path, record)
+        case Keyframe():
+            recording.keyframes.append(moment)
+            recording.places.append(place)
+        case Mark() if len(recording.marks) < MOST_MARKS:
+            recording.marks.append(record)
+        case Lost() if len(recording.lost) < MOST_MARKS:
+            recording.lost.append(record)
+    return isinstance(record, Keyframe)
+
+
+def _follow(recording: Recording, path: Path, header: Header) -> None:
+    """The first parts may have made room for others; one from between them has been lost."""
+    gone = header.part - recording.part - 1
+    if header.recording == recording.header.recording and recording.part >= 0 and gone > 0:
+        parts = "part is" if gone == 1 else "parts are"
+        recording.notes.append(f"{path.name}: {gone} {parts} missing before it")
+    recording.part = header.part
+
+
+def _reach(recording: Recording, line: bytes) -> Moment:
+    """The moment of a record, up to which the recording goes now."""
+    stamp = _stamp(line)
+    earliest = max(0.0, recording.end.at)
+    if stamp.kind != "header" and not (earliest <= stamp.at < LONGEST_UP and 0.0 <= stamp.wall < LAST_SECOND):
+        raise RecordingError("a record has a time that can't be")
+    moment = Moment(stamp.at, stamp.wall)
+    if stamp.kind != "header":
+        recording.end = moment
+    return moment

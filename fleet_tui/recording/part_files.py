@@ -1,0 +1,142 @@
+"""The files of a recording that is being made: a new one in time, old ones away, another where one fails."""
+
+import logging
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from msgspec import Struct
+
+from fleet_tui.recording.part_file import PartFile
+from fleet_tui.recording.parts import part_path, parts_beside
+from fleet_tui.recording.records import RecordingError
+
+LOG = logging.getLogger(__name__)
+
+RETRY = 1.0
+"""Seconds between two tries where the disk does not take it."""
+
+
+class Limits(Struct, frozen=True):
+    """When a new file begins (its bytes, its seconds), how many are kept (0: all), and their bytes in all."""
+
+    part_bytes: float = 256e6
+    part_seconds: float = 3600.0
+    kept: int = 0
+    total_bytes: float = float("inf")
+
+
+USUAL = Limits()
+
+
+class PartFiles:
+    """What can't be done is False, and `problem` says why: the next `turn` tries another file."""
+
+    def __init__(self, first: Path, limits: Limits, head: Callable[[int, float], bytes]) -> None:
+        """Begin. `head` gives the first lines of a part that begins at a monotonic second. Raises
+        RecordingError where `first`, or another part of it, is there already, and where it can't be made."""
+        if any(parts_beside(first)):
+            raise RecordingError(f"{first}: is there already: give another name, or take it away first")
+        self.problem = ""
+        self.paths: list[Path] = []
+        self._first, self._limits, self._head = first, limits, head
+        self._number = self._before = 0
+        self._began = self._retry_at = 0.0
+        self._file: PartFile | None = None
+        try:
+            self._open(time.monotonic())
+        except (OSError, ValueError) as problem:
+            words = getattr(problem, "strerror", "") or problem
+            raise RecordingError(f"{first}: can't be written: {words}") from None
+
+    @property
+    def is_open(self) -> bool:
+        """Whether there is a file to write to."""
+        return self._file is not None
+
+    @property
+    def size(self) -> int:
+        """Bytes that were written, in all files."""
+        return self._before + (self._file.size if self._file else 0)
+
+    def needs_turn(self, at: float) -> bool:
+        """Whether a new file is due, because one is full, or it is time to try again."""
+        if self._file is None:
+            return time.monotonic() >= self._retry_at
+        limits = self._limits
+        return self._file.size > limits.part_bytes or at - self._began >= limits.part_seconds
+
+    def turn(self, at: float) -> bool:
+        """Here who reads may begin: in a new file, or in the same one."""
+        try:
+            if self._file is None or self.needs_turn(at):
+                self.close()
+                self._open(at)
+            else:
+                self._file.begin_member()
+        except OSError as problem:
+            # Somebody else's file may have the name.
+            self._number += isinstance(problem, FileExistsError)
+            return self._fail(problem)
+        self.problem = ""
+        return True
+
+    def write(self, lines: bytes) -> bool:
+        """Take lines, which are on the disk after the next flush."""
+        return self._do(lambda file: file.write(lines))
+
+    def flush(self, whole: bool = False) -> bool:
+        """Have everything on the disk; `whole`: as a file that has its end, until the next write."""
+
+        def flush(file: PartFile) -> None:
+            if not file.is_there():
+                raise OSError(None, "the file has been taken away")
+            file.begin_member() if whole else file.flush()
+
+        return self._do(flush)
+
+    def close(self) -> bool:
+        """End the file as it should."""
+        done = self._do(lambda file: file.end())
+        self._let_go()
+        return done
+
+    def _do(self, act: Callable[[PartFile], None]) -> bool:
+        if self._file is None:
+            return False
+        try:
+            act(self._file)
+        except OSError as problem:
+            return self._fail(problem)
+        return True
+
+    def _open(self, at: float) -> None:
+        path = part_path(self._first, self._number)
+        self._file = PartFile(path, self._head(self._number, at))
+        self._number, self._began = self._number + 1, at
+        self.paths.append(path)
+        self._drop_old()
+
+    def _drop_old(self) -> None:
+        """Let go the oldest files beyond what is kept. Only those of this recording are touched."""
+        limits = self._limits
+        while len(self.paths) > 1:
+            sizes = [path.stat().st_size if path.exists() else 0 for path in self.paths]
+            if not (limits.kept and len(self.paths) > limits.kept) and sum(sizes) <= limits.total_bytes:
+                break
+            self.paths.pop(0).unlink(missing_ok=True)
+
+    def _let_go(self) -> None:
+        file, self._file = self._file, None
+        if file is not None:
+            self._before += file.size
+            file.close()
+
+    def _fail(self, problem: OSError) -> bool:
+        words = problem.strerror or str(problem)
+        if words != self.problem:
+            LOG.error("recording: not written: %s: %s", self._first, words)
+        self.problem = words
+        self._retry_at = time.monotonic() + RETRY
+        self._let_go()
+        return False

@@ -1,0 +1,131 @@
+"""The works of a player: what a recording's clock does against ours. Knows no thread."""
+
+import time
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.recording.play.marks import time_marks
+from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.recording import LAST_SECOND, Recording
+from fleet_tui.view.lines.time import MarkKind, Moment, TimeMark, span
+
+SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
+"""Recorded seconds for each of ours."""
+LATE = 0.25
+"""Seconds of work after which our clock is no longer run after: the recording plays slower."""
+NOTHING_FOR = 5.0
+"""Recorded seconds without a record that are passed over."""
+LONG = 0.5
+"""Seconds after which a jump tells how far it is."""
+
+
+class Deck:
+    """Moves a playhead. What takes long asks `goes_on` again and again whether it may."""
+
+    def __init__(self, recording: Recording, speed: float) -> None:
+        self.head, self.marks = Playhead(recording), time_marks(recording)
+        self.paused = False
+        self._recording, self._speed = recording, speed
+        self._reached: float | None = None
+        self._busy: float | None = None
+        self._jumps, self._failure = 0, ""
+        self._shown = self.head.state, self._moment()
+        self.go_on()
+
+    @property
+    def shown(self) -> tuple[FleetState, Moment]:
+        """What is to be seen, and where in the recording that is. Any thread may look."""
+        return self._shown
+
+    def show(self) -> None:
+        """Show how far it has come; of a jump that is under way only that."""
+        state = self.head.state if self._busy is None else self._shown[0]
+        self._shown = state, self._moment()
+
+    def _moment(self) -> Moment:
+        recording = self._recording
+        return Moment(
+            began=recording.begin.at,
+            ended=recording.end.at,
+            at=self.head.at,
+            wall=max(0.0, min(self.head.state.wall, LAST_SECOND)) or recording.begin.wall,
+            speed=self._speed,
+            reached=None if self.paused else self._reached,
+            paused=self.paused,
+            is_over=self.head.next_at is None,
+            busy=self._busy,
+            marks=self.marks,
+            note=self._failure or recording.note,
+            jumps=self._jumps,
+        )
+
+    def go_on(self) -> None:
+        """The recorded clock runs on from here and now."""
+        self._since, self._begun_at = time.monotonic(), self.head.at
+
+    def play(self, goes_on: Callable[[], bool]) -> None:
+        """As far as our clock says. It stops at the end."""
+        following, now = self.head.next_at, time.monotonic()
+        if self.paused or following is None:
+            self.paused = True
+            return
+        if following - self.head.at > NOTHING_FOR:
+            self._since, self._begun_at = now, following
+            self._mark_gap(following)
+        wanted = self._begun_at + (now - self._since) * self._speed
+        before = self.head.at
+        if self.head.advance(wanted, lambda: goes_on() and time.monotonic() - now < LATE):
+            self._reached = None
+        else:
+            self._reached = (self.head.at - before) / (time.monotonic() - now)
+            self.go_on()
+
+    def toggle(self) -> None:
+        """Play, or stop."""
+        self.paused = not self.paused
+        self.go_on()
+
+    def _mark_gap(self, until: float) -> None:
+        text = f"there is no record of the {span(until - self.head.at)} before this"
+        if all(mark.at != until for mark in self.marks if mark.kind is MarkKind.GAP):
+            self.marks = sorted([*self.marks, TimeMark(until, MarkKind.GAP, text)], key=lambda mark: mark.at)
+
+    def change_speed(self, step: int) -> None:
+        """The next faster (1) or slower (-1) speed; 0 is as it was."""
+        speed = self._speed
+        index = bisect_right(SPEEDS, speed) if step > 0 else bisect_left(SPEEDS, speed) - 1
+        self._speed = SPEEDS[max(0, min(index, len(SPEEDS) - 1))] if step else 1.0
+        self._reached = None
+        self.go_on()
+
+    def step(self, step: Callable[[int], None], by: int) -> None:
+        """On or back by one of the playhead's steps, and stop there."""
+        self.paused = True
+        step(by)
+        self._jumps += by < 0
+
+    def seek(self, at: float, goes_on: Callable[[], bool]) -> None:
+        """To a second of the recording."""
+        began = time.monotonic()
+        first: float | None = None
+
+        def looks() -> bool:
+            nonlocal first
+            first = self.head.at if first is None else first
+            if time.monotonic() - began > LONG:
+                self._busy = (self.head.at - first) / max(at - first, 1e-9)
+                self.show()
+            return goes_on()
+
+        try:
+            self.head.seek(at, looks)
+        finally:
+            self._busy = None
+        self._failure = ""
+        self._jumps += 1
+        self.go_on()
+
+    def fail(self, note: str) -> None:
+        """Stop, and say why."""
+        self.paused, self._failure = True, note

@@ -1,0 +1,49 @@
+"""What a record does to the picture: frames are read again as the link read them."""
+
+from collections.abc import Mapping
+from functools import reduce
+
+from fleet_tui.adapters.ros.operations import Fragment, ServiceResponse
+from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
+from fleet_tui.config.schema import Config
+from fleet_tui.maps.map_process import decode_apart
+from fleet_tui.model.counters import LinkCounter
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.recording.records import Heard, Record, Told
+from fleet_tui.state.reducer import apply
+
+
+class Frames:
+    """Reads the frames of every bridge of a recording."""
+
+    def __init__(self, config: Config) -> None:
+        adapters = adapters_of(config)
+        self._readings = {
+            name: Reading(
+                name, limit_of(config, name), adapters, feeds_of(config, adapters, name), decode_apart
+            )
+            for name in config.bridges
+        }
+
+    @property
+    def counters(self) -> Mapping[str, LinkCounter]:
+        """What was read of each bridge since the last jump."""
+        return {name: reading.counter for name, reading in self._readings.items()}
+
+    def count_anew(self) -> None:
+        """There was a jump: what came before it may lie in the future."""
+        for reading in self._readings.values():
+            reading.count_anew()
+
+    def after(self, state: FleetState, record: Record) -> FleetState:
+        """The state after a record. Answers are passed over: what they did was told."""
+        match record:
+            case Told(event=event):
+                return apply(state, event)
+            case Heard(channel="topics", link=link) if link in self._readings:
+                at = record.at if record.came is None else record.came
+                read = self._readings[link].read(record.payload, record.binary, at)
+                if not isinstance(read, ServiceResponse | Fragment):
+                    return reduce(apply, read, state)
+        return state

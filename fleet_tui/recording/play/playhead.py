@@ -1,0 +1,171 @@
+"""A place in a recording, and the state there. Knows no clock and no thread."""
+
+import math
+from bisect import bisect_right
+from collections import deque
+from collections.abc import Callable
+from typing import NamedTuple
+
+from fleet_tui.model.events import TimePassed
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.recording.play.frames import Frames
+from fleet_tui.recording.recording import Recording
+from fleet_tui.recording.records import Keyframe, Record, RecordingError, Told
+
+REMEMBERED_EVERY = 500
+"""Records between two states that are kept, so that a step back need not go back to the keyframe."""
+REMEMBERED = 400
+"""States at most; of more, every other one is let go."""
+BEHIND = 5000
+"""Records that are kept, too, so that steps back need no reading."""
+LOOK_EVERY = 200
+"""Records between two looks whether to go on."""
+
+
+class _Remembered(NamedTuple):
+    """The state after so many records from the keyframe; when the last of them and the last tick were."""
+
+    records: int
+    at: float
+    tick_at: float
+    state: FleetState
+
+
+def _always() -> bool:
+    return True
+
+
+class Playhead:
+    """Moves by records; `at` is the monotonic second of the last one. Whatever moves raises
+    RecordingError where the recording can't be read."""
+
+    def __init__(self, recording: Recording) -> None:
+        self._recording, self.frames = recording, Frames(recording.config)
+        self._behind: deque[Record] = deque(maxlen=BEHIND)
+        self._again: deque[Record] = deque()
+        self._enter(0)
+
+    def _enter(self, number: int) -> None:
+        """To a keyframe, as if nothing had been before it. Where that can't be, it stays where it is."""
+        wanted = self._recording.keyframes[number].at
+        records = self._recording.records(wanted)
+        first = next(records, None)
+        if not isinstance(first, Keyframe) or first.at != wanted:
+            raise RecordingError(
+                f"{self._recording.path.name} has changed since it was opened: open it again"
+            )
+        self.frames.count_anew()
+        self._records = records
+        self._next: Record | None = None
+        self._behind.clear()
+        self._again.clear()
+        self._keyframe = number - 1
+        self._begin(first)
+
+    def _begin(self, keyframe: Keyframe) -> None:
+        """What it says is taken also where it is known already: records may be missing before it."""
+        self.state, self.at = self._recording.state(keyframe), keyframe.at
+        self._keyframe, self._count, self._tick_at = self._keyframe + 1, 0, self.at
+        self._kept = [self._here()]
+
+    def _here(self) -> _Remembered:
+        return _Remembered(self._count, self.at, self._tick_at, self.state)
+
+    @property
+    def next_at(self) -> float | None:
+        """When the next record is, None at the end."""
+        if self._next is None:
+            self._next = self._again.popleft() if self._again else next(self._records, None)
+        return None if self._next is None else self._next.at
+
+    def take(self) -> Record | None:
+        """Take one record into the picture, and return it. None at the end."""
+        if self.next_at is None:
+            return None
+        record, self._next = self._next, None
+        if isinstance(record, Keyframe):
+            self._begin(record)
+        elif record is not None:
+            self.state, self.at = self.frames.after(self.state, record), record.at
+            self._tick_at = self.at if _is_tick(record) else self._tick_at
+            self._count += 1
+            self._behind.append(record)
+            if self._count % REMEMBERED_EVERY == 0:
+                self._kept.append(self._here())
+            if len(self._kept) > REMEMBERED:
+                del self._kept[1::2]
+        return record
+
+    def advance(self, until: float, goes_on: Callable[[], bool] = _always) -> bool:
+        """Take every record up to a second. False where it was broken off."""
+        taken = 0
+        while self.next_at is not None and self.next_at <= until:
+            self.take()
+            taken += 1
+            if taken % LOOK_EVERY == 0 and not goes_on():
+                return False
+        return True
+
+    def seek(self, at: float, goes_on: Callable[[], bool] = _always) -> bool:
+        """To the state after the last record up to a second, wherever that is."""
+        moments = self._recording.keyframes
+        number = max(0, bisect_right(moments, at, key=lambda moment: moment.at) - 1)
+        if number != self._keyframe:
+            self._enter(number)
+        elif at < self.at:
+            self._back(bisect_right(self._kept, at, key=lambda kept: kept.at) - 1)
+        return self.advance(at, goes_on)
+
+    def _back(self, index: int) -> None:
+        """To a state of this keyframe's that is remembered, past the records before it."""
+        kept = self._kept[: max(0, index) + 1]
+        back = self._count - kept[-1].records
+        if back <= len(self._behind):
+            self._wind(back)
+        else:
+            self._enter(self._keyframe)
+            for _ in range(kept[-1].records):
+                next(self._records, None)
+        self._kept = kept
+        self._count, self.at, self._tick_at, self.state = kept[-1]
+
+    def _wind(self, back: int) -> None:
+        """So many records will come once more."""
+        if self._next is not None:
+            self._again.appendleft(self._next)
+            self._next = None
+        for _ in range(back):
+            self._again.appendleft(self._behind.pop())
+        self.frames.count_anew()
+
+    def step_record(self, step: int) -> None:
+        """One record on or back."""
+        if step > 0:
+            self.take()
+        elif self._count == 0:
+            self._before_keyframe()
+        else:
+            wanted = self._count - 1
+            self._back(bisect_right(self._kept, wanted, key=lambda kept: kept.records) - 1)
+            while self._count < wanted:
+                self.take()
+
+    def _before_keyframe(self) -> None:
+        """To the record before the keyframe on which it stands, if there is one."""
+        if self._keyframe > 0:
+            self._enter(self._keyframe - 1)
+            while self.next_at is not None and not isinstance(self._next, Keyframe):
+                self.take()
+
+    def step_tick(self, step: int) -> None:
+        """To the next tick of the recorded clock, or to the one before."""
+        if step < 0:
+            self.seek(math.nextafter(self._tick_at, -math.inf))
+            self.seek(self._tick_at)
+            return
+        while (record := self.take()) is not None and not _is_tick(record):
+            pass
+
+
+def _is_tick(record: Record) -> bool:
+    return isinstance(record, Told) and isinstance(record.event, TimePassed)

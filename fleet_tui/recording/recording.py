@@ -1,0 +1,195 @@
+"""A recording, to be read from any instant on: all its parts, as far as they are whole."""
+
+import math
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NamedTuple, assert_never
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from fleet_tui.config.fleet import adapters_of
+from fleet_tui.config.schema import Config
+from fleet_tui.model import events
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueHeld
+from fleet_tui.recording.gzip_members import Lines, open_plain
+from fleet_tui.recording.records import (
+    Header,
+    Heard,
+    Keyframe,
+    Lost,
+    Mark,
+    Record,
+    RecordingError,
+    Sent,
+    Told,
+    decode,
+)
+
+LAST_SECOND = 253_402_300_799.0
+"""Unix time at the end of the year 9999."""
+
+
+class Moment(Struct, frozen=True):
+    """An instant: monotonic seconds, and the Unix time that belonged to it."""
+
+    at: float
+    wall: float
+
+
+class Place(Struct, frozen=True):
+    """Where a keyframe lies: its file, the gzip member, and how many keyframes of that come before."""
+
+    path: Path
+    member: int
+    nth: int
+
+
+@dataclass
+class Recording:
+    """When it begins and ends, what is marked in it (alarms, commands) and lost, and at which moments
+    it has a keyframe. `part` is the number of the part that was looked through last; `notes` say what of
+    it can't be read."""
+
+    path: Path
+    header: Header
+    end: Moment = Moment(-math.inf, 0.0)  # noqa: RUF009  # a frozen value
+    parts: list[Path] = field(default_factory=list)
+    part: int = -1
+    keyframes: list[Moment] = field(default_factory=list)
+    places: list[Place] = field(default_factory=list)
+    marks: list[Mark] = field(default_factory=list)
+    lost: list[Lost] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def config(self) -> Config:
+        """The configuration it was recorded with, without secrets."""
+        return self.header.config
+
+    @property
+    def begin(self) -> Moment:
+        """Its first keyframe."""
+        return self.keyframes[0]
+
+    @property
+    def note(self) -> str:
+        """What is to be said of how much can be read, "" for all."""
+        more = f" and {len(self.notes) - 1} more" if self.notes[1:] else ""
+        return self.notes[0] + more if self.notes else ""
+
+    def records(self, from_at: float = -math.inf) -> Iterator[Record]:
+        """Everything from the last keyframe at or before a monotonic second, which comes first. What
+        can't be read of a part is left out: the next one begins with a keyframe."""
+        chosen = max(0, bisect_right(self.keyframes, from_at, key=lambda moment: moment.at) - 1)
+        place = self.places[chosen]
+        last = self.keyframes[chosen].at
+        for path in self.parts[self.parts.index(place.path) :]:
+            to_skip = place.nth if path == place.path else 0
+            for record in self._of_part(path, place.member if path == place.path else 0):
+                to_skip -= isinstance(record, Keyframe)
+                if isinstance(record, Header) or to_skip >= 0:
+                    continue
+                if not (last <= record.at <= self.end.at and 0 <= record.wall < LAST_SECOND):
+                    break
+                last = record.at
+                yield record
+
+    def _of_part(self, path: Path, member: int) -> Iterator[Record]:
+        try:
+            with open_plain(path) as file:
+                file.seek(member)
+                known = _Names.of(self.config)
+                for _, line in Lines(file):
+                    record = decode(line, self.header.version)
+                    known.check(record)
+                    yield record
+        except RecordingError as problem:
+            note = f"{path.name}: {str(problem).removeprefix(f'{path}: ')}"
+            if note not in self.notes:
+                self.notes.append(note)
+
+    def state(self, keyframe: Keyframe) -> FleetState:
+        """A keyframe's state. Raises RecordingError, also where it does not fit the config."""
+        state, config = keyframe.fleet_state(self.header.version), self.config
+        fits = (
+            list(state.robots) == [robot.name for robot in config.robots]
+            and [(robot.name, robot.link) for robot in state.robots.values()]
+            == [(robot.name, robot.link) for robot in config.robots]
+            and [floor.name for floor in state.floors.values()] == [floor.name for floor in config.floors]
+            and list(state.floors) == [floor.name for floor in config.floors]
+            and [link.name for link in state.links.values()] == list(config.bridges) == list(state.links)
+            and all(one.steps and one.command.robot in state.robots for one in state.commands)
+            and all(robot.floor in {None, *state.floors} for robot in state.robots.values())
+        )
+        if not fits:
+            raise RecordingError(f"{self.path}: a keyframe does not fit its configuration: record anew")
+        # Recordings of version 1 know no kinds.
+        adapters = adapters_of(config)
+        robots = {
+            name: one if one.kind.name else replace(one, kind=adapters[name].kind)
+            for name, one in state.robots.items()
+        }
+        return replace(state, robots=robots)
+
+
+class _Names(NamedTuple):
+    """What a config has."""
+
+    links: frozenset[str]
+    floors: frozenset[str]
+    robots: frozenset[str]
+
+    @classmethod
+    def of(cls, config: Config) -> "_Names":
+        return cls(
+            frozenset(config.bridges),
+            frozenset(floor.name for floor in config.floors),
+            frozenset(robot.name for robot in config.robots),
+        )
+
+    def check(self, record: Record) -> None:
+        """Raise RecordingError for a link, floor or robot that is none of these."""
+        match record:
+            case Heard(link=link) | Sent(link=link):
+                known = link in self.links
+            case Told(event=event):
+                known = self._has(event)
+            case _:
+                known = True
+        if not known:
+            raise RecordingError("a record is about what its configuration does not have")
+
+    def _has(self, event: events.Event) -> bool:
+        """Tell whether all that an event must find is there. Reports of other robots are passed over."""
+        if isinstance(event, events.Telemetry | Navigation | events.ChartReceived):
+            return True
+        match event:
+            case (
+                events.LinkChanged(link=link)
+                | events.LinkHeard(link=link)
+                | events.CommandPathChanged(link=link)
+                | events.MessagesUnsourced(link=link)
+                | events.FrameRejected(link=link)
+            ):
+                return link in self.links
+            case events.FloorMapLoaded(floor=floor) | events.FloorGraphLoaded(floor=floor):
+                return floor in self.floors
+            case events.CommandIssued(command=command):
+                return command.robot in self.robots
+            case (
+                events.MessageRejected()
+                | events.CommandAdvanced()
+                | GoalAnswered()
+                | QueueHeld()
+                | events.AlarmAcknowledged()
+                | events.AlarmShelved()
+                | events.AlarmUnshelved()
+                | events.TimePassed()
+            ):
+                return True
+            case _:
+                assert_never(event)

@@ -1,0 +1,169 @@
+"""What a console records: always the last minutes, and a recording where the operator wants one.
+
+Only what is made before the first picture is imported here.
+"""
+
+import logging
+import math
+import os
+import re
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import FleetError
+from fleet_tui.recording.parts import parts_beside
+from fleet_tui.recording.taps import Taps
+from fleet_tui.state.store import Store
+from fleet_tui.text.durations import age
+
+if TYPE_CHECKING:
+    from fleet_tui.recording.recorder import Recorder
+
+LOG = logging.getLogger(__name__)
+
+RECENT, RECORDINGS = "recent", "recordings"
+RECENT_PART = 60.0
+"""Seconds of a file of the last minutes."""
+PARTS = 8
+"""How many files share the bytes of the last minutes, at least."""
+
+
+class Recordings:
+    """`taps` is the tap of the console's link. Any thread may call; one after the other."""
+
+    def __init__(self, config: Config, store: Store, folder: Path, demo: bool = False) -> None:
+        self.taps = Taps()
+        self._config, self._store, self._folder, self._demo = config, store, folder, demo
+        self._recent: Recorder | None = None
+        self._recorder: Recorder | None = None
+        self._problem = ""
+
+    @property
+    def recorder(self) -> "Recorder | None":
+        """The recording that the operator wanted, while it goes on."""
+        return self._recorder
+
+    def keep_recent(self) -> None:
+        """Keep the last minutes from now on, as the config wants it."""
+        # A demo does not push out what a site's console left when it crashed.
+        usual, folder = self._config.recording, self._folder / RECENT / ("demo" if self._demo else "")
+        if not usual.recent_minutes:
+            return
+        from fleet_tui.recording.part_files import Limits
+
+        size = usual.recent_mb * 1e6
+        kept = math.ceil(usual.recent_minutes * 60 / RECENT_PART) + 1
+        # One file is being written while the others are counted.
+        limits = Limits(size / PARTS, RECENT_PART, kept, size - size / PARTS)
+        try:
+            remove_stale(folder)
+            self._recent = self._record(folder / f"{_of_this_process()}-{_now()}.jsonl.gz", limits)
+        except (FleetError, OSError) as problem:
+            LOG.warning("the last minutes are not kept: %s", problem)
+            self._problem = getattr(problem, "strerror", "") or str(problem)
+
+    def start(self) -> Path:
+        """Begin a recording; where it is. Raises RecordingError."""
+        from fleet_tui.recording.part_files import Limits
+
+        usual = self._config.recording
+        limits = Limits(usual.rotate_mb * 1e6, usual.rotate_minutes * 60, usual.keep)
+        self._recorder = self._record(self._folder / RECORDINGS / f"{_now()}.jsonl.gz", limits)
+        return self._recorder.path
+
+    def stop(self) -> str:
+        """End it; what it was."""
+        recorder, self._recorder = self._recorder, None
+        if recorder is None:
+            return "nothing is recorded"
+        lasted = age(time.monotonic() - recorder.began)
+        self.taps.detach(recorder)
+        lost = f", not whole: {recorder.problem}" if recorder.problem else ""
+        return f"recorded {lasted}, {recorder.size / 1e6:.1f} MB{lost}: {recorder.path}"
+
+    def notes(self) -> list[str]:
+        """What holds now: that it records, and what does not work of it."""
+        found = []
+        if self._recorder is not None:
+            problem = self._recorder.problem
+            lasts = age(time.monotonic() - self._recorder.began)
+            found.append(f"rec: not written: {problem}" if problem else f"rec {lasts}")
+        problem = self._recent.problem if self._recent else self._problem
+        return [*found, f"last minutes not kept: {problem}"] if problem else found
+
+    def recent(self) -> list[Path]:
+        """The files that hold the last minutes, the oldest first: together, in this order, or each alone
+        they are a recording."""
+        if self._recent is None:
+            return []
+        self._recent.flush()
+        return self._recent.paths
+
+    def close(self) -> None:
+        """End all of it. The last minutes stay for who asks what happened."""
+        for recorder in (self._recorder, self._recent):
+            if recorder is not None:
+                self.taps.detach(recorder)
+
+    def _record(self, path: Path, limits: object) -> "Recorder":
+        from fleet_tui.audit.log import new_origin
+        from fleet_tui.recording.part_files import Limits
+        from fleet_tui.recording.recorder import Recorder
+
+        assert isinstance(limits, Limits)
+        origin = new_origin(self._config, self._demo)
+        return self.taps.attach(Recorder(path, self._config, self._store, origin, limits))
+
+
+def _now() -> str:
+    return time.strftime("%Y%m%d-%H%M%S")
+
+
+def _of_this_process() -> str:
+    """Its name among others, also of other machines with the same home."""
+    return f"{_host()}-{os.getpid()}"
+
+
+def _host() -> str:
+    return re.sub(r"[^A-Za-z0-9]+", "_", os.uname().nodename)
+
+
+def remove_stale(folder: Path) -> None:
+    """Remove the last minutes of processes that have ended, but for the newest: it may be the one that
+    somebody will ask about. Raises OSError."""
+    ended = sorted(_ended(folder))
+    for _, run, path in ended:
+        if run != ended[-1][1]:
+            path.unlink(missing_ok=True)
+
+
+def recent_runs(folder: Path) -> dict[str, list[Path]]:
+    """The last minutes of every console that left some in a state folder: by name, the oldest file first."""
+    files = (folder / RECENT).glob("*.jsonl.gz")
+    return {path.name.partition(".")[0]: list(parts_beside(path)) for path in sorted(files)}
+
+
+def _ended(folder: Path) -> Iterator[tuple[str, str, Path]]:
+    """When it began, which run it was, and the file, of all files of ended processes of this machine."""
+    if not folder.is_dir():
+        return
+    for path in folder.iterdir():
+        found = re.fullmatch(
+            re.escape(_host()) + r"-(\d{1,9})-(\d{8}-\d{6})(?:\.\d{4,9})?\.jsonl\.gz", path.name
+        )
+        if found and not _is_running(int(found[1])):
+            yield found[2], f"{found[1]}-{found[2]}", path
+
+
+def _is_running(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True
+    # Ours would have another name: who had the number before us has ended.
+    return process != os.getpid()

@@ -1,0 +1,248 @@
+"""What a recording is made of: one JSON object per line, as docs/recordings.md describes them.
+
+`at` is the monotonic second at which a record took effect, and never runs backwards within a recording;
+`wall` is Unix time. Where the two jump apart, somebody set the clock.
+"""
+
+import math
+import zlib
+from pathlib import Path
+from typing import Any, TypeVar
+
+import msgspec
+import numpy as np
+from msgspec import Struct
+
+from fleet_tui.config.schema import Config, Link
+from fleet_tui.errors import FleetError, MapError
+from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.events import Event
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import MapFrame
+from fleet_tui.model.grid import OccupancyGrid, check_frame
+from fleet_tui.model.occupancy import OCCUPIED, build_grid
+from fleet_tui.recording.upgrade import upgrade_record, upgrade_state
+
+VERSION = 2
+"""Of the records below. It grows when an older program could not read them any more. Those of version 1
+are read, too: `upgrade` brings them to today's form."""
+
+T = TypeVar("T")
+
+
+class RecordingError(FleetError):
+    """A recording that can't be read, or written, and what to do."""
+
+
+class Header(Struct, frozen=True, tag="header", tag_field="kind"):
+    """The first line of a file. `recording` is the same in all parts of one recording, `part` counts
+    them from 0; `config` is without secrets."""
+
+    version: int
+    program: str
+    recording: str
+    part: int
+    at: float
+    wall: float
+    demo: bool
+    config: Config
+
+
+class Keyframe(Struct, frozen=True, tag="keyframe", tag_field="kind"):
+    """Everything known at an instant, before what follows: MessagePack, since JSON knows no infinity."""
+
+    at: float
+    wall: float
+    state: bytes
+
+    @classmethod
+    def of(cls, at: float, wall: float, state: FleetState, hook: "Packer") -> "Keyframe":
+        """The keyframe of a state."""
+        return cls(at, wall, msgspec.msgpack.encode(state, enc_hook=hook))
+
+    def fleet_state(self, version: int = VERSION) -> FleetState:
+        """The state, as far as its form goes: `Recording.state` also looks whether it fits the config.
+        `version` is that of its recording. Raises RecordingError."""
+        return _decoded(_STATES, self.state if version >= VERSION else _upgraded_state(self.state))
+
+
+class Heard(Struct, frozen=True, omit_defaults=True, tag="heard", tag_field="kind"):
+    """A frame came: `text`, or `data` where it is none. `came` is when, if that was before `at`: a large
+    frame is decoded beside the loop. `channel` is topics or commands."""
+
+    at: float
+    wall: float
+    link: str
+    channel: str
+    text: str = ""
+    data: bytes = b""
+    binary: bool = False
+    came: float | None = None
+
+    @property
+    def payload(self) -> bytes:
+        """The frame as it came."""
+        return self.data or self.text.encode()
+
+
+class Sent(Struct, frozen=True, omit_defaults=True, tag="sent", tag_field="kind"):
+    """A frame left. Those with a secret in them are not recorded."""
+
+    at: float
+    wall: float
+    link: str
+    channel: str
+    text: str = ""
+    data: bytes = b""
+
+
+class Told(Struct, frozen=True, tag="told", tag_field="kind"):
+    """Something happened that no frame brought."""
+
+    at: float
+    wall: float
+    event: Event
+
+
+class Mark(Struct, frozen=True, tag="mark", tag_field="kind"):
+    """A line of the audit log: what the record before it did to a command or an alarm."""
+
+    at: float
+    wall: float
+    record: AuditRecord
+
+
+class Lost(Struct, frozen=True, tag="lost", tag_field="kind"):
+    """So many records are missing here. A keyframe follows as soon as there is room again."""
+
+    at: float
+    wall: float
+    records: int
+    why: str
+
+
+Record = Header | Keyframe | Heard | Sent | Told | Mark | Lost
+
+
+class _Cells(Struct, frozen=True):
+    """A grid: its finest level, compressed. The others are made of it."""
+
+    frame: MapFrame
+    cells: bytes
+
+
+class Packer:
+    """Turns what is no JSON into what is. A grid that was packed before is not compressed again."""
+
+    def __init__(self) -> None:
+        self._packed: dict[int, tuple[OccupancyGrid, _Cells]] = {}
+        self._used: set[int] = set()
+
+    def __call__(self, value: Any) -> Any:
+        """A value in a form that msgspec knows."""
+        if isinstance(value, Path):
+            return str(value)
+        if not isinstance(value, OccupancyGrid):
+            raise NotImplementedError(type(value))
+        self._used.add(id(value))
+        if id(value) not in self._packed:
+            packed = zlib.compress(value.levels[0].tobytes(), 1)
+            self._packed[id(value)] = value, _Cells(value.frame, packed)
+        return self._packed[id(value)][1]
+
+    def forget(self) -> None:
+        """Let go what was not packed since the last time."""
+        self._packed = {key: kept for key, kept in self._packed.items() if key in self._used}
+        self._used = set()
+
+
+def _unpacked(kind: type, value: Any) -> Any:
+    if issubclass(kind, Path):
+        return Path(value)
+    packed = msgspec.convert(value, _Cells)
+    frame = packed.frame
+    check_frame(frame)
+    size = frame.width * frame.height
+    # A few bytes can stand for more than fits into any memory.
+    cells = zlib.decompressobj().decompress(packed.cells, size + 1)
+    if len(cells) != size:
+        raise MapError(f"a map of {frame.width} x {frame.height} px with {len(cells)} cells")
+    levels = np.frombuffer(cells, np.uint8).reshape(frame.height, frame.width)
+    return build_grid(frame, np.minimum(levels, OCCUPIED))
+
+
+_STATES = msgspec.msgpack.Decoder(FleetState, dec_hook=_unpacked)
+# Not strict: "-inf" is a number, too.
+_RECORDS: msgspec.json.Decoder[Record] = msgspec.json.Decoder(Record, dec_hook=_unpacked, strict=False)
+
+
+def encode(record: Record, packer: Packer) -> bytes:
+    """A record as a line. Raises ValueError for what can't be written, such as half a surrogate pair."""
+    return encode_all([plain(record, packer)], packer)
+
+
+def encode_all(records: list[Any], packer: Packer) -> bytes:
+    """Records, of which each went through `plain`, as lines. Raises ValueError."""
+    return msgspec.json.Encoder(enc_hook=packer).encode_lines(records)
+
+
+def plain(record: Record, packer: Packer) -> Any:
+    """A record in a form in which every number can be written."""
+    if isinstance(record, Told):
+        return _spelled(msgspec.to_builtins(record, enc_hook=packer, str_keys=True))
+    return record
+
+
+def _spelled(value: Any) -> Any:
+    """The numbers that JSON does not have become text; the rest stays."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else str(value)
+    if isinstance(value, dict):
+        return {key: _spelled(one) for key, one in value.items()}
+    return [_spelled(one) for one in value] if isinstance(value, list | tuple) else value
+
+
+def decode(line: bytes, version: int = VERSION) -> Record:
+    """A line as the record it is; `version` is that of its recording. Raises RecordingError."""
+    if version < VERSION and not line.startswith(_FRAMES):
+        line = _upgraded(line)
+    return _decoded(_RECORDS, line)
+
+
+# What came over the wire is the same in every version.
+_FRAMES = (b'{"kind":"heard"', b'{"kind":"sent"')
+_BROKEN = (KeyError, TypeError, AttributeError, ValueError, RecursionError, msgspec.MsgspecError)
+
+
+def _upgraded(line: bytes) -> bytes:
+    try:
+        return msgspec.json.encode(upgrade_record(msgspec.json.decode(line)))
+    except _BROKEN as problem:
+        raise RecordingError(f"a record can't be read: {problem!r}") from None
+
+
+def _upgraded_state(state: bytes) -> bytes:
+    try:
+        return msgspec.msgpack.encode(upgrade_state(msgspec.msgpack.decode(state)))
+    except _BROKEN as problem:
+        raise RecordingError(f"a record can't be read: {problem!r}") from None
+
+
+def _decoded(decoder: "msgspec.json.Decoder[T] | msgspec.msgpack.Decoder[T]", content: bytes) -> T:
+    try:
+        return decoder.decode(content)
+    except (msgspec.MsgspecError, ValueError, RecursionError, MapError, zlib.error, MemoryError) as problem:
+        raise RecordingError(f"a record can't be read: {problem}") from None
+
+
+def public(config: Config) -> Config:
+    """A config without secrets, where they lie, and what only this machine or operator cares about.
+
+    The names of environment variables go too: a secret may have been put where its name belongs.
+    """
+    names = {"rosbridge": config.rosbridge, **config.links}
+    links = {
+        name: Link(link.shown, link.max_message_mb, profile=link.profile) for name, link in names.items()
+    }
+    first = links.pop("rosbridge")
+    return msgspec.structs.replace(config, rosbridge=first, links=links, keys={}, path=Path())

@@ -1,0 +1,24 @@
+"""Sizes, rates and ages as a person reads them."""
+
+from fleet_tui.text.durations import age
+
+
+def size_text(count: float) -> str:
+    """Bytes: `312 B`, `1.2 kB`, `3.4 MB`."""
+    if count < 1000:
+        return f"{count:.0f} B"
+    return f"{count / 1e3:.1f} kB" if count < 1e6 else f"{count / 1e6:.1f} MB"
+
+
+def ago(at: float | None, now: float) -> str:
+    """How long ago something was, `never` if it was not."""
+    if at is None:
+        return "never"
+    seconds = max(0.0, now - at)
+    return f"{seconds:.1f} s ago" if seconds < 10 else f"{age(seconds)} ago"
+
+
+def milliseconds(seconds: float) -> str:
+    """A short time span: `0.42 ms`, `12 ms`."""
+    found = seconds * 1000
+    return f"{found:.2f} ms" if found < 10 else f"{found:.0f} ms"

@@ -1,0 +1,1 @@
+"""Lines: status, commands, hints, reasons."""

@@ -1,0 +1,159 @@
+"""The line that says where the last commands stand, in the words of the operator."""
+
+from collections.abc import Iterator, Sequence
+from typing import assert_never
+
+from fleet_tui.model.commands import (
+    FAILURES,
+    CancelOrder,
+    ClearOrders,
+    Command,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import visible
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.fleet import way
+from fleet_tui.view.tables.table import Run, cut, width_of
+
+# So many commands fit in a line one by one.
+FEW = 3
+# Seconds for which a command that did not end well stays in view.
+REMEMBERED = 30.0
+# Seconds for which the end of an order that ended well does.
+ENDED_WELL = 5.0
+
+TROUBLE = FAILURES | {Stage.NO_ANSWER, Stage.UNKNOWN}
+_INKS = dict.fromkeys((Stage.CONFIRMED, Stage.ACCEPTED, Stage.TAKEN, Stage.DONE, Stage.CANCELLED), Ink.GOOD)
+
+
+def command_text(state: FleetState, command: Command) -> str:
+    """A command in the words of the operator."""
+    robot = state.robots[command.robot]
+    match command:
+        case PlaceOrder(name, stops):
+            return f"{name} {command.text(robot.kind, way(robot, stops))}"
+        case CancelOrder(name, order_id):
+            return f"{name} cancel order {visible(order_id)}"
+        case ClearOrders(name):
+            return f"{name} clear all orders"
+        case PauseRobot(name):
+            return f"{name} pause"
+        case ResumeRobot(name):
+            return f"{name} resume"
+        case _:
+            assert_never(command)
+
+
+def stage_text(record: CommandRecord, now: float) -> str:
+    """Where a command stands, as it is written everywhere."""
+    if record.stage in (Stage.SENT, Stage.ACCEPTED):
+        return f"{record.stage.value} {age(now - record.at)} ago"
+    return "sending" if record.stage is Stage.CHECKED else str(record.stage.value)
+
+
+def _group_runs(state: FleetState, records: list[CommandRecord], brief: bool = False) -> tuple[Run, ...]:
+    """Commands of one kind at one stage, as one: pause all of a large fleet is one line."""
+    first = records[0]
+    text = command_text(state, first.command)
+    if brief and isinstance(first.command, PlaceOrder):
+        text = f"{first.command.robot} order"
+    if len(records) > 1:
+        text += f" and {len(records) - 1} more like it"
+    ink = Ink.ALARM if first.stage in TROUBLE else _INKS.get(first.stage, Ink.DIM)
+    # What a robot says on accepting ("paused") is true for that moment only.
+    words = "" if first.stage is Stage.ACCEPTED or not first.words else f" ({visible(first.words)})"
+    return (text, Ink.TEXT), (f": {stage_text(first, state.now)}", ink), (words, Ink.DIM)
+
+
+def _worth_saying(state: FleetState) -> list[CommandRecord]:
+    """What was given last, what is under way, and what went wrong a short while ago."""
+    last = state.commands[-1]
+    return [
+        record
+        for record in state.commands
+        if last.issued_at - record.issued_at < TOGETHER
+        # What waits here stands in the queue.
+        or not (record.is_decided or record.stage is Stage.WAITING)
+        or (record.stage in TROUBLE and state.now - record.at < REMEMBERED)
+        or (record.stage in (Stage.DONE, Stage.CANCELLED) and state.now - record.at < ENDED_WELL)
+    ]
+
+
+Part = tuple[Run, ...]
+
+
+def _parts(state: FleetState) -> Iterator[tuple[bool, float, Part, Part]]:
+    """What is worth saying: whether it is well, when it was given, its words, and the brief ones."""
+    worth = {record.id: record for record in _worth_saying(state)} if state.commands else {}
+    for batch in pauses(state.commands):
+        if any(record.id in worth for record in batch):
+            for record in batch:
+                worth.pop(record.id, None)
+            part = _batch_runs(state, batch)
+            yield not _is_trouble(batch), batch[-1].issued_at, part, part
+    groups: dict[object, list[CommandRecord]] = {}
+    for record in sorted(worth.values(), key=lambda record: -record.issued_at):
+        group = (type(record.command), record.stage, record.words)
+        groups.setdefault(group if len(worth) > FEW else record.id, []).append(record)
+    for together in groups.values():
+        brief = _group_runs(state, together, brief=True)[:2]
+        yield not _is_trouble(together), together[0].issued_at, _group_runs(state, together), brief
+
+
+def _is_trouble(records: Sequence[CommandRecord]) -> bool:
+    return any(record.stage in TROUBLE for record in records)
+
+
+def _batch_runs(state: FleetState, batch: Sequence[CommandRecord]) -> Part:
+    what, words = summary(state, batch)
+    if _is_trouble(batch):
+        ink = Ink.ALARM
+    else:
+        ink = Ink.GOOD if all(record.is_decided for record in batch) else Ink.DIM
+    return (what, Ink.TEXT), (f": {words}", ink)
+
+
+def message_line(state: FleetState, said: str, said_at: float, width: int) -> Part:
+    """The newest word to the operator: what the console says, how the last commands stand."""
+    # What went wrong comes first, the newest before the others: it must not be cut at the right end.
+    found = sorted(_parts(state), key=lambda part: (part[0], -part[1]))
+    parts, briefs = [part[2] for part in found], [part[3] for part in found]
+    if said and _is_news(state, said_at):
+        parts.insert(0, ((said, Ink.WARN),))
+        briefs.insert(0, ((said, Ink.WARN),))
+    runs = _in_line(parts)
+    return runs if width_of(runs) <= width else _squeezed(parts, briefs, width)
+
+
+def _in_line(parts: list[tuple[Run, ...]]) -> tuple[Run, ...]:
+    gaps = [" ", *["   "] * len(parts)]
+    return tuple(run for gap, part in zip(gaps, parts, strict=False) for run in ((gap, Ink.TEXT), *part))
+
+
+def _squeezed(parts: list[tuple[Run, ...]], briefs: list[tuple[Run, ...]], width: int) -> tuple[Run, ...]:
+    """The first with as many of its words as there is room for; how one stands is never cut: those that
+    come last, which are well, are left out before."""
+    first, rest = parts[0], briefs[1:]
+    while rest and width_of(_in_line([briefs[0], *rest])) > width:
+        rest.pop()
+    room = width - width_of(_in_line([(), *rest]))
+    if width_of(first[:2]) > room:
+        first = (*briefs[0], *first[2:])
+    return _in_line([cut(first, room) if width_of(first) > room else first, *rest])
+
+
+def _is_news(state: FleetState, said_at: float) -> bool:
+    """The console's own word stands until the next command."""
+    return not state.commands or said_at >= state.commands[-1].issued_at
+
+
+def newest(state: FleetState) -> float:
+    """Up to when something is known: a command may have been given since the last tick."""
+    return max([state.now, *(record.issued_at for record in state.commands[-1:])])

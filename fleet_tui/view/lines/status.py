@@ -1,0 +1,98 @@
+"""The line that is always in view: the link, the alarms, the selected robot."""
+
+from collections.abc import Iterator, Sequence
+
+from fleet_tui.model.fleet import FleetState, behind_text
+from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.rules.lag import BEHIND
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import visible
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.table import Run
+
+# A link on which something came within so many seconds is well.
+SILENT_AFTER = 2.0
+# The writer tells the time ten times a second. Where it doesn't, ages stand still and all looks live.
+BLIND_AFTER = 2.0
+
+
+def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: float) -> list[str]:
+    """What holds for this console: also that it is late in reading, or has gone blind, where the state is
+    `standstill` seconds old."""
+    notes = {
+        "read-only": read_only,
+        "not armed": not armed,
+        behind_text(state): state.behind >= BEHIND,
+        f"nothing is updated for {age(standstill)}: restart this console": standstill > BLIND_AFTER,
+    }
+    return [note for note, holds in notes.items() if holds]
+
+
+def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
+    if link.phase is not Phase.UP:
+        yield "○ no link ", Ink.ALARM
+        if link.reason:
+            yield f"{visible(link.reason)}, ", Ink.WARN
+        if link.phase is Phase.CONNECTING or link.next_try is None:
+            yield "trying now", Ink.TEXT
+        else:
+            yield f"next try {max(0.0, link.next_try - now):.0f} s", Ink.TEXT
+        heard = "" if link.heard is None else f", last message {age(now - link.heard)} ago"
+        yield f", since {age(now - link.since)}{heard} {address}", Ink.DIM
+        return
+    yield "● ", Ink.GOOD
+    yield f"{address} ", Ink.TEXT
+    if link.heard is None:
+        yield "nothing heard yet", Ink.DIM
+    else:
+        silent = max(0.0, now - link.heard)
+        yield f"{silent:.1f} s", Ink.DIM if silent < SILENT_AFTER else Ink.WARN
+    if link.command_path is CommandPath.DEAD:
+        yield f" commands dead: {visible(link.command_reason)}", Ink.ALARM
+    elif link.command_path is CommandPath.UNREGISTERED:
+        yield f" {visible(link.command_reason)}", Ink.ALARM
+    if link.unsourced:
+        yield f" {visible(link.unsourced_text)}", Ink.ALARM
+    if link.late >= BEHIND:
+        yield f" {link.late:.1f} s late: the bridge is overloaded", Ink.WARN
+    if link.faults:
+        yield f" {link.faults} bad frames", Ink.WARN
+
+
+def _worst(state: FleetState) -> LinkState:
+    """The link that needs a person most; all of them in the order of the config."""
+    return min(
+        state.links.values(),
+        key=lambda link: (
+            link.phase is Phase.UP,
+            link.command_path not in NO_WAY,
+            not link.unsourced,
+            link.late < BEHIND,
+            link.heard or 0.0,
+        ),
+    )
+
+
+def status_line(
+    state: FleetState, selected: str, notes: Sequence[str] = (), addressed: bool = True
+) -> tuple[Run, ...]:
+    """What stands first is what must not be cut: alarms, the selected robot, the link, by its address or
+    only by its name; what is no bridge always by its address."""
+    fresh, alarms = state.unacknowledged, len(state.alarms) - state.shelved
+    runs: list[Run] = [(f" {visible(selected)}  ", Ink.ACCENT)]
+    sign, ink = ("▲", Ink.ALARM) if fresh else ("△", Ink.TEXT if alarms else Ink.DIM)
+    runs.append((f"{sign} {alarms} alarm{'s' * (alarms != 1)}" + (f" ({fresh} new)" if fresh else ""), ink))
+    runs.append(("  ", Ink.TEXT))
+    runs.extend((note + "  ", Ink.WARN) for note in notes)
+    others = len(state.links) - 1
+    link = _worst(state)
+    runs.extend(_link_runs(link, state.now, visible(link.url if addressed or link.is_bag else link.name)))
+    if others > 0:
+        up = sum(link.phase is Phase.UP for link in state.links.values())
+        runs.append((f"  {up} of {others + 1} links up", Ink.DIM))
+    return tuple(runs)
+
+
+def status_right(clock: str, operator: str = "") -> tuple[Run, ...]:
+    """What fills the right end where there is room: the program or who commands, and the time."""
+    return ((f"{visible(operator) or 'fleet-tui'}  ", Ink.DIM), (f"{clock} ", Ink.DIM))

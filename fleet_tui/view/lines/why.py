@@ -1,0 +1,58 @@
+"""The reasons why a robot stands still, as lines of text."""
+
+from collections.abc import Collection, Iterator, Mapping
+
+from fleet_tui.keys import KEYS
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.pauses import STANDS_AFTER
+from fleet_tui.rules.why.reason import Reason
+from fleet_tui.rules.why.why import reasons
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import visible
+from fleet_tui.view.lines.hints import hidden_keys
+
+SHOWN = 5
+"""As many reasons as a small terminal has room for; the others weigh least."""
+
+_KEYS = {key.id: key for key in KEYS}
+
+
+def why_lines(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]) -> list[str]:
+    """Since when it stands, then each reason: name, evidence, age and the keys that help."""
+    found, hidden = reasons(state, robot), hidden_keys(state, robot.name)
+    lines = [_standing(state, robot)]
+    for number, reason in enumerate(found[:SHOWN], 1):
+        likeliest = "▶ likeliest: " if number == 1 else f"  {number}. "
+        lines += ["", f"{likeliest}{visible(reason.name)}  ({reason.strength.name.lower()})"]
+        lines.append(f"    {visible(reason.evidence)}")
+        lines += [f"    {line}" for line in (_age(state, reason), *_helps(reason, keys, hidden)) if line]
+    return lines
+
+
+def _standing(state: FleetState, robot: Robot) -> str:
+    if "pose" not in robot.kind.reports:
+        return "Robots of this kind don't tell where they are."
+    if robot.pose is None or robot.standing is None:
+        return "Where it is has never been reported."
+    if state.is_old(robot, "pose"):
+        return f"Its last known place is {age(state.now - robot.pose.at)} old."
+    still = state.now - robot.standing.at
+    return f"It has not moved for {age(still)}." if still >= STANDS_AFTER else "Its pose changes."
+
+
+def _age(state: FleetState, reason: Reason) -> str:
+    parts = []
+    if reason.since is not None:
+        parts.append(f"for {age(state.now - reason.since)}")
+    if reason.seen is not None:
+        parts.append(f"reported {max(0.0, state.now - reason.seen):.1f} s ago")
+    return ", ".join(parts)
+
+
+def _helps(reason: Reason, keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> Iterator[str]:
+    for id_ in reason.keys:
+        if id_ in hidden:
+            continue
+        name = " ".join(keys[id_][:1]) or "(palette)"
+        yield f"{name}  {_KEYS[id_].text}"

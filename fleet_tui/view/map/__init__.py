@@ -1,0 +1,1 @@
+"""The map as characters and style roles: scene, layers, camera."""

@@ -1,0 +1,164 @@
+"""From the fleet's state to what the map shows of one floor.
+
+The picture is the selected robot's: its map, graph and labels. The others are placed through
+their own map_metadata into it.
+"""
+
+from dataclasses import replace
+from functools import lru_cache
+
+from fleet_tui.model.fleet import FleetState, Floor
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.text.sanitize import visible
+from fleet_tui.view.map.mission import mission, targets
+from fleet_tui.view.map.scene import Line, Scene, SceneRobot, SceneVertex
+from fleet_tui.view.selection import Selection
+
+MARGIN, BLOCK = 2.0, 10.0
+EMPTY_RESOLUTION = 0.05
+FAR = 1e6
+"""Metres beyond which a place is an error, not one to make room for."""
+
+Drawn = tuple[tuple[SceneVertex, ...], tuple[Line, ...], tuple[Line, ...]]
+
+
+@lru_cache(maxsize=2)
+def _drawn(chart: Chart) -> Drawn:
+    """Vertices, edges and the one-way ones of them; the same objects as long as the chart is the same."""
+    graph, labels = chart.graph or RouteGraph(), chart.labels
+    vertices = tuple(
+        SceneVertex(vertex.id, vertex.x, vertex.y, vertex.role, visible(labels.get(vertex.id, "")))
+        for vertex in graph.vertices.values()
+    )
+    places, joined = graph.vertices, {(edge.start, edge.end) for edge in graph.edges}
+    lines = [
+        ((places[start].x, places[start].y, places[end].x, places[end].y), (end, start) not in joined)
+        for start, end in ((edge.start, edge.end) for edge in graph.edges)
+    ]
+    one_way = tuple(line for line, alone in lines if alone and graph.directed)
+    return vertices, tuple(line for line, _ in lines), one_way
+
+
+def chart_robot(state: FleetState, selection: Selection) -> Robot | None:
+    """Whose map and graph stand for the floor: the selected robot's, else the first that knows it."""
+    selected = state.robots[selection.robot]
+    if selection.floor in selected.charts:
+        return selected
+    return next((robot for robot in state.robots.values() if selection.floor in robot.charts), None)
+
+
+def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) -> MapFrame:
+    """Without a map: room around the vertices, else around the robots in steps so that it stands still."""
+    points = [(vertex.x, vertex.y) for vertex in vertices]
+    if not points:
+        for robot in state.robots.values():
+            if robot.pose is not None and robot.floor == floor:
+                x, y = robot.pose.value.x // BLOCK * BLOCK, robot.pose.value.y // BLOCK * BLOCK
+                points += [(x, y), (x + BLOCK, y + BLOCK)]
+    points = [(x, y) for x, y in points if abs(x) < FAR and abs(y) < FAR]
+    points = points or [(0.0, 0.0), (BLOCK, BLOCK)]
+    left, low = min(x for x, _ in points) - MARGIN, min(y for _, y in points) - MARGIN
+    width = max(x for x, _ in points) + MARGIN - left
+    height = max(y for _, y in points) + MARGIN - low
+    pixels = (max(1, round(width / EMPTY_RESOLUTION)), max(1, round(height / EMPTY_RESOLUTION)))
+    return MapFrame(EMPTY_RESOLUTION, *pixels, Pose(left, low))
+
+
+def _with_map(floor: Floor, chart: Chart, scene: Scene) -> Scene:
+    """The floor's configured file first, then the live map, then empty ground that says what is missing."""
+    grid, frame = floor.grid, chart.frame
+    if grid is not None and floor.tied:
+        note = ""
+        if frame is not None and not _same_size(frame, grid.frame):
+            note = "map_metadata differs from the map file"
+        return replace(scene, grid=grid, frame=grid.frame, note=note)
+    if grid is not None and frame is not None:
+        if (frame.width, frame.height) == (grid.frame.width, grid.frame.height):
+            return replace(scene, grid=grid, frame=frame)
+        image, told = grid.frame, f"{frame.width} x {frame.height}"
+        return replace(
+            scene, note=f"map image is {image.width} x {image.height} px, map_metadata says {told}"
+        )
+    if floor.problem:
+        return replace(scene, note=floor.problem)
+    if grid is not None:
+        return replace(scene, note="map image waits for map_metadata")
+    live = chart.grid or floor.live
+    if live is not None:
+        return replace(scene, grid=live, frame=live.frame)
+    missing = "no map yet" if chart.graph is not None else "no map and no graph yet"
+    return replace(scene, frame=frame or scene.frame, note=missing)
+
+
+def _same_size(one: MapFrame, other: MapFrame) -> bool:
+    same_pixels = (one.width, one.height) == (other.width, other.height)
+    return same_pixels and abs(one.resolution - other.resolution) < 1e-6
+
+
+def _placed(pose: Pose, own: MapFrame | None, picture: MapFrame) -> tuple[Pose, bool]:
+    """A pose in the picture's world, and whether the robot's own map is another one."""
+    if own is None or own is picture or own == picture:
+        return pose, False
+    column, row = own.to_pixel(pose.x, pose.y)
+    scale = own.resolution / picture.resolution
+    x, y = picture.to_world(column * scale, picture.height - (own.height - row) * scale)
+    turn = picture.origin.yaw - own.origin.yaw
+    return Pose(x, y, pose.yaw + turn), not _same_size(own, picture)
+
+
+def _robot(
+    state: FleetState, robot: Robot, selection: Selection, picture: MapFrame, tied: bool
+) -> SceneRobot | None:
+    if robot.pose is None or robot.floor != selection.floor:
+        return None
+    chart = None if tied else robot.charts.get(selection.floor)
+    pose, other_map = _placed(robot.pose.value, chart.frame if chart else None, picture)
+    return SceneRobot(
+        name=robot.name,
+        number=robot.number,
+        pose=pose,
+        cargo=robot.has_cargo,
+        selected=robot.name == selection.robot,
+        online=state.is_fresh(robot, "pose"),
+        paused=state.is_paused(robot),
+        obstacle=state.is_obstructed(robot),
+        other_map=other_map,
+        age=state.now - robot.pose.at,
+    )
+
+
+def _elsewhere(state: FleetState, selection: Selection) -> str:
+    """Where the selected robot is, if not here."""
+    robot = state.robots[selection.robot]
+    actual = robot.floor
+    if "pose" not in robot.kind.reports:
+        return f"{robot.name} does not tell where it is"
+    if robot.pose is None:
+        return f"{robot.name} has no pose yet"
+    if actual is None:
+        return f"{robot.name} is on unknown floor {visible(robot.frame_id)}"
+    return f"{robot.name} is on {actual}" if actual != selection.floor else ""
+
+
+def floor_scene(state: FleetState, selection: Selection) -> Scene:
+    """What the map shows of the selected floor."""
+    owner = chart_robot(state, selection)
+    chart = owner.charts[selection.floor] if owner else Chart()
+    vertices, edges, one_way = _drawn(chart)
+    floor = state.floors[selection.floor]
+    ground = _ground(state, floor.name, vertices)
+    scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)
+    scene = _with_map(floor, chart, scene)
+    tied = floor.grid is not None and floor.tied
+    robots = (_robot(state, robot, selection, scene.frame, tied) for robot in state.robots.values())
+    selected = state.robots[selection.robot]
+    notes = [note for note in (_elsewhere(state, selection), scene.note, floor.graph_problem) if note]
+    return replace(
+        scene,
+        robots=tuple(robot for robot in robots if robot is not None),
+        target_vertices=targets(selected, floor.name),
+        mission=mission(selected, floor.name),
+        note=", ".join(notes),
+    )

@@ -1,0 +1,68 @@
+"""The characters of the map, each with its plain ASCII stand-in."""
+
+import math
+
+from fleet_tui.model.graph import Role
+from fleet_tui.view.map.scene import SceneRobot, SceneVertex
+from fleet_tui.view.roles import Ink
+
+# East first, then counter-clockwise in steps of 45 degrees. A loaded robot is a filled arrow.
+_EMPTY = "→↗↑↖←↙↓↘"
+_LOADED = "▶◥▲◤◀◣▼◢"
+_PLAIN = (">", "/^", "^", "^\\", "<", "v/", "v", "\\v")
+
+
+def robot_glyph(robot: SceneRobot, turned: float, plain: bool) -> str:
+    """The robot's arrow; turned: radians by which the map's picture is turned in the world."""
+    heading = robot.pose.yaw - turned
+    eighth = round(heading / (math.pi / 4)) % 8 if math.isfinite(heading) else 0
+    if plain:
+        return _PLAIN[eighth]
+    return (_LOADED if robot.cargo else _EMPTY)[eighth]
+
+
+def robot_tag(robot: SceneRobot, plain: bool) -> str:
+    """What stands beside the arrow: the number, then what is special about the robot."""
+    tag = str(robot.number)
+    if plain and robot.cargo:
+        tag += "+"
+    if robot.obstacle:
+        tag += "!"
+    if robot.paused:
+        tag += "=" if plain else "‖"
+    if robot.other_map:
+        tag += "~" if plain else "≈"
+    return tag if robot.online else f"{tag} {age_text(robot.age)}"
+
+
+def robot_inks(robot: SceneRobot) -> tuple[Ink, Ink]:
+    """The inks of the arrow and of the tag: selection shows in the first, trouble in both."""
+    if not robot.online:
+        state = Ink.ROBOT_OFFLINE
+    elif robot.obstacle:
+        state = Ink.ROBOT_ALARM
+    elif robot.selected:
+        state = Ink.ROBOT_SELECTED
+    else:
+        return (Ink.CARGO if robot.cargo else Ink.ROBOT), Ink.ROBOT
+    return (Ink.ROBOT_SELECTED if robot.selected else state), state
+
+
+def age_text(seconds: float) -> str:
+    """An age in the largest unit that still says enough: `41 s`, `5 min`, `3 h`."""
+    if not math.isfinite(seconds):
+        return "never"
+    if seconds < 120:
+        return f"{max(seconds, 0):.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.0f} h"
+
+
+def vertex_glyph(vertex: SceneVertex, plain: bool) -> tuple[str, Ink]:
+    """A vertex by its role; one without a role by whether it has a label."""
+    if vertex.role is Role.ELEVATOR:
+        return ("E" if plain else "↕"), Ink.ELEVATOR
+    if vertex.role is Role.DOCKING:
+        return ("D" if plain else "⌂"), Ink.DOCKING
+    if vertex.label:
+        return "o", Ink.VERTEX_LABELLED
+    return ("'" if plain else "·"), Ink.VERTEX

@@ -1,0 +1,145 @@
+"""The map's layers, one function each, drawn in the order of the lists in `picture`."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from fleet_tui.model.graph import Role
+from fleet_tui.model.order import natural
+from fleet_tui.text.sanitize import visible
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.glyphs import robot_glyph, robot_inks, robot_tag, vertex_glyph
+from fleet_tui.view.map.labels import Room
+from fleet_tui.view.map.places import Place, seen_robots, seen_vertices
+from fleet_tui.view.map.raster import ground
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.roles import Ink
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """What the operator chose to see. cursor: where the map's cursor is, x, y in metres; pointed: the
+    id of the vertex under it."""
+
+    drawing: Drawing = Drawing.BRAILLE
+    edges: bool = False
+    labels: bool = True
+    trails: bool = False
+    cursor: tuple[float, float] | None = None
+    pointed: str | None = None
+
+    @property
+    def plain(self) -> bool:
+        """Whether only ASCII may be used."""
+        return self.drawing is Drawing.ASCII
+
+
+def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """The occupancy map, over everything that was there."""
+    below = ground(scene.grid, camera, look.drawing)
+    cells.codes[:] = below.codes
+    cells.inks[:] = below.inks
+
+
+def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """The vertices by role, the important ones over the others. On the current way a plain one is part
+    of the line."""
+    placed = seen_vertices(scene, camera)
+    for vertex, (x, y) in sorted(placed, key=lambda at: vertex_glyph(at[0], look.plain)[1]):
+        glyph, ink = vertex_glyph(vertex, look.plain)
+        if ink is Ink.VERTEX and cells.inks[y, x] == Ink.MISSION:
+            glyph, ink = ("*" if look.plain else "•"), Ink.MISSION
+        cells.write(x, y, glyph, Ink.TARGET if vertex.id in scene.target_vertices else ink)
+
+
+def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """Labels where there is room for the whole of them, so more of them the nearer the view.
+
+    First the mission's ends, then the vertex under the cursor, elevators and docking stations, the
+    others; equals by vertex id. The order is the same at every zoom: what stands, stands nearer too,
+    unless something before it now finds room there.
+    """
+    if not look.labels:
+        return
+    placed = seen_vertices(scene, camera)
+    room = Room(camera.width, camera.height)
+    for vertex, (x, y) in placed:
+        if vertex.role is not Role.PLAIN or vertex.label:
+            room.take(x, y, 1)
+    targets = scene.target_vertices
+    labelled = [at for at in placed if at[0].label]
+    for vertex, (x, y) in sorted(labelled, key=lambda at: _rank(at[0], targets, look)):
+        text = visible(vertex.label)
+        if look.plain:
+            text = text.encode("ascii", "replace").decode()
+        spot = room.label_spot(x, y, text, cells.inks)
+        if spot:
+            cells.write(*spot, text, Ink.TARGET if vertex.id in targets else Ink.LABEL)
+
+
+def _rank(vertex: SceneVertex, targets: tuple[str, ...], look: Look) -> tuple[bool, bool, bool, object]:
+    """The smallest goes first."""
+    return vertex.id not in targets, vertex.id != look.pointed, vertex.role is Role.PLAIN, natural(vertex.id)
+
+
+Tags = dict[int, Place]
+"""Where the number of each robot stands, from its arrow, by number."""
+
+
+def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look, tags: Tags | None = None) -> None:
+    """Every robot as an arrow with its number beside it; the selected one on top and placed first.
+
+    `tags` remembers from picture to picture where the numbers stand: they stay there while there is room.
+    """
+    tags = {} if tags is None else tags
+    placed = seen_robots(scene, camera)
+    owners = {at: robot for robot, at in reversed(placed)}  # of robots in one cell the first one is seen
+    plain, turned = look.plain, scene.frame.origin.yaw
+    glyphs = {at: _robot_glyph(robot, at, owners, turned, plain) for at, robot in owners.items()}
+    room = Room(camera.width, camera.height, cells.inks)
+    for (x, y), glyph in glyphs.items():
+        room.take(x, y, len(glyph))
+    texts: list[tuple[int, int, str, Ink]] = []
+    for robot, at in placed:
+        glyph_ink, tag_ink = robot_inks(robot)
+        if owners[at] is robot:
+            texts.append((*at, glyphs[at], glyph_ink))
+        spot, tag = _tag(robot, at, len(glyphs[at]), plain, room, tags)
+        if spot:
+            texts.append((*spot, tag, tag_ink))
+    cells.write_all(texts)
+
+
+def _tag(
+    robot: SceneRobot, at: Place, glyph: int, plain: bool, room: Room, tags: Tags
+) -> tuple[Place | None, str]:
+    """A robot's number and where it goes: where it stood, else the nearest place with room."""
+    (x, y), tag = at, robot_tag(robot, plain)
+    stood = tags.get(robot.number)
+    if stood and room.keep_tag(x, y, glyph, len(tag), *stood):
+        return (x + stood[0], y + stood[1]), tag
+    spot = room.tag_spot(x, y, glyph, len(tag))
+    if spot is None:
+        tag = str(robot.number)
+        spot = room.tag_spot(x, y, glyph, len(tag))
+    if spot:
+        tags[robot.number] = spot[0] - x, spot[1] - y
+    return spot, tag
+
+
+def _robot_glyph(
+    robot: SceneRobot, at: Place, owners: Mapping[Place, SceneRobot], turned: float, plain: bool
+) -> str:
+    """The arrow, only as wide as it hides no other robot."""
+    glyph = robot_glyph(robot, turned, plain)
+    return glyph[:1] if (at[0] + 1, at[1]) in owners else glyph
+
+
+def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """The map's cursor: the cell's own character, marked."""
+    if look.cursor is None:
+        return
+    x, y = camera.to_cell(*scene.frame.to_pixel(*look.cursor))
+    if camera.shows(x, y):
+        cells.inks[y, x] = Ink.CURSOR

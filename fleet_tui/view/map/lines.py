@@ -1,0 +1,191 @@
+"""The layers made of lines and dots: edges, the remaining mission, where robots were."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.places import Points, pixels
+from fleet_tui.view.map.raster import BRAILLE, pack
+from fleet_tui.view.map.scene import Line, Scene
+from fleet_tui.view.roles import Ink
+
+Mask = NDArray[np.bool_]
+"""The dots of a view, (rows, columns)."""
+
+OFF_EDGE = 1.0
+"""Metres from which a robot is beside its edge, not on it."""
+FADED = 30.0
+"""Seconds after which a trail is paler and has half as many dots."""
+_ARROW_ROOM = 8.0  # dots of an edge that must be seen before it gets an arrow head
+_NEXT = ":"
+"""The next orders' way in ASCII."""
+_ARROWS = ("▸▴◂▾", ">^<v")  # east first, counter-clockwise; the second in ASCII
+
+
+def _table(*inks: Ink) -> NDArray[np.bool_]:
+    found = np.zeros(len(Ink), np.bool_)
+    found[list(inks)] = True
+    return found
+
+
+_GROUND = _table(Ink.FLOOR, Ink.UNKNOWN)
+_OPEN = _table(Ink.FLOOR, Ink.UNKNOWN, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD)
+_WAYS = (Ink.MISSION, Ink.MISSION_NEXT)
+_KEPT = _table(Ink.WALL, Ink.WALL_BEYOND, Ink.MISSION_NEXT, Ink.MISSION)
+
+
+def _mask(camera: Camera) -> Mask:
+    return np.zeros((camera.height * DOTS_Y, camera.width * DOTS_X), np.bool_)
+
+
+def _dots(scene: Scene, camera: Camera, points: Points) -> Points:
+    """Points in metres (n x 2) as fractions of the view's dots."""
+    left, top = camera.origin
+    return pixels(scene.frame, points) / camera.scale - (left * DOTS_X, top * DOTS_Y)
+
+
+def _ends(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points, Points]:
+    ends = np.array(lines, np.float64)
+    return _dots(scene, camera, ends[:, :2]), _dots(scene, camera, ends[:, 2:])
+
+
+def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """The route graph's edges as thin lines that leave every wall visible."""
+    if not (look.edges and scene.edges):
+        return
+    mask = _mask(camera)
+    _trace(mask, *_ends(scene, camera, scene.edges))
+    bits = pack(mask)
+    free = (bits > 0) & _GROUND[cells.inks]
+    cells.codes[free] = ord("+") if look.plain else BRAILLE[bits[free]]
+    cells.inks[free] = Ink.EDGE
+    if scene.one_way:
+        _point(cells, scene, camera, look)
+
+
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")
+def _point(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """An arrow head in the middle of what is seen of each one-way edge, where there is room."""
+    starts, stops = _ends(scene, camera, scene.one_way)
+    low, high = _within((camera.height * DOTS_Y, camera.width * DOTS_X), starts, stops)
+    way = stops - starts
+    seen = (np.abs(way).max(axis=1) * (high - low) >= _ARROW_ROOM) & np.isfinite(way).all(axis=1)
+    middles = (starts + way * ((low + high) / 2)[:, None])[seen]
+    quarters = np.rint(np.arctan2(-way[seen, 1], way[seen, 0]) / (np.pi / 2)).astype(np.intp) % 4
+    arrows = _ARROWS[look.plain]
+    for (x, y), quarter in zip((middles // (DOTS_X, DOTS_Y)).astype(np.intp), quarters, strict=True):
+        if camera.shows(x, y) and cells.inks[y, x] == Ink.EDGE:
+            cells.write(int(x), int(y), arrows[quarter], Ink.EDGE)
+
+
+def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """The selected robot's remaining way: of the current order thick, of the next ones dashed."""
+    if scene.mission is None:
+        return
+    if scene.mission.following:
+        mask = _mask(camera)
+        _trace(mask, *_ends(scene, camera, scene.mission.following), dashed=True)
+        _stroke(cells, mask, Ink.MISSION_NEXT, look, _NEXT)
+    if scene.mission.current:
+        mask = _mask(camera)
+        _trace(mask, *_ends(scene, camera, scene.mission.current))
+        _stroke(cells, mask, Ink.MISSION, look, "*")
+
+
+def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """The first piece of that way, what is left of the edge that the selected robot is on.
+
+    As long as it is near the edge, the edge's own dots: they don't dance when the pose does.
+    """
+    robot = scene.selected
+    if scene.mission is None or scene.mission.edge is None or robot is None:
+        return
+    x, y, to_x, to_y = edge = scene.mission.edge
+    pose, along = robot.pose, (to_x - x, to_y - y)
+    ahead = (pose.x - x) * along[0] + (pose.y - y) * along[1]
+    square = along[0] * along[0] + along[1] * along[1]  # ** would raise on a vertex at 1e300
+    done = min(max(ahead / max(square, 1e-12), 0.0), 1.0)
+    if math.dist((pose.x, pose.y), (x + done * along[0], y + done * along[1])) > OFF_EDGE:
+        edge, done = (pose.x, pose.y, to_x, to_y), 0.0
+    mask = _mask(camera)
+    _trace(mask, *_ends(scene, camera, (edge,)), done=done)
+    _stroke(cells, mask, Ink.MISSION, look, "*")
+
+
+def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+    """Where robots were, as dots that pale and thin out with age."""
+    if scene.trail is None or not len(scene.trail):
+        return
+    dots, old = _dots(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED
+    # By place, so that a dot that stays does not come and go with its neighbours.
+    thinned = old & (np.floor(dots).sum(axis=1) % 2 == 0)
+    for some, ink in ((old & ~thinned, Ink.TRAIL_OLD), (~old, Ink.TRAIL)):
+        mask = _mask(camera)
+        _dot(mask, dots[some])
+        _stroke(cells, mask, ink, look, ",")
+
+
+def _thick(mask: Mask) -> Mask:
+    """Two dots wide: without colour, too, it is another line than an edge."""
+    thick = mask.copy()
+    thick[:-1] |= mask[1:]
+    thick[:, :-1] |= mask[:, 1:]
+    return thick
+
+
+def _stroke(cells: Cells, mask: Mask, ink: Ink, look: Look, plain: str) -> None:
+    """Draw the dots in one ink where nothing more important stands; as ASCII the character `plain`.
+
+    The current mission is thick. A wall under a mission stays what it is and only takes its ink: the
+    line goes on through it.
+    """
+    passed = pack(mask)
+    bits = pack(_thick(mask)) if ink is Ink.MISSION and not look.plain else passed
+    drawn = (bits > 0) & _OPEN[cells.inks]
+    if ink in _WAYS:
+        crossed = (passed > 0) & _KEPT[cells.inks]
+        dotted = crossed & (cells.codes >= BRAILLE[1]) & (cells.codes <= BRAILLE[-1])
+        cells.codes[dotted] |= bits[dotted]
+        cells.codes[crossed & (cells.codes == ord(_NEXT))] = ord(plain)
+        cells.inks[crossed] = ink
+    cells.codes[drawn] = ord(plain) if look.plain else BRAILLE[bits[drawn]]
+    cells.inks[drawn] = ink
+
+
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")
+def _trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False, done: float = 0.0) -> None:
+    """Set the dots (x, y) along each line, after cutting the lines to the mask and by the share `done`."""
+    low, high = _within(mask.shape, starts, stops)
+    way = stops - starts
+    seen = (low < high) & np.isfinite(way).all(axis=1)
+    starts, way, low, high = starts[seen], way[seen], low[seen], high[seen]
+    steps = (np.abs(way).max(axis=1) * (high - low)).astype(np.intp) + 2
+    line = np.repeat(np.arange(len(steps)), steps)
+    along = np.arange(len(line)) - np.repeat(np.cumsum(steps) - steps, steps)
+    share = low[line] + (high - low)[line] * along / (steps[line] - 1)
+    kept = share >= done
+    if dashed:
+        kept &= along % 4 < 2
+    _dot(mask, (starts[line] + way[line] * share[:, None])[kept])
+
+
+def _dot(mask: Mask, dots: Points) -> None:
+    """Set the dots at x, y, as far as they are in the mask."""
+    rows, columns = mask.shape
+    inside = ((dots >= 0) & (dots < (columns, rows))).all(axis=1)
+    places = dots[inside].astype(np.intp)
+    mask[places[:, 1], places[:, 0]] = True
+
+
+def _within(shape: tuple[int, ...], starts: Points, stops: Points) -> tuple[Points, Points]:
+    """From which to which share of its length each line is inside the mask (Liang-Barsky)."""
+    size = np.array([shape[1], shape[0]], np.float64)
+    one, other = -starts / (stops - starts), (size - starts) / (stops - starts)
+    # A line along an axis divides by zero: +-inf outside, nan exactly on the border (taken as inside).
+    low = np.nan_to_num(np.minimum(one, other), nan=-np.inf, neginf=-np.inf, posinf=np.inf)
+    high = np.nan_to_num(np.maximum(one, other), nan=np.inf, neginf=-np.inf, posinf=np.inf)
+    return np.maximum(low.max(axis=1), 0.0), np.minimum(high.min(axis=1), 1.0)

@@ -1,0 +1,44 @@
+"""The map's picture: all layers, in two parts so that robots can move over a backdrop that stands."""
+
+from collections.abc import Callable
+
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.layers import (
+    Look,
+    Tags,
+    draw_cursor,
+    draw_ground,
+    draw_labels,
+    draw_robots,
+    draw_vertices,
+)
+from fleet_tui.view.map.lines import draw_approach, draw_edges, draw_mission, draw_trails
+from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.roles import Ink
+
+Layer = Callable[[Cells, Scene, Camera, Look], None]
+
+STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices, draw_labels)
+"""Drawn again only when the map, the graph, the mission, the camera or the look changes."""
+
+MOVING: tuple[Layer, ...] = (draw_trails, draw_approach)
+"""Drawn at every tick; then the robots, and the cursor on top."""
+
+
+def backdrop(scene: Scene, camera: Camera, look: Look) -> Cells:
+    """The picture without what moves."""
+    cells = Cells.blank(camera.width, camera.height, Ink.UNKNOWN)
+    for draw in STILL:
+        draw(cells, scene, camera, look)
+    return cells
+
+
+def picture(behind: Cells, scene: Scene, camera: Camera, look: Look, tags: Tags | None = None) -> Cells:
+    """What moves, drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`."""
+    cells = behind.copy()
+    for draw in MOVING:
+        draw(cells, scene, camera, look)
+    draw_robots(cells, scene, camera, look, tags)
+    draw_cursor(cells, scene, camera, look)
+    return cells

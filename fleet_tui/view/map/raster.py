@@ -1,0 +1,223 @@
+"""The map's ground in terminal cells: braille, half-blocks or ASCII, sampled from the pyramid.
+
+Every mode folds the same dots (2 x 4 per cell), each the maximum of exactly the pixels it
+covers, so that a wall one pixel thick is in the picture at any zoom.
+"""
+
+import math
+from typing import TypeVar, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes
+from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.roles import Ink
+
+COARSE = 12.0
+"""Pixels per dot from which nearly every dot holds some wall: then only edges stay solid, and the
+inside of walls is as dense as the map is there."""
+
+
+def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cells:
+    """The map as the camera sees it; without a grid the extent is empty floor."""
+    left, top = camera.origin
+    shape = (camera.height * DOTS_Y, camera.width * DOTS_X)
+    if grid is None:
+        dots = _empty(camera, left * DOTS_X, top * DOTS_Y, shape)
+    elif camera.scale > COARSE and drawing is not Drawing.ASCII:
+        return _coarse(grid, camera, drawing)
+    else:
+        dots = sample(grid, camera.scale, left * DOTS_X, top * DOTS_Y, shape)
+    if drawing is Drawing.BRAILLE:
+        return _braille(dots, dots == OCCUPIED)
+    return _half_block(dots) if drawing is Drawing.HALF_BLOCK else _ascii(dots)
+
+
+def _coarse(grid: OccupancyGrid, camera: Camera, drawing: Drawing) -> Cells:
+    """Edges solid, the inside toned. Seen with a cell more on each side, so that the view's own rim
+    is no edge."""
+    left, top = camera.origin
+    shape = ((camera.height + 2) * DOTS_Y, (camera.width + 2) * DOTS_X)
+    part = (camera.scale, (left - 1) * DOTS_X, (top - 1) * DOTS_Y, shape)
+    dots, shares = sample(grid, *part), _shares(grid, *part)
+    if drawing is Drawing.BRAILLE:
+        cells = _braille(dots, _dithered(dots == OCCUPIED, shares))
+    else:
+        cells = _half_block(dots, shares)
+    return Cells(cells.codes[1:-1, 1:-1], cells.inks[1:-1, 1:-1])
+
+
+def sample(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
+    """Classes of the dots from (left, top) on, shape (rows, columns); unknown outside the map.
+
+    scale: map pixels per dot; dot k covers pixels k * scale to (k + 1) * scale.
+    """
+    depth = min(max(math.floor(math.log2(scale)), 0), len(grid.levels) - 1)
+    level = grid.levels[depth]
+    step = scale / 2**depth
+    rows, columns = shape
+    top_in, first_y, last_y = _partition(top, rows, step, level.shape[0])
+    left_in, first_x, last_x = _partition(left, columns, step, level.shape[1])
+    if not (first_y.size and first_x.size):
+        return np.zeros(shape, np.uint8)
+    seen = level[first_y[0] : last_y[-1] + 1, first_x[0] : last_x[-1] + 1]
+    seen = _pooled(_pooled(seen, first_y, last_y, 0), first_x, last_x, 1)
+    if seen.shape == shape:
+        return seen
+    dots = np.zeros(shape, np.uint8)
+    dots[top_in : top_in + seen.shape[0], left_in : left_in + seen.shape[1]] = seen
+    return dots
+
+
+_Indices = NDArray[np.intp]
+
+
+def _partition(start: int, count: int, step: float, size: int) -> tuple[int, _Indices, _Indices]:
+    """The first and last entry that each dot covers, of the dots that touch 0..size at all.
+
+    Also how many dots come before the first of them. Dot k ends where dot k + 1 begins.
+    """
+    bounds = np.floor(np.arange(start, start + count + 1) * step).astype(np.intp)
+    first, last = bounds[:-1], np.maximum(bounds[1:] - 1, bounds[:-1])
+    inside = (last >= 0) & (first < size)
+    before = int(inside.argmax()) if inside.any() else 0
+    return before, np.maximum(first[inside], 0), np.minimum(last[inside], size - 1)
+
+
+def _pooled(level: Classes, first: _Indices, last: _Indices, axis: int) -> Classes:
+    """Maximum over first..last (inclusive) for each dot along one axis."""
+    first, last = first - first[0], last - first[0]
+    found: Classes = level.take(first, axis)
+    between = int((last - first).max())
+    for further in range(1, between + 1):
+        np.maximum(found, level.take(np.minimum(first + further, last), axis), out=found)
+    return found
+
+
+def _shares(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
+    """How much of each dot is wall, looked at in 2 x 2 points: 0 to 4. Only known inside the map."""
+    depth = max(math.floor(math.log2(scale)) - 3, 0)
+    level = grid.levels[min(depth, len(grid.levels) - 1)]
+    rows, columns = (
+        np.clip((start + (np.arange(2 * count) + 0.5) / 2) * scale / 2**depth, 0, size - 1).astype(np.intp)
+        for start, count, size in ((top, shape[0], level.shape[0]), (left, shape[1], level.shape[1]))
+    )
+    walls = (level.take(rows, 0).take(columns, 1) == OCCUPIED).view(np.uint8)
+    tall: Classes = walls[0::2] + walls[1::2]
+    return tall[:, 0::2] + tall[:, 1::2]
+
+
+def _empty(camera: Camera, left: int, top: int, shape: tuple[int, int]) -> Classes:
+    """Floor over the whole extent of a map that is not there."""
+    rows = (np.arange(top, top + shape[0]) + 0.5) * camera.scale
+    columns = (np.arange(left, left + shape[1]) + 0.5) * camera.scale
+    in_rows = (rows >= 0) & (rows < camera.extent[1])
+    in_columns = (columns >= 0) & (columns < camera.extent[0])
+    return (in_rows[:, None] & in_columns).astype(np.uint8) * np.uint8(FREE)
+
+
+_Dots = TypeVar("_Dots", np.uint8, np.bool_)
+
+
+def _folded(dots: NDArray[_Dots], rows: int, columns: int) -> NDArray[_Dots]:
+    """Maximum over blocks of rows x columns dots."""
+    found = dots[::rows]
+    for row in range(1, rows):
+        found = np.maximum(found, dots[row::rows])
+    wide = found
+    found = wide[:, ::columns]
+    for column in range(1, columns):
+        found = np.maximum(found, wide[:, column::columns])
+    return found
+
+
+def _summed(shares: Classes) -> Classes:
+    """The sums over cells."""
+    tall = shares[0::4] + shares[1::4] + shares[2::4] + shares[3::4]
+    return tall[:, 0::2] + tall[:, 1::2]
+
+
+# Unicode numbers a braille cell's dots 0 3 / 1 4 / 2 5 / 6 7; seen as bits.
+_BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
+BRAILLE = np.arange(0x2800, 0x2900, dtype=np.uint32)
+BRAILLE[0] = ord(" ")  # some fonts draw rings for the empty pattern
+_HATCH = ord("⠂")
+_WALLS = np.array([Ink.UNKNOWN, Ink.FLOOR, Ink.WALL_BEYOND, Ink.WALL], np.uint8)
+
+
+def pack(mask: NDArray[np.bool_]) -> Classes:
+    """A mask of dots to the bits of its braille cells (uint8, a quarter as high, half as wide)."""
+    dots = mask.view(np.uint8)
+    bits = dots[0::DOTS_Y, 0::DOTS_X] * np.uint8(_BITS[0][0])
+    for y in range(DOTS_Y):
+        for x in range(DOTS_X):
+            if x or y:
+                bits |= dots[y::DOTS_Y, x::DOTS_X] * np.uint8(_BITS[y][x])
+    return bits
+
+
+def _known(dots: Classes) -> NDArray[np.bool_]:
+    """The cells that stand on known ground: some of it free, or none of it unknown."""
+    free = _folded(dots == FREE, DOTS_Y, DOTS_X)
+    unknown = _folded(dots == UNKNOWN, DOTS_Y, DOTS_X)
+    return cast("NDArray[np.bool_]", free | ~unknown)
+
+
+def _braille(dots: Classes, walls: NDArray[np.bool_]) -> Cells:
+    bits = pack(walls)
+    codes = BRAILLE[bits]
+    inks = _WALLS[(bits > 0) * np.uint8(2) + _known(dots)]
+    codes[inks == Ink.UNKNOWN] = _HATCH
+    return Cells(codes, inks)
+
+
+def _inside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """The walls with walls on all four sides."""
+    inside = np.zeros_like(walls)
+    inside[1:-1, 1:-1] = walls[:-2, 1:-1] & walls[2:, 1:-1] & walls[1:-1, :-2] & walls[1:-1, 2:]
+    return inside & walls
+
+
+def _dithered(walls: NDArray[np.bool_], shares: Classes) -> NDArray[np.bool_]:
+    """Walls with a solid edge; inside one, two or three of four dots, as much of them is wall."""
+    inside = _inside(walls)
+    left_out = inside.copy()
+    left_out[0::2, 0::2] = False
+    left_out[1::2, 1::2] &= shares[1::2, 1::2] < 2
+    left_out[0::2, 1::2] &= shares[0::2, 1::2] < 4
+    return walls & ~left_out
+
+
+_HALVES = np.array([ord(" "), ord("▀"), ord("▄"), ord("█")], np.uint32)
+_TONES = np.array([ord("▒"), ord("▓")], np.uint32)
+
+
+def _half_block(dots: Classes, shares: Classes | None = None) -> Cells:
+    """Blocks of 2 x 2 dots. With `shares` the inside of walls is in two tones."""
+    pixels = _folded(dots, DOTS_Y // 2, DOTS_X)
+    upper, lower = pixels[0::2], pixels[1::2]
+    walls = (upper == OCCUPIED) + np.uint8(2) * (lower == OCCUPIED)
+    codes = _HALVES[walls]
+    if shares is not None:
+        inside = _inside(pixels == OCCUPIED)
+        toned = inside[0::2] & inside[1::2]
+        full = DOTS_X * DOTS_Y * 4
+        codes[toned] = _TONES[(_summed(shares)[toned] * 2 >= full).astype(np.intp)]
+    inks = _WALLS[(walls > 0) * np.uint8(2) + _known(dots)]
+    codes[inks == Ink.UNKNOWN] = ord("░")
+    return Cells(codes, inks)
+
+
+_ASCII = np.zeros(3, np.uint32)
+_ASCII[[UNKNOWN, FREE, OCCUPIED]] = [ord(" "), ord("."), ord("#")]
+_ASCII_INKS = np.zeros(3, np.uint8)
+_ASCII_INKS[[UNKNOWN, FREE, OCCUPIED]] = [Ink.UNKNOWN, Ink.FLOOR, Ink.WALL]
+
+
+def _ascii(dots: Classes) -> Cells:
+    classes = _folded(dots, DOTS_Y, DOTS_X)
+    return Cells(_ASCII[classes], _ASCII_INKS[classes])

@@ -1,0 +1,148 @@
+"""What the operator does with the view: which camera each floor has, following, zooming, picking."""
+
+import math
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from fleet_tui.model.geometry import MapFrame
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.places import seen_robots, seen_vertices
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
+
+Thing = TypeVar("Thing")
+Point = tuple[float, float]
+"""x, y in metres."""
+
+_NEAR = 1.0  # how far off a click may be: this many rows, or twice as many columns
+
+
+@dataclass(slots=True)
+class Viewport:
+    """The cameras over the floors. width, height: the view in cells.
+
+    A floor whose camera nobody moved is shown as a whole, also after its extent changes.
+    """
+
+    width: int = 1
+    height: int = 1
+    follow: bool = False
+    zoom_robot: bool = False
+    _moved: dict[str, tuple[Camera, MapFrame]] = field(default_factory=dict)
+
+    def camera(self, scene: Scene) -> Camera:
+        """The camera for the scene's floor, after following the selected robot."""
+        camera = self._camera(scene)
+        target = self._robot_pixel(scene) if self.follow else None
+        if target is None:
+            return camera
+        followed = camera.followed(*target)
+        if followed is not camera:
+            self._keep(scene, followed)
+        return followed
+
+    def _camera(self, scene: Scene) -> Camera:
+        frame = scene.frame
+        kept = self._moved.get(scene.floor)
+        if kept is None:
+            return Camera.fit((frame.width, frame.height), self.width, self.height)
+        camera, made_for = kept
+        camera = camera.resized(self.width, self.height)
+        if made_for == frame:
+            return camera
+        return self._keep(scene, camera.reframed(made_for, frame))
+
+    def _keep(self, scene: Scene, camera: Camera) -> Camera:
+        self._moved[scene.floor] = (camera, scene.frame)
+        return camera
+
+    def pan(self, scene: Scene, right: int, down: int) -> None:
+        """Move the view by cells; a view moved by hand follows no more."""
+        self.follow = False
+        self._keep(scene, self._camera(scene).panned(right, down))
+
+    def zoom(self, scene: Scene, factor: float, cell: tuple[int, int] | None = None) -> None:
+        """Zoom about a cell (the pointer), else about the robot or the centre, as chosen."""
+        camera = self._camera(scene)
+        if cell:
+            about: tuple[float, float] | None = camera.to_pixel(*cell)
+        else:
+            about = self._robot_pixel(scene) if self.zoom_robot or self.follow else None
+        self._keep(scene, camera.zoomed(factor, about))
+
+    def fit(self, scene: Scene) -> None:
+        """The whole floor, until it is moved by hand again."""
+        self.follow = False
+        self._moved.pop(scene.floor, None)
+
+    def centre(self, scene: Scene, at: tuple[float, float] | None = None) -> None:
+        """Centre on world metres `at`, or on the selected robot."""
+        pixel = scene.frame.to_pixel(*at) if at else self._robot_pixel(scene)
+        if pixel:
+            self._keep(scene, self._camera(scene).centred(*pixel))
+
+    def middle(self, scene: Scene) -> Point:
+        """The place in the middle of the view."""
+        camera = self._camera(scene)
+        return scene.frame.to_world(*camera.to_pixel(camera.width // 2, camera.height // 2))
+
+    def stepped(self, scene: Scene, cursor: Point, dx: int, dy: int) -> Point:
+        """The place dx, dy cells from `cursor`; at the view's edge the view goes along.
+
+        A cursor that was left behind starts again from the middle of the view.
+        """
+        camera = self._camera(scene)
+        x, y = camera.to_cell(*scene.frame.to_pixel(*cursor))
+        if not camera.shows(x, y):
+            return self.middle(scene)
+        if not camera.shows(x + dx, y + dy):
+            self.pan(scene, dx, dy)
+        return scene.frame.to_world(*camera.to_pixel(x + dx, y + dy))
+
+    def next_labelled(self, scene: Scene, cursor: Point | None, step: int) -> Point | None:
+        """The place of the labelled vertex `step` after the one under `cursor`, brought into view.
+
+        In the order of the labels; None if no vertex has one.
+        """
+        labelled = sorted((vertex for vertex in scene.vertices if vertex.label), key=lambda v: v.label)
+        places = [(v.x, v.y) for v in labelled if math.isfinite(v.x) and math.isfinite(v.y)]
+        if not places:
+            return None
+        start = places.index(cursor) if cursor in places else (-1 if step > 0 else 0)
+        place = places[(start + step) % len(places)]
+        camera, pixel = self._camera(scene), scene.frame.to_pixel(*place)
+        if not camera.shows(*camera.to_cell(*pixel)):
+            self.follow = False
+            self._keep(scene, camera.centred(*pixel))
+        return place
+
+    def _robot_pixel(self, scene: Scene) -> tuple[float, float] | None:
+        robot = scene.selected
+        if robot is None:
+            return None
+        pixel = scene.frame.to_pixel(robot.pose.x, robot.pose.y)
+        return pixel if all(map(math.isfinite, pixel)) else None
+
+
+def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> str | None:
+    """The id of the vertex under the map's cursor."""
+    if cursor is None:
+        return None
+    at = camera.to_cell(*scene.frame.to_pixel(*cursor))
+    return next((vertex.id for vertex, place in seen_vertices(scene, camera) if place == at), None)
+
+
+def pick(scene: Scene, camera: Camera, x: int, y: int) -> SceneRobot | SceneVertex | None:
+    """What is meant by pointing at cell (x, y): the nearest robot, else labelled vertex, else vertex."""
+    found = _nearest(seen_robots(scene, camera), x, y)
+    if found:
+        return found
+    vertices = seen_vertices(scene, camera)
+    labelled = [at for at in vertices if at[0].label]
+    return _nearest(labelled, x, y) or _nearest(vertices, x, y)
+
+
+def _nearest(places: list[tuple[Thing, tuple[int, int]]], x: int, y: int) -> Thing | None:
+    # A cell is twice as high as wide.
+    near = [(max(abs(at_x - x) / 2, abs(at_y - y)), thing) for thing, (at_x, at_y) in places]
+    near = [at for at in near if at[0] <= _NEAR]
+    return min(near, key=lambda at: at[0])[1] if near else None

@@ -1,0 +1,70 @@
+"""The alarm pane: what needs a person, and what nobody has seen yet."""
+
+from collections.abc import Callable
+
+from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.sanitize import fit, visible
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+
+_SIGNS = {
+    AlarmStage.UNACKNOWLEDGED: "▲ new ",
+    AlarmStage.RETURNED: "▽ over",
+    AlarmStage.ACKNOWLEDGED: "△ seen",
+    AlarmStage.SHELVED: "◇ shelved",
+}
+_PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
+
+
+def _ink(alarm: Alarm) -> Ink:
+    if alarm.stage is AlarmStage.UNACKNOWLEDGED:
+        return Ink.WARN if alarm.condition.priority is Priority.LOW else Ink.ALARM
+    return Ink.TEXT if alarm.stage is AlarmStage.ACKNOWLEDGED else Ink.DIM
+
+
+def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float], str]) -> Row:
+    ink = _ink(alarm)
+    count = f" x{alarm.count}" if alarm.count > 1 else ""
+    shelf = ""
+    if alarm.stage is AlarmStage.SHELVED:
+        shelf = f" until {clock(state.wall + alarm.until - state.now)}"
+    return Row(
+        alarm.key,
+        (
+            (f"{_SIGNS[alarm.stage]}{shelf} ", ink),
+            (
+                f"{_PRIORITIES[alarm.condition.priority]} ",
+                Ink.DIM if alarm.stage is AlarmStage.RETURNED else ink,
+            ),
+            (fit(alarm.condition.source, sources) + " ", Ink.TEXT),
+            (visible(alarm.text), ink),
+            (f" {clock(alarm.first_wall if alarm.holds else alarm.last_wall)}{count}", Ink.DIM),
+        ),
+    )
+
+
+def _place(alarm: Alarm) -> tuple[bool, bool, int]:
+    """Rows of one place stay in the order in which they were raised."""
+    return alarm.stage is AlarmStage.SHELVED, not alarm.needs_acknowledgement, alarm.condition.priority.value
+
+
+def unacknowledged(state: FleetState) -> list[Key]:
+    """What nobody has seen, in the order of the rows."""
+    return [alarm.key for alarm in sorted(state.alarms, key=_place) if alarm.needs_acknowledgement]
+
+
+def alarm_table(state: FleetState, clock: Callable[[float], str]) -> Table:
+    """Every alarm: first what nobody has seen, by priority, so that it is in view without
+    scrolling; the oldest first. A row moves when somebody acknowledges or shelves it, and when it
+    needs somebody again. `clock` writes Unix seconds as a local time."""
+    alarms = sorted(state.alarms, key=_place)
+    sources = column((alarm.condition.source for alarm in alarms), 7, 14)
+    keys = [alarm.key for alarm in alarms]
+    rows = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock))
+    title: list[Run] = [("Alarms", Ink.TITLE)]
+    if state.unacknowledged:
+        title.append((f" {state.unacknowledged} new", Ink.ALARM))
+    if state.shelved:
+        title.append((f" {state.shelved} shelved", Ink.DIM))
+    return Table(tuple(title), rows, "all clear")

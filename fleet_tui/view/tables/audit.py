@@ -1,0 +1,74 @@
+"""The audit log as a person reads it: a row for each record, and all that is known of one."""
+
+from collections.abc import Sequence
+
+from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.commands import FAILURES, Stage
+from fleet_tui.text.sanitize import fit, visible
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+
+TROUBLE = frozenset(stage.value for stage in (*FAILURES, Stage.NO_ANSWER, Stage.UNKNOWN)) | {
+    "console closed",
+    "lost",
+}
+_INKS = {"confirmed": Ink.GOOD, "raised": Ink.WARN, "raised again": Ink.WARN}
+
+
+def _vertex(label: str, id_: str, with_id: bool) -> str:
+    return f"{label} ({id_})" if label and with_id else label or id_
+
+
+def what_text(record: AuditRecord, with_ids: bool = False) -> str:
+    """What a record is about: `robot_0 order Base -> Store`."""
+    words = [record.robot or record.link, record.what]
+    if record.end is not None:
+        start = [] if record.start is None else [_vertex(record.start_label, record.start, with_ids)]
+        words += [*start, "->", _vertex(record.end_label, record.end, with_ids)]
+    elif record.order is not None:
+        words.append(f"order {record.order}")
+    return visible(" ".join(word for word in words if word))
+
+
+def line_text(record: AuditRecord) -> str:
+    """A record as one line; it is what a search looks through."""
+    words = f" ({record.words})" if record.words else ""
+    return visible(f"{_time(record)} {record.operator} {what_text(record)}: {record.change}{words}")
+
+
+def _time(record: AuditRecord) -> str:
+    """Month, day and time of day where the record was made: `05-31 12:04:31`."""
+    return record.time[5:19].replace("T", " ")
+
+
+def _row(place: int, record: AuditRecord, operators: int) -> Row:
+    ink = Ink.ALARM if record.change in TROUBLE else _INKS.get(record.change, Ink.TEXT)
+    runs: list[Run] = [
+        (fit(_time(record), 14) + " ", Ink.DIM),
+        (fit(record.operator, operators) + " ", Ink.DIM),
+        (what_text(record), Ink.TEXT),
+        (f": {visible(record.change)}", ink),
+    ]
+    if record.words:
+        runs.append((f" ({visible(record.words)})", Ink.DIM))
+    return Row(place, tuple(runs))
+
+
+def audit_table(records: Sequence[AuditRecord], note: str = "", empty: str = "") -> Table:
+    """Records in the sequence given; `note` stands beside the title, `empty` where there is none."""
+    operators = column((record.operator for record in records), 3, 10)
+    rows = LateRows(range(len(records)), lambda place: _row(place, records[place], operators))
+    return Table((("Audit log", Ink.TITLE), (f" {visible(note)}", Ink.DIM)), rows, visible(empty))
+
+
+def details(record: AuditRecord) -> list[str]:
+    """All that a record says, in a few lines."""
+    by = f"{record.time}  {record.operator} at {record.console}" + (", demo" if record.demo else "")
+    about = [what_text(record, with_ids=True)]
+    about += [f"on {record.floor}"] if record.floor else []
+    about += [f"request {record.id}"] if record.id is not None else []
+    about += [f"order {record.order}"] if record.order is not None and record.end is not None else []
+    about += [f"{record.priority} priority", f"x{record.count}"] if record.priority else []
+    about += [f"{record.link} {record.url}"] if record.url else []
+    said = f"{record.change}: {record.words}" if record.words else record.change
+    return [visible(line) for line in (by, ", ".join(about), said)]

@@ -1,0 +1,187 @@
+"""The fleet pane: one row for each robot, calm while nothing needs a person."""
+
+from collections.abc import Iterator
+from functools import partial
+from typing import NamedTuple
+
+from fleet_tui.model.fleet import FleetState, obstacle_text
+from fleet_tui.model.navigation import blocked_text
+from fleet_tui.model.order import Order, Stop, route_text
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.conditions import is_news
+from fleet_tui.rules.alarms.navigation import LOST_ABOVE
+from fleet_tui.rules.commands.keeping import all_orders, foreign
+from fleet_tui.rules.commands.newest import own_pause
+from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import fit, visible
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.progress import progress_text
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column, width_of
+
+CARGO = "■"
+
+
+def place(robot: Robot, vertex: str) -> str:
+    """A vertex as an operator reads it; one that no graph of the robot has is marked."""
+    name = robot.name_of(vertex)
+    return visible(name) if name is not None else f"{visible(vertex)}?"
+
+
+def mission(robot: Robot, order: Order) -> str:
+    """`A -> B` by labels."""
+    return visible(order.label) if order.label and not order.stops else way(robot, order.stops)
+
+
+def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
+    """The same, and whether another client gave it, where robots keep no orders of their own."""
+    ours = not robot.kind.keeps_goals or order.is_over or order not in foreign(state, robot)
+    return mission(robot, order) + ("" if ours else " (not ours)")
+
+
+def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
+    """Stops by their labels."""
+    return route_text(stops, partial(place, robot))
+
+
+def floor_text(state: FleetState, robot: Robot) -> str:
+    """The floor a robot is on, as far as its pose tells."""
+    if robot.pose is None:
+        return "-" if "pose" in robot.kind.reports else ""
+    return robot.floor or "unknown floor"
+
+
+def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """A value that has gone quiet while its robot speaks must not look live."""
+    readings = {
+        "pose": robot.pose,
+        "battery": robot.battery,
+        "queue": robot.queue,
+        "cargo": robot.cargo,
+        "obstacle": robot.obstacle,
+        "paused": robot.paused,
+    }
+    for value, reading in readings.items():
+        if reading is not None and state.is_old(robot, value):
+            name = "pause" if value == "paused" else value
+            yield f"{name} {age(state.now - reading.at)} old", Ink.WARN
+
+
+def _paused(state: FleetState, robot: Robot) -> str:
+    if robot.paused is None:
+        return own_pause_text(state, robot)
+    return "paused" if own_pause(state, robot) else "paused (elsewhere)"
+
+
+def news(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """What a person should know about a robot, the most urgent first."""
+    online = state.is_online(robot)
+    if robot.heard is None:
+        yield "never seen", Ink.DIM
+    elif not online:
+        yield f"offline {age(state.now - robot.heard)}", Ink.ALARM
+    contact = robot.obstacle if state.was_obstructed(robot) else None
+    is_old = state.is_old(robot, "obstacle")
+    if contact is not None and not is_old:
+        yield obstacle_text(state, robot, contact), Ink.ALARM
+    if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
+        yield blocked_text(robot.blocked.value, state.now), Ink.ALARM
+    if robot.variance is not None and robot.variance.value > LOST_ABOVE:
+        yield "not sure where", Ink.WARN
+    if state.is_paused(robot):
+        yield _paused(state, robot), Ink.WARN
+    if contact is not None and is_old:
+        yield obstacle_text(state, robot, contact), Ink.DIM
+    if online:
+        yield from _old(state, robot)
+    if is_news(state, robot.fault_at):
+        yield f"bad data x{robot.faults}", Ink.WARN
+
+
+def _battery(state: FleetState, robot: Robot) -> Run:
+    if robot.battery is None:
+        return "  - %" if "battery" in robot.kind.reports else " " * 5, Ink.DIM
+    percent = robot.battery.value
+    if not state.is_online(robot):
+        ink = Ink.DIM
+    else:
+        ink = Ink.ALARM if percent < state.limits.battery_low else Ink.GOOD
+    # Rounded down: 19.6 is below 20, and must not read 20 in red.
+    return f"{int(percent):3d} %", ink
+
+
+class _Columns(NamedTuple):
+    """Widths in cells, 0 for a column that no robot of the fleet has a value for."""
+
+    numbers: int
+    names: int
+    battery: bool
+    floors: int
+    cargo: int
+
+    @classmethod
+    def of(cls, state: FleetState) -> "_Columns":
+        robots = state.robots.values()
+        reported = {value for robot in robots for value in robot.kind.reports}
+        return cls(
+            len(str(len(robots))),
+            column((robot.name for robot in robots), 6, 14),
+            "battery" in reported,
+            column({floor_text(state, robot) for robot in robots}, 5, 13) if "pose" in reported else 0,
+            3 if "cargo" in reported else 1,
+        )
+
+
+def _head(state: FleetState, robot: Robot, selected: bool, columns: _Columns) -> list[Run]:
+    """What every row begins with: whether it is there, which one it is, its battery."""
+    online = state.is_online(robot)
+    ink = Ink.TEXT if online else Ink.DIM
+    dot: Run = ("●", Ink.GOOD) if online else ("○", Ink.DIM if robot.heard is None else Ink.ALARM)
+    return [
+        dot,
+        (f" {robot.number:{columns.numbers}d} ", Ink.DIM),
+        (fit(robot.name, columns.names), Ink.ACCENT if selected else ink),
+        (" ", ink),
+        *([_battery(state, robot), (" ", ink)] if columns.battery else []),
+    ]
+
+
+def _doing(state: FleetState, robot: Robot, ink: Ink) -> Run:
+    current = robot.orders.current
+    if current is not None:
+        progress = progress_text(state, robot, current)
+        return whose_mission(state, robot, current) + (f"  {progress}" if progress else ""), ink
+    if not state.is_online(robot) or not robot.kind.lists_orders:
+        return "", Ink.DIM
+    waiting = sum(not order.is_over for order in all_orders(state, robot))
+    if robot.queue is None and not waiting:
+        return "queue missing" if robot.kind.expects("queue") else "-", Ink.DIM
+    return f"{waiting} waiting" if waiting else "idle", Ink.DIM
+
+
+def _row(state: FleetState, robot: Robot, head: list[Run], columns: _Columns, width: int) -> Row:
+    ink = Ink.TEXT if state.is_online(robot) else Ink.DIM
+    told: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", ink))]
+    floor: list[Run] = [
+        (fit(floor_text(state, robot), columns.floors), ink),
+        (f" {CARGO} " if robot.has_cargo else " " * columns.cargo, ink),
+    ]
+    # News must not be cut: where both don't fit, the floor gives way.
+    fits = width_of([*head, *floor, *told]) <= width + 1
+    middle = [*floor, *told] if fits else [*told, *floor]
+    return Row(robot.name, (*head, *middle, _doing(state, robot, ink)))
+
+
+def fleet_table(state: FleetState, selected: str, width: int) -> Table:
+    """The whole fleet, in the order of the config, for a pane of `width` cells."""
+    robots = list(state.robots.values())
+    online = sum(state.is_online(robot) for robot in robots)
+    columns = _Columns.of(state)
+
+    def row(place: int) -> Row:
+        robot = robots[place]
+        head = _head(state, robot, robot.name == selected, columns)
+        return _row(state, robot, head, columns, width)
+
+    rows = LateRows(list(state.robots), row)
+    return Table((("Fleet", Ink.TITLE), (f" {online} of {len(rows)} online", Ink.DIM)), rows)

@@ -1,0 +1,70 @@
+"""What robots report on /diagnostics: a row for each part, its values below where it is opened."""
+
+from collections import Counter
+from collections.abc import Collection, Hashable, Iterator, Mapping
+
+from fleet_tui.model.ros_logs import Diagnosis, Health
+from fleet_tui.text.sanitize import fit, visible
+from fleet_tui.text.units import ago
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.links import Links, down
+from fleet_tui.view.tables.table import Row, Table, column
+
+OLD = 10.0
+"""Seconds after which a report is old: robots report about once a second."""
+_LOOKS: Mapping[int, tuple[str, Ink]] = {
+    Health.OK: ("● OK", Ink.GOOD),
+    Health.WARN: ("▲ WARN", Ink.WARN),
+    Health.ERROR: ("✗ ERROR", Ink.ALARM),
+    Health.STALE: ("○ STALE", Ink.WARN),
+}
+
+
+def _look(level: int) -> tuple[str, Ink]:
+    return _LOOKS.get(level, (f"? level {level}", Ink.WARN))
+
+
+def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: float) -> Table:
+    """Parts by name, so that no row moves; `opened` are the keys of rows whose values are shown."""
+    sought = wanted.casefold()
+    found = sorted(
+        (
+            ((link.name, one.name), one)
+            for link, counter in links
+            for one in counter.health.values()
+            if sought in f"{one.name} {one.message} {one.hardware}".casefold()
+        ),
+        key=lambda entry: entry[0][1],
+    )
+    names = column((one.name for _, one in found), 6, 30)
+    rows = [row for key, one in found for row in _rows(key, one, names, key in opened, now)]
+    levels = Counter(_look(one.level)[0][2:] for _, one in found if one.level != Health.OK)
+    note = f" /diagnostics  {len(found)} parts"
+    note += "".join(f", {count} {word}" for word, count in sorted(levels.items()))
+    note += f", with {visible(wanted)}" if wanted else ""
+    title = ("Diagnostics of the robots", Ink.TITLE), (note, Ink.DIM), *down(links)
+    empty = (
+        "no such part"
+        if wanted
+        else "nothing came on /diagnostics, which is heard only while this screen is open"
+    )
+    return Table(title, rows, empty)
+
+
+def _rows(key: Hashable, one: Diagnosis, names: int, is_open: bool, now: float) -> Iterator[Row]:
+    word, ink = _look(one.level)
+    is_old = now - one.at > OLD
+    came = f"{'old, ' if is_old else ''}{ago(one.at, now)}"
+    yield Row(
+        key,
+        (
+            (f"{word:<10}", Ink.DIM if is_old else ink),
+            (fit(one.name, names) + " ", Ink.TEXT),
+            (f"{came:>15}  ", Ink.WARN if is_old else Ink.DIM),
+            (visible(one.message), Ink.TEXT),
+        ),
+    )
+    if is_open:
+        for n, (name, value) in enumerate((("hardware", one.hardware), *one.values)):
+            shown = ((f"          {visible(name)}: ", Ink.DIM), (visible(value), Ink.TEXT))
+            yield Row((key, n), shown)

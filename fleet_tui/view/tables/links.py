@@ -1,0 +1,111 @@
+"""The diagnostics of each link: whether it is there, how fast it answers, how much comes, what was lost."""
+
+from collections.abc import Iterator, Sequence
+
+from fleet_tui.model.counters import LinkCounter
+from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import visible
+from fleet_tui.text.units import ago, milliseconds, size_text
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.table import Row, Run, Table
+
+Links = Sequence[tuple[LinkState, LinkCounter]]
+
+LATE = 11.0
+"""Seconds after which a heartbeat is overdue: there is one every 5 s, which may take 5 s."""
+
+
+def down(links: Links) -> tuple[Run, ...]:
+    """`no link` where not everything can be live, and to whom; nothing where all is well."""
+    names = [visible(link.name) for link, _ in links if link.phase is not Phase.UP]
+    if not names:
+        return ()
+    return ((" no link" if len(links) == 1 else f" no link: {', '.join(names)}", Ink.ALARM),)
+
+
+def link_table(links: Links, now: float) -> Table:
+    """All links, one below the other. `now` is monotonic."""
+    rows: list[Row] = []
+    for link, counter in links:
+        runs = (f"{visible(link.name)} ", Ink.TITLE), (visible(link.url), Ink.TEXT)
+        rows.append(Row((link.name, ""), runs))
+        rows += [
+            Row((link.name, name), ((f"  {name:<14}", Ink.DIM), *runs))
+            for name, runs in _fields(link, counter, now)
+        ]
+    return Table((("Link", Ink.TITLE),), rows, "the console is still starting")
+
+
+def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple[str, tuple[Run, ...]]]:
+    yield "state", (_state(link, now),)
+    yield "commands", (_commands(link),)
+    yield "round trip", tuple(_round_trip(counter, now))
+    messages, size = counter.all.rates(now) or (0.0, 0.0)
+    total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in all"
+    yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", Ink.TEXT), (total, Ink.DIM))
+    heard = counter.all.at
+    silent = heard is None or now - heard > 2.0
+    yield "last message", ((ago(heard, now), Ink.WARN if silent else Ink.TEXT),)
+    yield "connections", tuple(_connections(counter, now))
+    yield "passed over", (_count(counter.dropped, "frames that were too large, or too many to wait for"),)
+    yield (
+        "overtaken",
+        (_count(counter.overtaken, "frames, not read since newer ones had come"),),
+    )
+    why = f"frames, the last {ago(counter.bad.raw.at, now)}: {counter.bad.text}" if counter.bad else "frames"
+    yield "unreadable", (_count(counter.unreadable, why),)
+    errors = sum(topic.errors for topic in counter.topics.values())
+    yield "bad data", (_count(errors, "messages: see Topics" if errors else "messages"),)
+
+
+def _state(link: LinkState, now: float) -> Run:
+    since = age(now - link.since)
+    if link.phase is Phase.UP:
+        return f"● up for {since}", Ink.GOOD
+    trying = "trying now"
+    if link.phase is Phase.WAITING and link.next_try is not None:
+        trying = f"next try in {max(0.0, link.next_try - now):.0f} s"
+    why = f": {visible(link.reason)}" if link.reason else ""
+    return f"○ no link for {since}{why}, {trying}", Ink.ALARM
+
+
+def _commands(link: LinkState) -> Run:
+    match link.command_path:
+        case CommandPath.ALIVE:
+            return "● get through", Ink.GOOD
+        case CommandPath.DEAD | CommandPath.UNREGISTERED:
+            return f"✗ don't get through: {visible(link.command_reason)}", Ink.ALARM
+        case CommandPath.UNTRIED:
+            return "○ not tried yet", Ink.WARN
+
+
+def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:
+    trips = counter.round_trips
+    took = trips.took
+    if not took:
+        yield "no heartbeat has come back yet", Ink.WARN
+    else:
+        late = trips.at is None or now - trips.at > LATE
+        newest = f"{milliseconds(took[-1])}, {ago(trips.at, now)}"
+        yield f"{newest}: overdue" if late else newest, Ink.WARN if late else Ink.TEXT
+        spread = f"{milliseconds(min(took))} to {milliseconds(max(took))}"
+        mean = milliseconds(sum(took) / len(took))
+        jitter = f", jitter {milliseconds(trips.jitter)}" if took[1:] else ""
+        yield f"  the last {len(took)}: {spread}, mean {mean}{jitter}", Ink.DIM
+    if trips.unanswered:
+        yield f"  {trips.unanswered} unanswered", Ink.WARN
+
+
+def _connections(counter: LinkCounter, now: float) -> Iterator[Run]:
+    if not counter.connections:
+        yield "none yet from here", Ink.DIM
+        return
+    again = counter.connections - 1
+    yield f"{again} reconnect{'s' * (again != 1)}", Ink.WARN if again else Ink.TEXT
+    if counter.lost_at is not None:
+        yield f", last lost {ago(counter.lost_at, now)}: {visible(counter.lost_why)}", Ink.DIM
+
+
+def _count(count: int, what: str) -> Run:
+    return f"{count:,} {visible(what)}", Ink.WARN if count else Ink.DIM

@@ -1,0 +1,163 @@
+"""The queue pane: a robot's orders, the current one first, each with its Cancel."""
+
+from collections.abc import Iterable, Mapping
+
+from fleet_tui.model import kind
+from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import Order, vertices_of
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.confirmation import find_order
+from fleet_tui.rules.commands.keeping import all_orders, kept_orders
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import cell_width, fit, visible
+from fleet_tui.view.lines.commands import stage_text
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.fleet import whose_mission
+from fleet_tui.view.tables.progress import progress_text
+from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
+
+CANCEL, CLEAR = "[Cancel]", "[Clear all]"
+
+Listed = tuple[Robot, int, Order]
+
+
+def listed(state: FleetState, selected: str, all_robots: bool) -> list[Listed]:
+    """(robot, position from 0, order) of the selected robot's orders, or of all robots'."""
+    robots = state.robots.values() if all_robots else [state.robots[selected]]
+    return [
+        (robot, position, order)
+        for robot in robots
+        for position, order in enumerate(all_orders(state, robot))
+    ]
+
+
+def _under_way(state: FleetState, selected: str, all_robots: bool) -> list[CommandRecord]:
+    return [
+        record
+        for record in state.commands
+        if not record.is_decided and (all_robots or record.command.robot == selected)
+    ]
+
+
+def _awaited(state: FleetState, under_way: list[CommandRecord]) -> int:
+    """How many orders were given here that no queue shows yet: one that it shows may lack its answer."""
+    placed = [
+        one for one in under_way if isinstance(one.command, PlaceOrder) and one.stage is not Stage.WAITING
+    ]
+    names = [one.command.robot for one in placed]
+    found = [find_order(state, state.robots[name], one) for name, one in zip(names, placed, strict=True)]
+    return len(placed) - len({(name, one.id) for name, one in zip(names, found, strict=True) if one})
+
+
+def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tuple[str, str], str]:
+    """By robot and order: how far a cancel of it is; an empty order stands for all."""
+    return {
+        (command.robot, command.order_id if isinstance(command, CancelOrder) else ""): stage_text(
+            record, state.now
+        )
+        for record in records
+        if isinstance(command := record.command, CancelOrder | ClearOrders)
+    }
+
+
+def _status(order: Order, room: int) -> str:
+    """Its state, in the robot's own word where that is all that there is room for."""
+    text, word = visible(order.state_text), visible(order.word)
+    return word if cell_width(text) > room >= cell_width(word) > 0 else text
+
+
+def _row(
+    state: FleetState, entry: Listed, columns: tuple[int, int, int, int], width: int, leaving: str
+) -> Row:
+    names, places, ids, missions = columns
+    robot, position, order = entry
+    current = robot.orders.is_current(order)
+    ink = Ink.TEXT if current else Ink.DIM
+    unknown = robot.knows_all_graphs() and None in map(robot.name_of, vertices_of(order.stops))
+    runs: list[Run] = [
+        (fit(robot.name, names) + " " if names else "", Ink.TEXT),
+        (f"{position:{places}d} {fit(order.id, ids, right=True)} ", Ink.DIM),
+        (fit(whose_mission(state, robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
+    ]
+    has_button = robot.kind.can(kind.CANCEL) and not order.is_over
+    room = width - 1 - (len(CANCEL) if has_button else 0)
+    runs.append((_status(order, room - width_of(runs)), ink))
+    if progress := progress_text(state, robot, order):
+        runs.append((f"  {progress}", Ink.DIM))
+    runs.append((f"  cancel {leaving}" if leaving else "", Ink.WARN))
+    runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
+    key = (robot.name, order.id, position)
+    if not has_button:
+        return Row(key, tuple(cut(runs, room)))
+    button = Button(room, room + len(CANCEL), "cancel")
+    return Row(key, (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
+
+
+def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:
+    ours = not all_robots and robot.kind.keeps_goals
+    runs: list[Run] = [("Queue of this console " if ours else "Queue ", Ink.TITLE)]
+    runs.append(("all robots" if all_robots else robot.name, Ink.TITLE))
+    if all_robots or robot.kind.lists_orders:
+        runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
+    if ours and robot.held and kept_orders(state, robot):
+        runs.append((f" held: {robot.held}", Ink.WARN))
+    if placed:
+        runs.append((f" +{placed} not seen here yet", Ink.WARN))
+    if not all_robots and robot.has_cargo:
+        runs.append((" cargo on board", Ink.CARGO))
+    if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
+        runs.append((f" {age(state.now - robot.queue.at)} old", Ink.WARN))
+    return runs
+
+
+def _rows(
+    state: FleetState,
+    entries: list[Listed],
+    under_way: list[CommandRecord],
+    width: int,
+    all_robots: bool,
+) -> LateRows:
+    leaving = _leaving(state, under_way)
+    columns = (
+        column((entry[0].name for entry in entries), 6, 12) if all_robots else 0,
+        column((str(entry[1]) for entry in entries), 1, 4),
+        column((entry[2].id for entry in entries), 1, 11),
+        column((whose_mission(state, entry[0], entry[2]) for entry in entries), 10, 40),
+    )
+
+    def row(place: int) -> Row:
+        robot, _, order = entries[place]
+        stage = leaving.get((robot.name, order.id)) or leaving.get((robot.name, ""), "")
+        return _row(state, entries[place], columns, width, stage)
+
+    return LateRows([(robot.name, order.id, position) for robot, position, order in entries], row)
+
+
+def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) -> Table:
+    """The orders in a pane of `width` cells."""
+    entries = listed(state, selected, all_robots)
+    under_way = _under_way(state, selected, all_robots)
+    robot = state.robots[selected]
+    rows = _rows(state, entries, under_way, width, all_robots)
+    title = _title(robot, state, len(entries), _awaited(state, under_way), all_robots)
+    listing = any(one.kind.lists_orders for one in state.robots.values())
+    buttons: tuple[Button, ...] = ()
+    if not all_robots and rows and robot.kind.can(kind.CLEAR):
+        start = width - len(CLEAR) - 1
+        title = [*cut(title, max(0, start - 1)), (" " + CLEAR, Ink.KEY)] if start > width_of(title) else title
+        buttons = (Button(start, start + len(CLEAR), "clear"),) if title[-1][0].endswith(CLEAR) else ()
+    return Table(tuple(title), rows, "no orders" if all_robots and listing else _empty(robot), buttons)
+
+
+def _empty(robot: Robot) -> str:
+    """What stands where no order does."""
+    if not robot.kind.lists_orders:
+        return "this kind has no queue"
+    if robot.queue is not None:
+        return "no orders" + ": o places one" * robot.kind.can(kind.ORDER)
+    return (
+        "the queue has not been heard yet"
+        if robot.kind.expects("queue")
+        else "no order has been heard of yet"
+    )

@@ -1,0 +1,134 @@
+"""A message as it came, for reading: JSON with indents, long lists cut, and that said."""
+
+import json
+from collections.abc import Iterator
+from functools import lru_cache
+from itertools import islice
+from typing import Any
+
+import cbor2
+import msgspec
+
+from fleet_tui.adapters.ros.cbor import read_cbor
+from fleet_tui.model.counters import Raw, TopicCounter
+from fleet_tui.text.limits import brief
+from fleet_tui.text.sanitize import visible
+from fleet_tui.text.units import ago, size_text
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.table import Row, Table
+
+MOST_LINES = 1000
+SHOWN_ITEMS = 12
+"""Items of a list that are shown."""
+DEEPEST = 30
+LONGEST_STRING = 300
+LINE, BINARY_LINE = 200, 24
+"""Characters of a line of what is no JSON, bytes of one of what is binary."""
+LONGEST_COPY = 50_000
+"""Characters that are copied: terminals take about 75,000 bytes."""
+
+_NOTHING = object()
+
+
+@lru_cache(maxsize=4)
+def raw_lines(raw: Raw) -> tuple[str, ...]:
+    """At most MOST_LINES lines."""
+    value = _published(raw)
+    lines = _plain(raw) if value is _NOTHING else _value_lines(value, 0)
+    shown = tuple(visible(line) for line in islice(lines, MOST_LINES + 1))
+    return shown if len(shown) <= MOST_LINES else (*shown[:-1], f"… only the first {MOST_LINES:,} lines")
+
+
+def copied(raw: Raw) -> tuple[str, str]:
+    """What is copied of a message, and what to say of that: all of it, whatever the view leaves out."""
+    text = "\n".join(visible(line) for line in _whole(raw).split("\n"))
+    if len(text) <= LONGEST_COPY:
+        return text, f"{len(text):,} characters"
+    return text[:LONGEST_COPY], f"the first {LONGEST_COPY:,} of {len(text):,} characters"
+
+
+def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Table:
+    """The message of a topic; `why` it could not be read, empty where it could."""
+    title = [("Raw ", Ink.TITLE), (visible(topic.topic), Ink.TEXT)]
+    if raw is None:
+        return Table(tuple(title), (), "no bad message" if why else "nothing came yet")
+    kind = "CBOR" if raw.is_binary else "JSON"
+    title.append((f"  {ago(raw.at, now)}, {size_text(raw.size)} of {kind}", Ink.DIM))
+    rows = [Row(n, ((line, Ink.TEXT),)) for n, line in enumerate(raw_lines(raw))]
+    if why:
+        title.append(("  bad", Ink.ALARM))
+        rows.insert(0, Row("why", ((f"▲ {visible(why)}", Ink.ALARM),)))
+    return Table(tuple(title), rows)
+
+
+def _published(raw: Raw) -> Any:
+    """What was published, without the envelope; `_NOTHING` where it can't be read, or is not all there."""
+    if not raw.is_whole:
+        return _NOTHING
+    try:
+        value = read_cbor(raw.payload) if raw.is_binary else msgspec.json.decode(raw.payload)
+    except (ValueError, RecursionError, OverflowError):
+        return _NOTHING
+    return value["msg"] if isinstance(value, dict) and "msg" in value else value
+
+
+def _plain(raw: Raw) -> Iterator[str]:
+    if not raw.is_whole:
+        yield f"… {size_text(raw.size)}, of which only the first {size_text(len(raw.payload))} are kept"
+    if raw.is_binary:
+        for start in range(0, len(raw.payload), BINARY_LINE):
+            yield raw.payload[start : start + BINARY_LINE].hex(" ")
+        return
+    text = raw.payload.decode(errors="replace")
+    for start in range(0, len(text), LINE):
+        yield text[start : start + LINE]
+
+
+def _whole(raw: Raw) -> str:
+    value = _NOTHING if raw.is_binary else _published(raw)
+    if value is _NOTHING:
+        return "\n".join(raw_lines(raw))
+    return msgspec.json.format(msgspec.json.encode(value), indent=2).decode()
+
+
+def _value_lines(value: Any, depth: int, before: str = "", after: str = "") -> Iterator[str]:
+    pad = "  " * depth
+    parts: list[tuple[str, Any]] = []
+    if isinstance(value, dict):
+        opening, closing, parts = "{", "}", [(f"{_scalar(key)}: ", item) for key, item in value.items()]
+    elif isinstance(value, list) and any(isinstance(item, dict | list) for item in value[:SHOWN_ITEMS]):
+        opening, closing, parts = "[", "]", [("", item) for item in value[:SHOWN_ITEMS]]
+    if not parts or depth >= DEEPEST:
+        yield f"{pad}{before}{_inline(value)}{after}"
+        return
+    yield f"{pad}{before}{opening}"
+    left_out = len(value) - len(parts)
+    for n, (name, item) in enumerate(parts, 1):
+        yield from _value_lines(item, depth + 1, name, "," if n < len(parts) or left_out else "")
+    if left_out:
+        yield f"{pad}  … {left_out:,} more of {len(value):,}"
+    yield f"{pad}{closing}{after}"
+
+
+def _inline(value: Any) -> str:
+    if isinstance(value, list):
+        if any(isinstance(item, dict | list) for item in value[:SHOWN_ITEMS]):
+            return f"[… {len(value):,}]"
+        shown = ", ".join(map(_scalar, value[:SHOWN_ITEMS]))
+        left_out = len(value) - SHOWN_ITEMS
+        return f"[{shown}, … {left_out:,} more of {len(value):,}]" if left_out > 0 else f"[{shown}]"
+    if isinstance(value, dict):
+        return f"{{… {len(value):,}}}" if value else "{}"
+    return _scalar(value)
+
+
+def _scalar(value: Any) -> str:
+    if isinstance(value, cbor2.CBORTag) and isinstance(value.value, bytes):
+        return f"… {len(value.value):,} bytes, CBOR tag {value.tag}"
+    if isinstance(value, bytes):
+        return f"… {len(value):,} bytes"
+    if isinstance(value, str):
+        return json.dumps(brief(value, LONGEST_STRING), ensure_ascii=False)
+    if value is None or isinstance(value, bool):
+        return json.dumps(value)
+    return brief(repr(value), LONGEST_STRING)

@@ -1,0 +1,79 @@
+"""The log of the robots, newest last: level and text filter it."""
+
+from collections.abc import Callable
+
+from fleet_tui.model.counters import snapshot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.ros_logs import LogLine, Severity
+from fleet_tui.text.sanitize import fit, visible
+from fleet_tui.text.units import ago
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.links import Links, down
+from fleet_tui.view.tables.table import LateRows, Row, Table, column
+
+_LOOKS = {
+    Severity.DEBUG: ("· DEBUG", Ink.DIM),
+    Severity.INFO: ("  INFO ", Ink.TEXT),
+    Severity.WARN: ("▲ WARN ", Ink.WARN),
+    Severity.ERROR: ("✗ ERROR", Ink.ALARM),
+    Severity.FATAL: ("✗ FATAL", Ink.ALARM),
+}
+
+
+def lines_of(links: Links) -> tuple[LogLine, ...]:
+    """What all robots said, in the order in which it came."""
+    return tuple(
+        sorted((line for _, counter in links for line in snapshot(counter.log)), key=lambda one: one.at)
+    )
+
+
+def wanted_lines(lines: tuple[LogLine, ...], least: Severity, wanted: str) -> list[LogLine]:
+    """Those of a level, and worse, in which `wanted` stands. A level that nobody knows is let through."""
+    sought = wanted.casefold()
+    return [
+        line
+        for line in lines
+        if (line.severity or Severity.FATAL) >= least and sought in f"{line.node} {line.text}".casefold()
+    ]
+
+
+def _wall(line: LogLine, offset: float) -> float:
+    return line.stamp if line.stamp is not None else line.at + offset
+
+
+def _row(line: LogLine, nodes: int, time: str) -> Row:
+    word, ink = _LOOKS[line.severity] if line.severity else (f"level {line.level}", Ink.WARN)
+    runs = (
+        (f"{time} ", Ink.DIM),
+        (f"{word:<8}", ink),
+        (fit(line.node, nodes) + " ", Ink.DIM),
+        (visible(line.text), Ink.ALARM if ink is Ink.ALARM else Ink.TEXT),
+    )
+    return Row(id(line), runs)
+
+
+def robot_log_table(
+    lines: tuple[LogLine, ...],
+    links: Links,
+    state: FleetState,
+    clock: Callable[[float], str],
+    least: Severity,
+    wanted: str,
+) -> Table:
+    """Make a row for each line. `clock` writes Unix seconds as the time of day: the line's own, or that at
+    which it came."""
+    found = wanted_lines(lines, least, wanted)
+    nodes = column((line.node for line in found), 4, 24)
+    offset = state.wall - state.now
+    rows = LateRows(
+        [id(line) for line in found], lambda n: _row(found[n], nodes, clock(_wall(found[n], offset)))
+    )
+    note = f" /rosout  {len(found)} of {len(lines)} lines, {least.name}"
+    note += "" if least is Severity.FATAL else " and worse"
+    note += f", with {visible(wanted)}" if wanted else ""
+    note += f", last {ago(_wall(lines[-1], offset), state.wall)}" if lines else ""
+    title = ("Log of the robots", Ink.TITLE), (note, Ink.DIM), *down(links)
+    empty = (
+        "no such line" if lines else "nothing came on /rosout, which is listened to while this screen is open"
+    )
+    return Table(title, rows, empty)

@@ -1,0 +1,83 @@
+"""Every topic that is asked for: whether it is well, its rate and age, what could not be read."""
+
+from collections.abc import Mapping, Sequence
+
+from fleet_tui.model.counters import TopicCounter
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.text.sanitize import fit, visible
+from fleet_tui.text.units import ago, size_text
+from fleet_tui.view.roles import Ink
+from fleet_tui.view.tables.links import Links, down
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+
+BAD_FOR = 10.0
+"""Seconds for which a bad message marks its topic."""
+
+Entry = tuple[LinkState, TopicCounter]
+
+
+def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: float) -> Run:
+    """How a topic is, in a sign and words."""
+    if topic.not_subscribed:
+        return "✗ not subscribed", Ink.ALARM
+    if link.phase is not Phase.UP:
+        return "○ no link", Ink.WARN
+    if topic.bad is not None and now - topic.bad.raw.at < BAD_FOR:
+        return "▲ bad data", Ink.ALARM
+    if topic.at is None:
+        if topic.on_change:
+            return "· on change", Ink.DIM
+        waits = topic.on_demand or not topic.robot
+        return ("· when shown", Ink.DIM) if waits else ("○ nothing yet", Ink.WARN)
+    if topic.once or topic.on_demand or topic.on_change or not topic.robot:
+        return "● came", Ink.TEXT
+    return ("○ silent", Ink.WARN) if now - topic.at > silent_after else ("● live", Ink.GOOD)
+
+
+def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
+    """The topics in which `wanted` stands, robot by robot in the order of the config, then the others."""
+    places: Mapping[str, int] = {robot: n for n, robot in enumerate(state.robots)}
+    found = [
+        (link, topic)
+        for link, counter in links
+        for topic in counter.topics.values()
+        if wanted.casefold() in topic.topic.casefold()
+    ]
+    return sorted(found, key=lambda one: places.get(one[1].robot, len(places)))
+
+
+def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Table:
+    """A row for each; its key is link and topic."""
+    found = entries(state, links, wanted)
+    states = [topic_state(link, topic, now, _silent_after(state, topic)) for link, topic in found]
+    names = column((topic.topic for _, topic in found), 10, 34)
+    keys = [(link.name, topic.topic) for link, topic in found]
+    rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))
+    trouble = sum(ink in (Ink.WARN, Ink.ALARM) for _, ink in states)
+    note = f" {len(found)}, {trouble} in trouble" + (f", with {visible(wanted)}" if wanted else "")
+    title = ("Topics", Ink.TITLE), (note, Ink.DIM), *down(links)
+    return Table(title, rows, "no such topic" if wanted else "the console is still starting")
+
+
+def _silent_after(state: FleetState, topic: TopicCounter) -> float:
+    robot, usual = state.robots.get(topic.robot), state.limits.offline_after
+    return robot.kind.silence_of(topic.kind, usual) if robot else usual
+
+
+def _runs(state: Run, topic: TopicCounter, names: int, now: float) -> Sequence[Run]:
+    word, ink = state
+    rates = topic.rates(now)
+    rate = "" if rates is None else f"{rates[0]:.1f} Hz"
+    size = "" if rates is None else f"{size_text(rates[1])}/s"
+    bad = f"{topic.errors:,} bad" if topic.errors else ""
+    runs = [
+        (f"{word:<17}", ink),
+        (fit(topic.topic, names) + " ", Ink.TEXT),
+        (f"{rate:>8} ", Ink.TEXT),
+        (f"{ago(topic.at, now):>10} ", Ink.WARN if ink is Ink.WARN else Ink.TEXT),
+        (f"{bad:>7} ", Ink.WARN),
+        (f"{size:>9} {topic.count:>8,}  ", Ink.DIM),
+    ]
+    why = topic.not_subscribed or (topic.bad.text if topic.bad is not None else "")
+    return [*runs, (visible(why), Ink.DIM)]
