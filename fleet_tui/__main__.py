@@ -13,8 +13,8 @@ from typing import IO, TYPE_CHECKING, Any, NoReturn
 from fleet_tui.errors import ConfigError, FleetError, LinkError, is_address
 from fleet_tui.terminal.ending import PATIENCE, end_within
 from fleet_tui.text.ascii_fallback import stand_in
-from fleet_tui.text.limits import brief
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.limits import truncate
+from fleet_tui.text.sanitize import sanitize
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,7 +30,7 @@ def _more(count: int) -> list[str]:
 
 def _end(code: int, *lines: str) -> NoReturn:
     for line in lines:
-        sys.stderr.write(f"{visible(line)}\n")
+        sys.stderr.write(f"{sanitize(line)}\n")
     sys.exit(code)
 
 
@@ -102,7 +102,7 @@ def _words(problem: Exception, log: "Path | None") -> str:
     if isinstance(problem, OSError) and problem.errno in FULL and problem.filename is None:
         return f"the output can't be written: {problem.strerror}"
     where = "with --debug" if log is None else f"in {log}, or with --debug"
-    words = brief(str(problem)) or type(problem.__cause__ or problem).__name__
+    words = truncate(str(problem)) or type(problem.__cause__ or problem).__name__
     return f"internal error: {words} (details {where})"
 
 

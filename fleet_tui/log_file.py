@@ -13,8 +13,8 @@ from typing import IO, Any
 
 import platformdirs
 
-from fleet_tui.text.limits import brief
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.limits import truncate
+from fleet_tui.text.sanitize import sanitize
 
 MAX_BYTES, KEPT = 2 * 2**20, 3
 """A file's size, and how many older ones are kept beside it."""
@@ -31,11 +31,11 @@ class _Visible(logging.Formatter):
 
     def formatMessage(self, record: logging.LogRecord) -> str:  # noqa: N802  # the base's name
         """One line, whatever is in it."""
-        return brief(visible(super().formatMessage(record)), LONGEST_LINE)
+        return truncate(sanitize(super().formatMessage(record)), LONGEST_LINE)
 
     def formatException(self, ei: Any) -> str:  # noqa: N802  # the base's name
         """A traceback ends with words that may come from anywhere."""
-        return "\n".join(map(visible, super().formatException(ei).split("\n")))
+        return "\n".join(map(sanitize, super().formatException(ei).split("\n")))
 
 
 class Tail(logging.Handler):
@@ -86,7 +86,7 @@ class _Private(logging.handlers.RotatingFileHandler):
         super().emit(record)
 
 
-class _Waiting(logging.handlers.QueueHandler):
+class _LogQueue(logging.handlers.QueueHandler):
     """Messages on their way to the file; how many were lost is said as soon as there is room again."""
 
     lost = 0
@@ -136,7 +136,7 @@ def log_to_file(debug: bool) -> Path | None:
         return None
     # A disk may hang, and neither the screen nor the network may with it: a thread of its own writes.
     lines: queue.Queue[logging.LogRecord] = queue.Queue(WAITING)
-    handler = _Waiting(lines)
+    handler = _LogQueue(lines)
     handler.setFormatter(_Visible(f"%(asctime)s {os.getpid()} %(levelname)s %(name)s: %(message)s"))
     root.handlers = [handler, TAIL]
     listener = _Writing(lines, file)

@@ -10,11 +10,19 @@ from rich.style import Style
 
 from fleet_tui.config.small_file import read_toml
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _ATTRIBUTES = ("bold", "reverse", "underline", "dim")
-QUIET = {Ink.FLOOR, Ink.UNKNOWN, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD, Ink.MISSION_NEXT, Ink.RULE}
+QUIET = {
+    StyleRole.FLOOR,
+    StyleRole.UNKNOWN,
+    StyleRole.EDGE,
+    StyleRole.TRAIL,
+    StyleRole.TRAIL_OLD,
+    StyleRole.MISSION_NEXT,
+    StyleRole.RULE,
+}
 BASE = ("background", "surface", "foreground", "accent")
 
 
@@ -35,9 +43,9 @@ class FleetTheme(Struct, frozen=True):
     name: str
     dark: bool
     base: Mapping[str, str]
-    inks: Mapping[Ink, InkLook]
+    inks: Mapping[StyleRole, InkLook]
 
-    def styles(self, colour: bool = True) -> dict[Ink, Style]:
+    def styles(self, colour: bool = True) -> dict[StyleRole, Style]:
         """Every ink as a Rich style; without colour (NO_COLOR) only bold, reverse, underline, dim stay.
 
         Then what colours would keep in the background is dim: an edge is no wall.
@@ -58,10 +66,15 @@ class FleetTheme(Struct, frozen=True):
         }
 
 
-_TEXTUAL = {"secondary": Ink.DIM, "warning": Ink.WARN, "error": Ink.ALARM, "success": Ink.GOOD}
+_TEXTUAL = {
+    "secondary": StyleRole.DIM,
+    "warning": StyleRole.WARN,
+    "error": StyleRole.ALARM,
+    "success": StyleRole.GOOD,
+}
 
 
-def _style(ink: Ink, look: InkLook, background: str, colour: bool) -> Style:
+def _style(ink: StyleRole, look: InkLook, background: str, colour: bool) -> Style:
     # None, not False: an explicit "off" would be one more code on the wire.
     return Style(
         color=look.color if colour else None,
@@ -112,7 +125,7 @@ def read_theme(path: Path, others: Mapping[str, FleetTheme]) -> FleetTheme:
     if problems:
         raise ConfigError(problems)
     base, inks = (start.base, start.inks) if start else ({}, {})
-    own = {Ink[name.upper()]: _look(value) for name, value in content.get("inks", {}).items()}
+    own = {StyleRole[name.upper()]: _look(value) for name, value in content.get("inks", {}).items()}
     return FleetTheme(path.stem, dark, {**base, **content.get("base", {})}, {**inks, **own})
 
 
@@ -125,7 +138,7 @@ def _problems(content: dict[str, Any]) -> Iterator[str]:
     yield from _strangers("", content, ("dark", "base", "inks"))
     if not isinstance(content.get("dark", True), bool):
         yield "dark must be true or false"
-    for table, names in (("base", BASE), ("inks", [ink.name.lower() for ink in Ink])):
+    for table, names in (("base", BASE), ("inks", [ink.name.lower() for ink in StyleRole])):
         entries = content.get(table, {})
         if not isinstance(entries, dict):
             yield f"{table} must be a table"
@@ -157,7 +170,7 @@ def _strangers(
 
 def _gaps(content: dict[str, Any]) -> Iterator[str]:
     """What a theme lacks that has none to fall back on."""
-    for table, names in (("base", BASE), ("inks", tuple(ink.name.lower() for ink in Ink))):
+    for table, names in (("base", BASE), ("inks", tuple(ink.name.lower() for ink in StyleRole))):
         for name in names:
             if name not in content.get(table, {}):
                 yield f"{table}.{name} is missing"

@@ -10,7 +10,7 @@ from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
-from fleet_tui.simulator.move_base.navigation import MoveBase
+from fleet_tui.simulator.move_base.navigation import SimMoveBase
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros import actionlib
 from fleet_tui.simulator.server import RosbridgeServer
@@ -24,7 +24,7 @@ class MoveBaseSite:
     def __init__(self, fleet: MoveBaseFleet, server: RosbridgeServer, config: Config) -> None:
         self.fleet, self.server, self.config = fleet, server, config
 
-    def navigation(self, robot: str = "robot_0") -> MoveBase:
+    def navigation(self, robot: str = "robot_0") -> SimMoveBase:
         """The move_base of a robot."""
         return self.fleet.navigation[robot]
 

@@ -12,7 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.nav2.navigation import Navigation
+from fleet_tui.simulator.nav2.navigation import SimNavigation
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.watched import WatchedStore
@@ -30,7 +30,7 @@ class Site:
     def __init__(self, fleet: Nav2Fleet, server: RosbridgeServer, config: Config) -> None:
         self.fleet, self.server, self.config = fleet, server, config
 
-    def navigation(self, robot: str = "robot_0") -> Navigation:
+    def navigation(self, robot: str = "robot_0") -> SimNavigation:
         """The action servers of a robot."""
         return self.fleet.navigation[robot]
 

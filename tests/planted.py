@@ -6,7 +6,7 @@ from itertools import count
 
 import msgspec
 
-from fleet_tui.adapters.adapter import Call
+from fleet_tui.adapters.adapter import ServiceCall
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.start import initial_state
@@ -84,7 +84,7 @@ class Planted:
         self.tell(CommandIssued(id_, command, self.now, WALL), CommandAdvanced(id_, Stage.SENT, self.now))
         adapter = self._adapters[command.robot]
         (call,) = adapter.outgoing(command, id_, self.state.robots[command.robot])
-        assert isinstance(call, Call)
+        assert isinstance(call, ServiceCall)
         frame = self.server.answer({"service": call.address, "args": dict(call.args), "id": "1"})
         if frame is not None:
             answer = json.loads(frame)

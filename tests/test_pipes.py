@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.reader import AuditReader
 from fleet_tui.config.access import access_problems
 from fleet_tui.config.load import load
 from fleet_tui.config.schema import LINK_FILES, Link
@@ -66,7 +66,7 @@ def test_certificates_at_a_later_connection(tmp_path: Path, make: Make, key: str
 def test_audit_log(tmp_path: Path, make: Make) -> None:
     make(tmp_path / "audit.jsonl")
     with pytest.raises(OSError, match=WORDS):
-        list(Reading(tmp_path / "audit.jsonl").newest_first())
+        list(AuditReader(tmp_path / "audit.jsonl").newest_first())
 
 
 def test_log(tmp_path: Path, make: Make) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from tests.bench.in_pty import Terminal, serving
 from tests.hostile_fleet import CLIPBOARD, EVIL, ROBOTS
 
@@ -117,7 +117,7 @@ def through_the_commands(terminal: Terminal) -> None:
     terminal.press("\r")
     look(terminal, "refused (REJECTED: ")
     terminal.press("p")
-    look(terminal, f"responded with an error: {visible(CLIPBOARD)}")
+    look(terminal, f"responded with an error: {sanitize(CLIPBOARD)}")
     terminal.press("x")
     look(terminal, "Cancel order")
     leave(terminal, "Cancel order")
@@ -134,7 +134,7 @@ OPENS = (
     ("d", "no link for", "\x1b"),
     ("d2", "▲ bad data", "\x1b"),
     ("d4", "INFO  ␛]52;c;aGFja2Vk␇", "\x1b"),
-    ("d5", f"▲ WARN    {visible(EVIL[0])}", "\x1b"),
+    ("d5", f"▲ WARN    {sanitize(EVIL[0])}", "\x1b"),
     ("d6", "log, newest first: ", "\x1b"),
     ("s", "Robot: robot_0", "s"),
 )
@@ -152,7 +152,7 @@ def through_what_opens(terminal: Terminal) -> None:
     terminal.press("s")
     look(terminal, "From: choose")
     terminal.press("\r")
-    look(terminal, "From where?", visible(EVIL[0]))
+    look(terminal, "From where?", sanitize(EVIL[0]))
     terminal.press("\r")
     look(terminal, "From:")
 

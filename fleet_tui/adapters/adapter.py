@@ -45,7 +45,7 @@ class Feed(NamedTuple):
         return bool(self.wanted_for)
 
 
-class Call(NamedTuple):
+class ServiceCall(NamedTuple):
     """A service call, complete and typed: a bridge would fill gaps with zeros."""
 
     address: str
@@ -53,7 +53,7 @@ class Call(NamedTuple):
     args: Mapping[str, object]
 
 
-class Goal(NamedTuple):
+class ActionGoal(NamedTuple):
     """A goal of an action, complete and typed."""
 
     address: str
@@ -71,7 +71,7 @@ class Publication(NamedTuple):
     name: str = ""
 
 
-Outgoing = Call | Goal | Publication
+Outgoing = ServiceCall | ActionGoal | Publication
 
 
 class Limit(NamedTuple):
@@ -131,6 +131,8 @@ class Adapter(Protocol):
         bridge did not pass it on; `status` is that of a goal (action_msgs/GoalStatus), None for a call: of an
         order that has ended it is DONE or FAILED, of one that was not taken REFUSED."""
 
-    def learned(self, call: Call, values: object, robot: Robot, sent_at: float, at: float) -> Iterable[Event]:
+    def learned(
+        self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
+    ) -> Iterable[Event]:
         """Return what the answer to a call that left at `sent_at` tells of its robot, beside how the command
         went. Both times are monotonic seconds."""

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 
 LONGEST_JUDGED = 100_000
 """Characters of an answer in which words of refusal are looked for: in 8 MB it would take seconds."""
@@ -43,16 +43,16 @@ def judge(
     An answer says `success`, or is a `status` text; one that does neither says nothing.
     """
     if not result:
-        text = brief(said(values))
+        text = truncate(said(values))
         refused = _NEVER_ARRIVED.search(text) and not _THREW.search(text)
         return (Stage.REFUSED if refused else Stage.UNKNOWN), text
     fields = values if isinstance(values, dict) else {}
     success, words = fields.get("success"), fields.get("status", fields.get("message"))
     if not isinstance(success, bool) and not ("success" not in fields and isinstance(words, str)):
-        return Stage.UNKNOWN, f"an answer that says nothing: {brief(said(values))}"
+        return Stage.UNKNOWN, f"an answer that says nothing: {truncate(said(values))}"
     text = words if isinstance(words, str) else ""
     already = _ALREADY.get(type(command))
     if already is not None and already.search(text, 0, LONGEST_JUDGED):
-        return Stage.ACCEPTED, brief(text)
+        return Stage.ACCEPTED, truncate(text)
     declined = success is False or any(pattern.search(text, 0, LONGEST_JUDGED) for pattern in refusals)
-    return (Stage.REFUSED if declined else Stage.ACCEPTED), brief(text)
+    return (Stage.REFUSED if declined else Stage.ACCEPTED), truncate(text)

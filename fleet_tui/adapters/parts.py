@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from fleet_tui.errors import WireError
-from fleet_tui.text.limits import MOST_ORDERS, beyond
+from fleet_tui.text.limits import MOST_ORDERS, too_many
 
 
 def read_all(
@@ -12,7 +12,7 @@ def read_all(
 ) -> list[Any]:
     """The good ones of the first `most` parts; what is wrong with the others goes to `faults`."""
     if len(parts) > most:
-        faults.append(beyond(len(parts), most, what))
+        faults.append(too_many(len(parts), most, what))
     good = []
     for n, part in enumerate(parts[:most]):
         try:

@@ -48,7 +48,7 @@ class Registered:
         """The table of a profile that only this kind has."""
         if find_spec(f"{__package__}.{self.folder}.settings") is None:
             return None
-        return cast("type[Struct]", self._module("settings").Settings)
+        return cast("type[Struct]", self._module("settings").SETTINGS)
 
 
 KINDS = {name: Registered(name) for name in ("oh_ressources", "nav2", "move_base")}

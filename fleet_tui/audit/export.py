@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TextIO
 
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 COLUMNS = AuditRecord.__struct_fields__
 # Full-width forms are formulas, too, where the spreadsheet speaks Japanese or Chinese.
@@ -23,7 +23,7 @@ def cell(value: object) -> str:
         return ""
     if not isinstance(value, str):
         return str(value)
-    text = _NEXT_CELL.sub(r"\1'", visible(value))
+    text = _NEXT_CELL.sub(r"\1'", sanitize(value))
     return f"'{text}" if value.startswith(_FORMULA) or text.startswith(_FORMULA) else text
 
 

@@ -29,7 +29,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
 
@@ -215,4 +215,4 @@ def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> 
 def _say(text: str) -> None:
     LOG.error("%s", text)
     with suppress(OSError, ValueError):  # there may be nobody any more
-        sys.stderr.write(f"{visible(text)}\n")
+        sys.stderr.write(f"{sanitize(text)}\n")

@@ -22,7 +22,7 @@ _DECODER = msgspec.json.Decoder(AuditRecord)
 
 
 @dataclass(slots=True)
-class Reading:
+class AuditReader:
     """The records of a log and its older parts. `unreadable` counts the lines so far that are no
     records: torn by a kill or a full disk, or somebody else's."""
 

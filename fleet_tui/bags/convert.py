@@ -23,8 +23,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import OF_BAG, Phase
 from fleet_tui.recording.part_file import PartFile
 from fleet_tui.recording.recording import LAST_SECOND
-from fleet_tui.recording.records import VERSION, Header, Packer, encode, public
-from fleet_tui.text.limits import brief
+from fleet_tui.recording.records import VERSION, Packer, RecordingHeader, encode, public
+from fleet_tui.text.limits import truncate
 
 LARGEST = 128 * 2**20
 """Bytes of a message, in the bag or as a frame."""
@@ -158,18 +158,18 @@ class _Conversion:
                 )
             except Exception as problem:  # noqa: BLE001  # rosbags runs code that it made of the definition
                 self._framers[key] = None
-                text = brief(f"{connection.topic}: {problem}")
+                text = truncate(f"{connection.topic}: {problem}")
                 self._report.notes.append(text)
                 self._reject(track, connection.topic, text)
         return self._framers[key]
 
     def _reject(self, track: Track, topic: str, text: str) -> None:
         for _, one in self._chosen.by_topic[topic]:
-            track.told(MessageRejected(one.robot, brief(text)))
+            track.told(MessageRejected(one.robot, truncate(text)))
 
     def _begin(self, wall: float) -> Track:
         name, config = self._bag.path.name, public(self._config)
-        header = Header(VERSION, __version__, secrets.token_hex(8), 0, FIRST_AT, wall, False, config)
+        header = RecordingHeader(VERSION, __version__, secrets.token_hex(8), 0, FIRST_AT, wall, False, config)
         self._file.write(encode(header, Packer()))
         origin = Origin("", OF_BAG + name, "")
         track = Track(self._file, self._config, self._first_state(wall), origin, wall)

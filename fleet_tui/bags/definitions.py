@@ -8,7 +8,7 @@ import re
 from typing import Any
 
 from fleet_tui.bags.opening import BagError
-from fleet_tui.text.limits import LONGEST_NAME, brief
+from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 LONGEST = 500_000
 """Characters of a definition with all it refers to."""
@@ -51,12 +51,12 @@ def typestore(connection: Any) -> Any:
         store = get_typestore(Stores.ROS2_HUMBLE)
         if name not in store.fielddefs:
             raise BagError(
-                f"the definition of {brief(name, LONGEST_NAME)} is not in the bag:"
+                f"the definition of {truncate(name, LONGEST_NAME)} is not in the bag:"
                 " record as mcap, or with ROS 2 Iron or newer"
             )
     else:
         if len(text) > LONGEST:
-            raise BagError(f"the definition of {brief(name, LONGEST_NAME)} has {len(text):,} characters")
+            raise BagError(f"the definition of {truncate(name, LONGEST_NAME)} has {len(text):,} characters")
         types = _of_msg(text, name) if form is MessageDefinitionFormat.MSG else _of_idl(text)
         _Check(types, name)
         store = get_typestore(Stores.EMPTY)
@@ -97,7 +97,7 @@ def _fields(text: str, owner: str) -> Fields:
         field = _FIELD.match(line)
         if field is None:
             if line and not line.startswith("@"):
-                raise BagError(f"the definition of {owner} has a line that is none: {brief(line, 80)!r}")
+                raise BagError(f"the definition of {owner} has a line that is none: {truncate(line, 80)!r}")
             continue
         if field["constant"]:
             continue
@@ -123,7 +123,7 @@ class _Check:
     """Raises BagError for what would make rosbags write code that is none, or too much of it."""
 
     def __init__(self, types: Types, wanted: str) -> None:
-        self._types, self._about = types, f"the definition of {brief(wanted, LONGEST_NAME)}"
+        self._types, self._about = types, f"the definition of {truncate(wanted, LONGEST_NAME)}"
         self._values: dict[str, int] = {}
         self._message(wanted, 0)
 
@@ -132,7 +132,7 @@ class _Check:
         if name in TIMES:
             return 2
         if name not in self._types or not _TYPE_NAME.fullmatch(name):
-            raise BagError(f"{self._about} lacks that of {brief(name, LONGEST_NAME)}")
+            raise BagError(f"{self._about} lacks that of {truncate(name, LONGEST_NAME)}")
         if depth > DEEPEST:
             raise BagError(f"{self._about} is nested too deep")
         if name not in self._values:
@@ -155,5 +155,5 @@ class _Check:
         if kind == Nodetype.NAME:
             return times * self._message(what, depth + 1)
         if what[0] not in BASE:
-            raise BagError(f"{self._about} has {brief(str(what[0]), 20)}, which is not read")
+            raise BagError(f"{self._about} has {truncate(str(what[0]), 20)}, which is not read")
         return times if what[0] == "string" else 1

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from fleet_tui.errors import FleetError
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 
 SUFFIXES = (".bag", ".db3", ".mcap")
 MEMORY = 4 * 2**30
@@ -131,7 +131,7 @@ def _words(path: Path, problem: Exception) -> str:
     for part, words in _WORDS.items():
         if part in said:
             return words.format(name=path.name)
-    return f"can't be read: {brief(said or type(problem).__name__)}"
+    return f"can't be read: {truncate(said or type(problem).__name__)}"
 
 
 @contextmanager

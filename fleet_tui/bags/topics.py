@@ -11,7 +11,7 @@ from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import did_you_mean
 from fleet_tui.state.reducer import LIVE_MAPS_KEPT
-from fleet_tui.text.limits import LONGEST_NAME, brief
+from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 NAMED = 5
 """Topics or robots that a message names; how many more there are, it says."""
@@ -62,8 +62,8 @@ def _take(chosen: Chosen, connection: Any, adapters: Mapping[str, Adapter]) -> N
     for _, one in chosen.by_topic.get(connection.topic, ()):
         problem = type_problem(one, {connection.topic: connection.msgtype}, adapters[one.robot].names.table)
         if problem:
-            chosen.refused.append((one.robot, brief(problem)))
-            chosen.notes.append(brief(problem))
+            chosen.refused.append((one.robot, truncate(problem)))
+            chosen.notes.append(truncate(problem))
         elif chosen.connections[-1:] != [connection]:
             chosen.connections.append(connection)
 
@@ -127,4 +127,4 @@ def _unasked(wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
 def _some(names: Iterable[str]) -> str:
     found = list(names)
     more = f" and {len(found) - NAMED} more" if len(found) > NAMED else ""
-    return ", ".join(brief(name, LONGEST_NAME) for name in found[:NAMED]) + more
+    return ", ".join(truncate(name, LONGEST_NAME) for name in found[:NAMED]) + more

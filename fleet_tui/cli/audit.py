@@ -8,7 +8,7 @@ import click
 
 from fleet_tui.audit.export import write_csv
 from fleet_tui.audit.file import FILE_NAME
-from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.reader import AuditReader
 from fleet_tui.audit.search import search_of
 from fleet_tui.errors import FleetError
 from fleet_tui.log_file import state_folder
@@ -24,7 +24,7 @@ def write_records(typed: str, as_csv: bool, demo: bool, out: TextIO) -> str:
         search = search_of(typed, datetime.now().astimezone(), demo)
     except FleetError as problem:
         raise click.UsageError(str(problem)) from None
-    reading = Reading(state_folder() / FILE_NAME)
+    reading = AuditReader(state_folder() / FILE_NAME)
     records = filter(search.wants, reading.newest_first())
     try:
         if as_csv:

@@ -8,7 +8,7 @@ from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.awaiting import Discovering
 from fleet_tui.discovery.site import DiscoveredSite
 from fleet_tui.errors import ConfigError, FleetError, LinkError
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 
 def chosen(config_file: str | None, url: str | None) -> Config:
@@ -55,5 +55,5 @@ def _discovered(url: str | None) -> DiscoveredSite:
 def _warned(site: DiscoveredSite) -> Config:
     config = site.config
     for line in site.warnings:
-        click.echo(visible(f"warning: {line}"), err=True)
+        click.echo(sanitize(f"warning: {line}"), err=True)
     return config

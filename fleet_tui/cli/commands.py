@@ -8,11 +8,11 @@ from pathlib import Path
 import click
 
 from fleet_tui.cli.config.commands import config
-from fleet_tui.cli.duration import Duration
+from fleet_tui.cli.duration import DurationParam
 from fleet_tui.cli.options import FileName, common, fleet, merged, timeout
 from fleet_tui.cli.orders.commands import orders
 from fleet_tui.config.schema import Config
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 
 @click.group()
@@ -106,14 +106,14 @@ def _pack(config: Config, said: list[str], as_json: bool) -> None:
     """Pack what the doctor said, and say where it is: not into the JSON."""
     from fleet_tui.cli.bundle import pack
 
-    click.echo(visible(pack(config, "\n".join([*said, ""]), "json" if as_json else "txt")), err=as_json)
+    click.echo(sanitize(pack(config, "\n".join([*said, ""]), "json" if as_json else "txt")), err=as_json)
 
 
 @headless.command()
 @click.argument("file", type=FileName(path_type=Path))
-@click.option("--for", "seconds", type=Duration(), default="366d", help="End after 45s, 30m, 8h, ...")
+@click.option("--for", "seconds", type=DurationParam(), default="366d", help="End after 45s, 30m, 8h, ...")
 @click.option("--rotate-mb", type=click.FloatRange(1), help="A new file after so many MB.")
-@click.option("--rotate-every", type=Duration(), help="A new file after 30m, 1h, ...")
+@click.option("--rotate-every", type=DurationParam(), help="A new file after 30m, 1h, ...")
 @click.option("--keep", type=click.IntRange(0), help="How many files stay, 0: all.")
 @click.option("--timeout", type=click.FloatRange(0.1), help="End if there is no link after so many seconds.")
 @fleet
@@ -134,12 +134,12 @@ def record(
     from fleet_tui.cli.chosen import chosen
     from fleet_tui.cli.record import record as run
     from fleet_tui.log_file import log_to_file
-    from fleet_tui.recording.part_files import Limits
+    from fleet_tui.recording.part_files import PartLimits
 
     log_to_file(debug)
     config = chosen(config_file, url)
     usual = config.recording
-    limits = Limits(
+    limits = PartLimits(
         (usual.rotate_mb if rotate_mb is None else rotate_mb) * 1e6,
         usual.rotate_minutes * 60 if rotate_every is None else rotate_every,
         usual.keep if keep is None else keep,
@@ -172,4 +172,4 @@ def audit(
     typed = [*words, *(f"{name}:{value}" for name, value in named.items() if value)]
     said = write_records(" ".join(typed), as_csv, demo, sys.stdout)
     if said:
-        click.echo(visible(said), err=True)
+        click.echo(sanitize(said), err=True)

@@ -9,7 +9,7 @@ _SECONDS = {"": 1, "s": 1, "m": 60, "h": 3600, "d": 86_400}
 LONGEST = 366 * 86_400.0
 
 
-class Duration(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in newer versions of click only
+class DurationParam(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in newer versions of click only
     """Seconds, as a float."""
 
     name = "duration"

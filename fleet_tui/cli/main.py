@@ -14,7 +14,7 @@ from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 
 class Commands(NearestGroup):
@@ -79,12 +79,12 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     problems += [*missing_files(config), *_graph_problems(config)]
     problems += [*access_problems(config), *_theme_problems(config)]
     for line in unsafe_places(config):
-        click.echo(visible(f"{path}: warning: {line}"), err=True)
+        click.echo(sanitize(f"{path}: warning: {line}"), err=True)
     if problems:
         raise ConfigError([f"{path}: {line}" for line in problems])
     robots, floors = len(config.robots), len(config.floors)
     counts = f"{robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}"
-    click.echo(f"{visible(str(path))}: fine: {counts}")
+    click.echo(f"{sanitize(str(path))}: fine: {counts}")
 
 
 def _graph_problems(config: Config) -> list[str]:

@@ -21,10 +21,10 @@ from fleet_tui.errors import ConfigError
 from fleet_tui.maps.floor_files import load_maps
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
-from fleet_tui.recording.part_files import Limits
+from fleet_tui.recording.part_files import PartLimits
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.taps import Taps
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 FINE, NO_LINK = 0, 3
 ENDING = (signal.SIGTERM, signal.SIGHUP)
@@ -87,7 +87,7 @@ class _Watch:
     def _line(self, text: str) -> None:
         if self._is_live:
             sys.stderr.write("\r\x1b[K")
-        self._say(visible(text))
+        self._say(sanitize(text))
 
     def _show(self, state: FleetState) -> None:
         """One line that is written over."""
@@ -137,7 +137,7 @@ def _live_maps(config: Config, store: WaitingStore, link: FleetLink) -> Iterator
 
 
 def record(
-    config: Config, path: Path, limits: Limits, seconds: float, timeout: float, say: Say, is_live: bool
+    config: Config, path: Path, limits: PartLimits, seconds: float, timeout: float, say: Say, is_live: bool
 ) -> int:
     """Record for so many seconds, until SIGTERM or Ctrl-C; the exit code. Without a link within `timeout`
     seconds it ends. Raises RecordingError where the file can't be made, ConfigError for an unsafe secret."""
@@ -150,7 +150,7 @@ def record(
     store = WaitingStore(initial_state(config, time.monotonic()))
     taps = Taps()
     recorder = taps.attach(Recorder(path, config, store, new_origin(config), limits))
-    shown = visible(str(path))
+    shown = sanitize(str(path))
     say(f"recording to {shown}; to look at it: fleet-tui replay {shlex.quote(shown)}")
     watch = _Watch(recorder, say, is_live)
     with _ended_by_signals():

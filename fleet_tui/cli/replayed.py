@@ -11,7 +11,7 @@ from fleet_tui.cli.options import FileName, common, merged, screen
 from fleet_tui.config.load import load_if_any
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 PATIENCE = 0.5
 """Seconds between two words on how far it is."""
@@ -71,7 +71,7 @@ def _recording_of(bag: Path, config: Config, folder: Path) -> tuple[Path, list[s
         raise ConfigError([str(problem)]) from None
     over_progress = "\r" if sys.stderr.isatty() else ""
     for note in notes:
-        click.echo(over_progress + visible(note), err=True)
+        click.echo(over_progress + sanitize(note), err=True)
     return made, notes
 
 

@@ -7,7 +7,7 @@ import termios
 from collections import deque
 from collections.abc import Callable
 
-from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.transports.rosbridge.connection import Connection
 
 BEHIND = 0.3
@@ -26,7 +26,7 @@ Frame = tuple[bytes, bool, float]
 class Backlog:
     """Runs on the network loop. `take` is given each frame that is to be decoded."""
 
-    def __init__(self, connection: Connection, reading: Reading, take: Callable[[Frame], None]) -> None:
+    def __init__(self, connection: Connection, reading: FrameReader, take: Callable[[Frame], None]) -> None:
         self._connection, self._reading, self._take = connection, reading, take
         self._arrived: deque[tuple[float, int]] = deque()
         """When how many bytes had arrived in all, read or not."""

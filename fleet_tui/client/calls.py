@@ -19,7 +19,7 @@ class NoAnswerError(LinkError):
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class PendingCall:
     """A call that was sent, and where its answer will be."""
 
     id: str
@@ -35,7 +35,7 @@ class Calls:
         self._pending: dict[str, asyncio.Future[operations.ServiceResponse]] = {}
         self._ids = itertools.count(1)
 
-    def start(self, service: str, args: Mapping[str, object], within: float) -> "Call":
+    def start(self, service: str, args: Mapping[str, object], within: float) -> "PendingCall":
         """Send a call that the bridge gives up after `within` seconds, where it can.
 
         Raises LinkError if there is nothing to send it on."""
@@ -43,9 +43,9 @@ class Calls:
         self._connection.send(operations.call_service(call_id, service, args, within))
         answer = asyncio.get_running_loop().create_future()
         self._pending[call_id] = answer
-        return Call(call_id, service, answer)
+        return PendingCall(call_id, service, answer)
 
-    async def wait(self, call: "Call", within: float) -> operations.ServiceResponse:
+    async def wait(self, call: "PendingCall", within: float) -> operations.ServiceResponse:
         """Wait `within` seconds at most for an answer; it may be waited for again, until `forget`.
 
         Raises LinkLostError or NoAnswerError.
@@ -55,7 +55,7 @@ class Calls:
         except TimeoutError:
             raise NoAnswerError(f"from {call.service} in {within:g} s: it may still be carried out") from None
 
-    def forget(self, call: "Call") -> None:
+    def forget(self, call: "PendingCall") -> None:
         """Nobody waits for this answer any more."""
         del self._pending[call.id]
 

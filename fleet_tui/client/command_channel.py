@@ -7,10 +7,10 @@ import uuid
 from collections.abc import Iterable, Mapping, Sequence
 
 from fleet_tui.adapters import adapter as outgoings
-from fleet_tui.adapters.adapter import Adapter, Goal, Outgoing, Publication
+from fleet_tui.adapters.adapter import ActionGoal, Adapter, Outgoing, Publication
 from fleet_tui.adapters.answers import said
 from fleet_tui.adapters.ros import operations
-from fleet_tui.client.calls import Call, Calls, LinkLostError, NoAnswerError
+from fleet_tui.client.calls import Calls, LinkLostError, NoAnswerError, PendingCall
 from fleet_tui.client.goal_channel import Goals
 from fleet_tui.client.heartbeat import Heartbeat
 from fleet_tui.client.publishing import Publishing
@@ -21,7 +21,7 @@ from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.model.commands import UNANSWERED, Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
@@ -94,7 +94,7 @@ class CommandChannel:
             return
         self._heartbeat.take(operation)
         if not self._calls.on_response(operation):
-            LOG.warning("a late answer to %s: %s", brief(operation.id), brief(said(operation.values)))
+            LOG.warning("a late answer to %s: %s", truncate(operation.id), truncate(said(operation.values)))
 
     def on_sent(self, payload: bytes) -> None:
         """A call left."""
@@ -128,7 +128,7 @@ class CommandChannel:
         try:
             outgoing = self._outgoing(command, command_id, at - given_at)
             first = outgoing[0] if outgoing else None
-            if isinstance(first, Goal):
+            if isinstance(first, ActionGoal):
                 self._keep(asyncio.ensure_future(self._goals.give(command_id, command, first, given_at)))
                 return
             calls = self._send(outgoing)
@@ -168,21 +168,25 @@ class CommandChannel:
                 raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
         return outgoing
 
-    def _send(self, outgoing: Sequence[Outgoing]) -> list[tuple[outgoings.Call, Call]]:
+    def _send(self, outgoing: Sequence[Outgoing]) -> list[tuple[outgoings.ServiceCall, PendingCall]]:
         """Send calls and publications; the calls wait for answers. Raises LinkError."""
-        calls = list[tuple[outgoings.Call, Call]]()
+        calls = list[tuple[outgoings.ServiceCall, PendingCall]]()
         for one in outgoing:
             match one:
-                case outgoings.Call(address, _, args):
+                case outgoings.ServiceCall(address, _, args):
                     calls.append((one, self._calls.start(address, args, self._timeout)))
                 case Publication():
                     self._publishing.send(one)
-                case Goal():
+                case ActionGoal():
                     raise CommandError("a goal goes alone")
         return calls
 
     async def _wait(
-        self, command_id: int, command: Command, calls: Sequence[tuple[outgoings.Call, Call]], sent_at: float
+        self,
+        command_id: int,
+        command: Command,
+        calls: Sequence[tuple[outgoings.ServiceCall, PendingCall]],
+        sent_at: float,
     ) -> None:
         """Wait for all answers of a command: it went as well as the worst of them."""
         adapter = self._adapters[command.robot]
@@ -209,7 +213,7 @@ class CommandChannel:
                 self._calls.forget(call)
         self._advance(command_id, stage, words)
 
-    async def _answer(self, command_id: int, call: Call) -> operations.ServiceResponse:
+    async def _answer(self, command_id: int, call: PendingCall) -> operations.ServiceResponse:
         try:
             return await self._calls.wait(call, self._timeout)
         except NoAnswerError as problem:
@@ -220,7 +224,7 @@ class CommandChannel:
         self, command_id: int, stage: Stage, words: str = "", at: float | None = None, name: str = ""
     ) -> None:
         level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
-        LOG.log(level, "command %d: %s %s", command_id, stage.value, brief(words))
+        LOG.log(level, "command %d: %s %s", command_id, stage.value, truncate(words))
         at = time.monotonic() if at is None else at
         self._writer.take(CommandAdvanced(command_id, stage, at, words, name))
 

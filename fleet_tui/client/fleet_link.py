@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 
 from fleet_tui.client.keeper import Keeper
-from fleet_tui.client.link import Link
+from fleet_tui.client.link import BridgeLink
 from fleet_tui.client.queue_file import QueueFile
 from fleet_tui.client.tap import Tap
 from fleet_tui.client.writer import Writer
@@ -41,7 +41,7 @@ class FleetLink:
         self._writer = Writer(store, tap)
         self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
         adapters = adapters_of(config)
-        self._links = {name: Link(name, config, adapters, self._writer) for name in config.bridges}
+        self._links = {name: BridgeLink(name, config, adapters, self._writer) for name in config.bridges}
         new_id = partial(next, self._ids)
         self._keeper = Keeper(queue, store, self._writer.take, self._send, new_id)
         self._writer.before_tick.append(self._keeper.look)

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 
-from fleet_tui.adapters.adapter import Adapter, Goal
+from fleet_tui.adapters.adapter import ActionGoal, Adapter
 from fleet_tui.adapters.ros import operations
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
@@ -44,7 +44,7 @@ class GoalChannel:
         with suppress(TimeoutError):
             await asyncio.wait_for(self._opened.wait(), CONNECT_WITHIN)
 
-    def send(self, command_id: int, goal: Goal) -> None:
+    def send(self, command_id: int, goal: ActionGoal) -> None:
         """Give a goal now or not at all. Raises LinkError."""
         if not self.connection.is_connected:
             raise LinkError(f"no link for goals: {self._reason or 'the bridge does not answer'}")
@@ -110,7 +110,7 @@ class Goals:
         self._channels: dict[str, GoalChannel] = {}
         self._commands: dict[int, Command] = {}
 
-    async def give(self, command_id: int, command: Command, goal: Goal, given_at: float) -> None:
+    async def give(self, command_id: int, command: Command, goal: ActionGoal, given_at: float) -> None:
         """Give the goal of a command that was given at `given_at` (monotonic), and tell that it left, or why
         not."""
         if command.robot not in self._channels:

@@ -9,7 +9,7 @@ import asyncio
 from collections.abc import Callable, Collection, Iterable
 
 from fleet_tui.adapters.adapter import Feed
-from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.ros.reading import FrameReader
 
 FIRST_PATIENCE, LONGEST_PATIENCE = 2.0, 64.0
 """Seconds without a value after which the other way is tried; each time it is twice as long."""
@@ -22,7 +22,7 @@ class Latched:
 
     def __init__(
         self,
-        reading: Reading,
+        reading: FrameReader,
         wanted: Callable[[], Iterable[Feed]],
         subscribe: Callable[[Feed], None],
         unsubscribe: Callable[[Feed], None],

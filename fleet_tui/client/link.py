@@ -15,7 +15,7 @@ from fleet_tui.model.commands import Command
 HANDOVER = 0.005
 
 
-class Link:
+class BridgeLink:
     """Everything between one bridge and the store. Any thread may call."""
 
     def __init__(self, name: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:

@@ -20,24 +20,24 @@ def _c_function(name: str) -> Callable[..., Any]:
     return found
 
 
-def hoard_little() -> None:
+def tune_malloc() -> None:
     """Let large blocks go back for good: else glibc keeps all up to the size of the largest that ever did."""
     _c_function("mallopt")(M_MMAP_THRESHOLD, LARGE)
 
 
-def give_back() -> None:
+def trim() -> None:
     """Return free memory to the system, where the C library hoards it (glibc). Takes 1 to 5 ms."""
     _c_function("malloc_trim")(0)
 
 
-def tidy() -> None:
+def collect() -> None:
     """Look for garbage, which Python by itself does after 10 minutes or more of a console at work, and give
     it back. Takes 1 to 4 ms with 100 robots and a large map, once settled."""
     gc.collect()
-    give_back()
+    trim()
 
 
-def settle() -> None:
+def freeze() -> None:
     """Tidy, and never look again through what is left: it stays as long as the console. Takes 5 to 18 ms."""
-    tidy()
+    collect()
     gc.freeze()

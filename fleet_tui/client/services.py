@@ -11,7 +11,7 @@ from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.client.calls import Calls, NoAnswerError
 from fleet_tui.config.fleet import Service
 from fleet_tui.errors import LinkError
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 
 LOG = logging.getLogger(__name__)
 
@@ -180,7 +180,7 @@ class Services:
             response = await self._ask("service_type", {"service": name})
             found = response.values.get("type") if isinstance(response.values, dict) else None
             if response.result and isinstance(found, str) and found:
-                self._types[name] = brief(found)
+                self._types[name] = truncate(found)
                 if same_type(found, self._wanted[name].type):
                     self._sure.add(name)
 

@@ -5,7 +5,7 @@ import logging
 from collections.abc import Callable, Iterable, Mapping
 
 from fleet_tui.adapters.adapter import Feed
-from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.client.calls import Calls
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import MessagesUnsourced
@@ -30,7 +30,7 @@ class Sourcing:
         link: str,
         calls: Calls,
         wanted: Iterable[Feed],
-        reading: Reading,
+        reading: FrameReader,
         types: Callable[[], Mapping[str, str]],
         tell: Callable[[MessagesUnsourced], None],
     ) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Set
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
-from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.adapters.ros.type_names import type_problem
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.latched import Latched
@@ -42,7 +42,7 @@ class Subscriber:
         calls: Calls,
         feeds: Iterable[Feed],
         adapters: Mapping[str, Adapter],
-        reading: Reading,
+        reading: FrameReader,
         tell: Callable[[events.Event], None],
     ) -> None:
         self._connection, self._calls, self._reading, self._tell = connection, calls, reading, tell

@@ -11,10 +11,10 @@ from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.fragments import Fragments
 from fleet_tui.adapters.ros.operations import topic_of
-from fleet_tui.adapters.ros.reading import DIAGNOSTICS, ROSOUT, WORTH_A_PROCESS, Read, Reading
+from fleet_tui.adapters.ros.reading import DIAGNOSTICS, ROSOUT, WORTH_A_PROCESS, FrameReader, Read
 from fleet_tui.client.backlog import Backlog, Frame
 from fleet_tui.client.calls import Calls
-from fleet_tui.client.memory import give_back
+from fleet_tui.client.memory import trim
 from fleet_tui.client.services import Services
 from fleet_tui.client.sourcing import Sourcing
 from fleet_tui.client.subscriber import Subscriber
@@ -26,7 +26,7 @@ from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Live
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
@@ -59,7 +59,7 @@ class Telemetry:
         feeds = feeds_of(config, adapters, link)
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
-        self._reading = Reading(link, limit_of(config, link), adapters, feeds, decode_apart, LOG.warning)
+        self._reading = FrameReader(link, limit_of(config, link), adapters, feeds, decode_apart, LOG.warning)
         self._subscriber = Subscriber(
             self.connection, self._calls, feeds, adapters, self._reading, self._take
         )
@@ -143,7 +143,7 @@ class Telemetry:
         work = loop.run_in_executor(self._decoder, self._reading.read, payload, is_binary, self._heard)
         work.add_done_callback(partial(self._take_late, payload, is_binary, self._heard))
         if len(payload) > WORTH_A_PROCESS:
-            work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, give_back))
+            work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, trim))
 
     def _read_frame(self, frame: Frame) -> None:
         self._take_frame(*frame, self._reading.read(*frame))
@@ -200,7 +200,7 @@ class Telemetry:
         self._writer.take(rejected)
 
     def _log_once(self, text: str) -> None:
-        text = brief(text)
+        text = truncate(text)
         if text not in self._logged and len(self._logged) < 1000:
             self._logged.add(text)
             LOG.warning("%s", text)

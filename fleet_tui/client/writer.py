@@ -6,7 +6,7 @@ import sys
 import time
 from collections.abc import Callable
 
-from fleet_tui.client.memory import hoard_little, settle, tidy
+from fleet_tui.client.memory import collect, freeze, tune_malloc
 from fleet_tui.client.tap import Tap
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.state.store import Store
@@ -32,11 +32,11 @@ class Writer:
         """Each tells how many seconds the oldest message of a connection has waited to be read."""
         self._ticker: asyncio.Future[None] | None = None
         self._tidied = time.monotonic()
-        self._tidy = settle
+        self._tidy = freeze
 
     def start(self) -> None:
         """Begin to tell the time."""
-        hoard_little()
+        tune_malloc()
         sys.setswitchinterval(SWITCH_INTERVAL)
         self.loop.call_soon_threadsafe(self._start)
 
@@ -55,7 +55,7 @@ class Writer:
                 if now - self._tidied > TIDY_EVERY:
                     self._tidied = now
                     self._tidy()
-                    self._tidy = tidy
+                    self._tidy = collect
             except Exception:
                 # Without the time nothing would age: one bad tick must not be the last.
                 LOG.exception("tick")

@@ -125,7 +125,7 @@ class Alarms(msgspec.Struct, frozen=True):
     notify: list[str] = []
 
 
-class Recording(msgspec.Struct, frozen=True):
+class RecordingConfig(msgspec.Struct, frozen=True):
     """`[recording]`: the console always keeps the last `recent_minutes` (0: none) in `recent_mb` at most.
     A recording goes on in a new file after `rotate_mb` or `rotate_minutes`; `keep` files stay, 0: all."""
 
@@ -147,7 +147,7 @@ class Config(msgspec.Struct, frozen=True):
     keys: dict[str, str] = {}
     ui: Ui = Ui()
     alarms: Alarms = Alarms()
-    recording: Recording = Recording()
+    recording: RecordingConfig = RecordingConfig()
     profile: Profile = Profile()
     profiles: dict[str, Profile] = {}
     path: Path = Path()

@@ -4,7 +4,7 @@ from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState, Floor, Limits
 from fleet_tui.model.link import LinkState
-from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.model.robot import Robot, RobotMap
 
 
 def initial_state(config: Config, now: float) -> FleetState:
@@ -38,7 +38,7 @@ def _robots(config: Config) -> dict[str, Robot]:
             robot.name,
             number,
             robot.link,
-            {floor: Chart() for floor in config.floors_of(robot)},
+            {floor: RobotMap() for floor in config.floors_of(robot)},
             says_paused="paused" in adapters[robot.name].kind.reports,
             kind=adapters[robot.name].kind,
         )

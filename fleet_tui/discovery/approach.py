@@ -12,7 +12,7 @@ from urllib.parse import urlsplit
 from fleet_tui.config.schema import Link, link_key
 from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
 from fleet_tui.discovery.tools import START_BRIDGE, named
-from fleet_tui.discovery.wire import FROZEN, Wire
+from fleet_tui.discovery.wire import FROZEN, BridgeConnection
 from fleet_tui.errors import FleetError, LinkError
 from fleet_tui.transports.rosbridge.reasons import refusal
 from fleet_tui.transports.rosbridge.tls import tls_context
@@ -26,7 +26,7 @@ START_IT = f"start rosbridge there ({named(START_BRIDGE, 0)}), or correct"
 class Approach:
     """Walks to one bridge. Everything runs on the network loop."""
 
-    def __init__(self, name: str, bridge: Link, wire: Wire, key: str = "") -> None:
+    def __init__(self, name: str, bridge: Link, wire: BridgeConnection, key: str = "") -> None:
         """`key`: where its address stands, if not in the config."""
         self._name, self._bridge, self._wire = name, bridge, wire
         parts = urlsplit(bridge.url)

@@ -15,7 +15,7 @@ def is_hidden(topic: str) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class Rosapi:
+class RosapiFacts:
     """The answers of rosapi: types by topic, types by service (None where it was not asked), nodes, by topic
     the nodes that publish it, by service its node, the names of action servers, and which ROS it is (0: not
     known) in which distribution ("": not known). `problem` is why it tells nothing."""
@@ -103,7 +103,7 @@ class BridgeFacts:
     robot; `answers` of the services that probes ask, by name."""
 
     name: str
-    rosapi: Rosapi
+    rosapi: RosapiFacts
     topics: tuple[TopicFacts, ...] = ()
     round_trips: tuple[float, ...] = ()
     ahead: float | None = None

@@ -11,7 +11,7 @@ from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import DEFAULT_LINK, Config, RobotEntry
 from fleet_tui.discovery.recognition import Found
-from fleet_tui.discovery.wire import Wire
+from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import PoseReported
 
@@ -21,7 +21,9 @@ MOST, BATCH = 100, 20
 """Robots that are heard; subscribes at once, of which a real bridge needs 20 ms for each."""
 
 
-async def hear_frames(wire: Wire, found: Found, types: Mapping[str, str], until: float) -> dict[str, str]:
+async def hear_frames(
+    wire: BridgeConnection, found: Found, types: Mapping[str, str], until: float
+) -> dict[str, str]:
     """Return the frame_id of each robot's poses, of those that speak and whose frames mean floors. `types` of
     the topics that are there: with a wrong type one would be spoiled for every client."""
     poses = [feed for feed in _poses(wire, found) if same_type(types.get(feed.address, ""), feed.type)][:MOST]
@@ -41,7 +43,7 @@ async def hear_frames(wire: Wire, found: Found, types: Mapping[str, str], until:
     return {one.robot: one.frame_id.lstrip("/") for one in events if isinstance(one, PoseReported)}
 
 
-def _poses(wire: Wire, found: Found) -> list[Feed]:
+def _poses(wire: BridgeConnection, found: Found) -> list[Feed]:
     """Return the topics of poses, and have the wire read them."""
     profiles = {kind: Profile(kind=kind, topics=one.topics) for kind, one in found.items()}
     robots = [RobotEntry(robot, profile=kind) for kind, one in found.items() for robot in one.robots]

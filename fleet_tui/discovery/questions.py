@@ -5,10 +5,10 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from fleet_tui.adapters.discovery import Listed
-from fleet_tui.discovery.facts import Rosapi
+from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.rosapi import ask_publishers, ask_service_types
 from fleet_tui.discovery.sampling import alike, next_questions, silent, telling_services, telling_topics
-from fleet_tui.discovery.wire import Wire
+from fleet_tui.discovery.wire import BridgeConnection
 
 MOST_TOPICS, MOST_SERVICES = 300, 100
 """Questions: 8 s of a real bridge. What is beyond is taken as it is listed."""
@@ -17,7 +17,9 @@ Watch = Callable[[int, int, str], object]
 """Told of progress: done, of how many that are known of, doing what."""
 
 
-async def listed_by(wire: Wire, rosapi: Rosapi, until: float, watch: Watch) -> tuple[Listed, Rosapi]:
+async def listed_by(
+    wire: BridgeConnection, rosapi: RosapiFacts, until: float, watch: Watch
+) -> tuple[Listed, RosapiFacts]:
     """Return what is published and offered, as far as it can be asked until the monotonic `until`."""
     rosapi = await _with_publishers(wire, rosapi, until, watch)
     groups = alike(telling_topics(rosapi.topics))
@@ -27,7 +29,9 @@ async def listed_by(wire: Wire, rosapi: Rosapi, until: float, watch: Watch) -> t
     return Listed(published, services, rosapi.actions), replace(rosapi, topics=published)
 
 
-async def _with_publishers(wire: Wire, rosapi: Rosapi, until: float, watch: Watch) -> Rosapi:
+async def _with_publishers(
+    wire: BridgeConnection, rosapi: RosapiFacts, until: float, watch: Watch
+) -> RosapiFacts:
     groups, done = alike(telling_topics(rosapi.topics)), 0
     while done < MOST_TOPICS and time.monotonic() < until:
         names = [name for spaces in groups for name in next_questions(spaces, rosapi.publishers)]
@@ -41,7 +45,9 @@ async def _with_publishers(wire: Wire, rosapi: Rosapi, until: float, watch: Watc
     return rosapi
 
 
-async def _service_types(wire: Wire, rosapi: Rosapi, until: float, watch: Watch) -> dict[str, str]:
+async def _service_types(
+    wire: BridgeConnection, rosapi: RosapiFacts, until: float, watch: Watch
+) -> dict[str, str]:
     """Return the types of services by name, "" where not known: each robot's as those of one like it."""
     groups = alike(telling_services(rosapi.services))
     names = [name for spaces in groups for name in spaces[0].values()][:MOST_SERVICES]

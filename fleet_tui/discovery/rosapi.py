@@ -10,8 +10,8 @@ from typing import Any, TypeVar
 import msgspec
 
 from fleet_tui.adapters.ros.messages import Stamp
-from fleet_tui.discovery.facts import Rosapi
-from fleet_tui.discovery.wire import Wire
+from fleet_tui.discovery.facts import RosapiFacts
+from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
 
 T = TypeVar("T")
@@ -30,7 +30,7 @@ class _Time(msgspec.Struct):
     time: Stamp
 
 
-async def look_around(wire: Wire) -> Rosapi:
+async def look_around(wire: BridgeConnection) -> RosapiFacts:
     """List the topics, services and nodes of a bridge, and tell which ROS it is."""
     try:
         topics, services, nodes, version = await asyncio.gather(
@@ -40,12 +40,12 @@ async def look_around(wire: Wire) -> Rosapi:
             )
         )
     except LinkError:
-        return Rosapi(problem=wire.lost or f"rosapi does not answer within {ANSWER_WITHIN:g} s")
+        return RosapiFacts(problem=wire.lost or f"rosapi does not answer within {ANSWER_WITHIN:g} s")
     if not isinstance(topics, dict):
-        return Rosapi(problem=str(topics))
+        return RosapiFacts(problem=str(topics))
     types = dict(zip(_names(topics, "topics"), _names(topics, "types"), strict=False))
     ros = _ros(version, types)
-    return Rosapi(
+    return RosapiFacts(
         types,
         dict.fromkeys(_names(services, "services")),
         tuple(_names(nodes, "nodes")),
@@ -55,7 +55,7 @@ async def look_around(wire: Wire) -> Rosapi:
     )
 
 
-async def _actions(wire: Wire) -> tuple[str, ...]:
+async def _actions(wire: BridgeConnection) -> tuple[str, ...]:
     """The names of action servers: neither topics nor services show them."""
     answer = await _ask(wire, "action_servers", {}, "action_servers", time.monotonic() + ANSWER_WITHIN)
     return tuple(map(str, answer)) if isinstance(answer, list) else ()
@@ -67,7 +67,7 @@ def _ros(version: object, types: Mapping[str, str]) -> int:
     return told if told in (1, 2) else 2 if any("/msg/" in type_ for type_ in types.values()) else 1
 
 
-async def clock_ahead(wire: Wire) -> float | None:
+async def clock_ahead(wire: BridgeConnection) -> float | None:
     """By how many seconds the bridge's clock is ahead of ours, None where it does not say."""
     began, wall = time.monotonic(), time.time()
     try:
@@ -78,7 +78,7 @@ async def clock_ahead(wire: Wire) -> float | None:
     return None if told is None else told - (wall + (time.monotonic() - began) / 2)
 
 
-async def _ask(wire: Wire, verb: str, args: dict[str, object], key: str, until: float) -> Any:
+async def _ask(wire: BridgeConnection, verb: str, args: dict[str, object], key: str, until: float) -> Any:
     """One field of an answer, None without an answer."""
     try:
         within = max(0.1, min(ANSWER_WITHIN, until - time.monotonic()))
@@ -89,8 +89,12 @@ async def _ask(wire: Wire, verb: str, args: dict[str, object], key: str, until: 
 
 
 async def ask_publishers(
-    wire: Wire, rosapi: Rosapi, topics: Iterable[str], until: float, asked: Callable[[], object] = _nothing
-) -> Rosapi:
+    wire: BridgeConnection,
+    rosapi: RosapiFacts,
+    topics: Iterable[str],
+    until: float,
+    asked: Callable[[], object] = _nothing,
+) -> RosapiFacts:
     """Add who publishes these topics, as far as there is time until the monotonic `until`; `asked` is called
     after each."""
 
@@ -103,13 +107,15 @@ async def ask_publishers(
     return replace(rosapi, publishers={**rosapi.publishers, **found})
 
 
-async def subscribers(wire: Wire, topic: str, until: float) -> list[str]:
+async def subscribers(wire: BridgeConnection, topic: str, until: float) -> list[str]:
     """The nodes that are subscribed to a topic."""
     nodes = await _ask(wire, "subscribers", {"topic": topic}, "subscribers", until)
     return [str(node) for node in nodes] if isinstance(nodes, list) else []
 
 
-async def ask_services(wire: Wire, rosapi: Rosapi, services: Iterable[str], until: float) -> Rosapi:
+async def ask_services(
+    wire: BridgeConnection, rosapi: RosapiFacts, services: Iterable[str], until: float
+) -> RosapiFacts:
     """Add the types of these services, then their nodes, as far as there is time."""
     there = [service for service in services if service in rosapi.services]
 
@@ -121,8 +127,12 @@ async def ask_services(wire: Wire, rosapi: Rosapi, services: Iterable[str], unti
 
 
 async def ask_service_types(
-    wire: Wire, rosapi: Rosapi, services: Iterable[str], until: float, asked: Callable[[], object] = _nothing
-) -> Rosapi:
+    wire: BridgeConnection,
+    rosapi: RosapiFacts,
+    services: Iterable[str],
+    until: float,
+    asked: Callable[[], object] = _nothing,
+) -> RosapiFacts:
     """Add the types of these services, as far as there is time; `asked` is called after each."""
 
     async def type_of(service: str) -> str:

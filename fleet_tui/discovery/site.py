@@ -12,14 +12,14 @@ from fleet_tui.config.schema import DEFAULT_LINK, Config, Link
 from fleet_tui.discovery.approach import Approach
 from fleet_tui.discovery.choices import Answers, Choice, choices_of, decided, lacks, placed
 from fleet_tui.discovery.config_text import render
-from fleet_tui.discovery.facts import Rosapi
+from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.finding import Verdict
 from fleet_tui.discovery.frames import hear_frames
 from fleet_tui.discovery.questions import Watch, listed_by
 from fleet_tui.discovery.recognition import Found, assigned, claimed
 from fleet_tui.discovery.rosapi import look_around
 from fleet_tui.discovery.tools import rosapi_remedy
-from fleet_tui.discovery.wire import Wire
+from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import FleetError, LinkError
 from fleet_tui.transports.loop import network_loop
 
@@ -105,7 +105,7 @@ def start_discovery(
 
 
 async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
-    wire = Wire(bridge)
+    wire = BridgeConnection(bridge)
     try:
         watch(0, 0, "connecting")
         async for finding in Approach(DEFAULT_LINK, bridge, wire, "the address").walk():
@@ -124,6 +124,6 @@ async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
     return DiscoveredSite(bridge, claims, frames, len(rosapi.topics))
 
 
-def _without_rosapi(rosapi: Rosapi) -> str:
+def _without_rosapi(rosapi: RosapiFacts) -> str:
     remedy = f"{rosapi_remedy(rosapi)}; or edit an example (fleet-tui config init)"
     return f"it is rosapi that tells what is there: {rosapi.problem}: {remedy}"

@@ -1,6 +1,6 @@
 """The commands that a remedy names: those of the ROS that is there, of both where that is not known. Pure."""
 
-from fleet_tui.discovery.facts import Rosapi
+from fleet_tui.discovery.facts import RosapiFacts
 
 START_BRIDGE = {
     1: "roslaunch rosbridge_server rosbridge_websocket.launch",
@@ -18,7 +18,7 @@ def named(tools: dict[int, str], ros: int, of: str = "") -> str:
     return f"{named(tools, 1, of)}, ROS 2: {named(tools, 2, of)}"
 
 
-def rosapi_remedy(rosapi: Rosapi) -> str:
+def rosapi_remedy(rosapi: RosapiFacts) -> str:
     """Say how to have a rosapi that answers."""
     start = named(START_ROSAPI, rosapi.ros)
     if rosapi.is_absent:

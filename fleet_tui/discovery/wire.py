@@ -30,7 +30,7 @@ FROZEN = "it takes connections and does not answer: restart it"
 
 
 @dataclass(slots=True)
-class Heard:
+class TopicListening:
     """What has come on a topic so far. Monotonic seconds: `asked` for, and `since` when the bridge has
     surely subscribed, which it does one by one."""
 
@@ -94,7 +94,7 @@ class Heard:
         )
 
 
-class Wire:
+class BridgeConnection:
     """One bridge, connected once. Everything runs on the network loop."""
 
     def __init__(self, bridge: Link, adapters: Mapping[str, Adapter] = MappingProxyType({})) -> None:
@@ -103,7 +103,7 @@ class Wire:
         """By robot, of those whose topics are heard."""
         self.lost = ""
         """Why there is no connection."""
-        self.heard: dict[str, Heard] = {}
+        self.heard: dict[str, TopicListening] = {}
         """What has come, by topic."""
         self.complaints: dict[str, str] = {}
         """What the bridge's log says of a topic that it did not subscribe to."""
@@ -137,7 +137,7 @@ class Wire:
     def subscribe(self, wanted: Feed, type_: str, latched: bool) -> None:
         """Hear a topic from now on, every message of it. Raises LinkError."""
         read = self.adapters[wanted.robot].read
-        self.heard[wanted.address] = Heard(wanted, time.monotonic(), read)
+        self.heard[wanted.address] = TopicListening(wanted, time.monotonic(), read)
         compression = "cbor" if wanted.large else "none"
         subscription = Subscription(wanted.address, type_, compression=compression, latched=latched)
         self.connection.send(operations.subscribe(subscription))

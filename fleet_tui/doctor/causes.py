@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.config.schema import Config
-from fleet_tui.discovery.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed
 from fleet_tui.discovery.tools import LOOK_FOR_NODE, named, rosapi_remedy
 from fleet_tui.rules.sourcing import Listening, unsourced_package
@@ -70,7 +70,7 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
     )
 
 
-def _has_services(adapter: Adapter, robot: str, rosapi: Rosapi) -> bool:
+def _has_services(adapter: Adapter, robot: str, rosapi: RosapiFacts) -> bool:
     """Tell whether a robot has services by the names of the profile, or others: those are told one by one."""
     known = {name for _, name, _ in adapter.services(robot)}
     return not known or any(

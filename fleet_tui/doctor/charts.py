@@ -21,7 +21,7 @@ OFF_MAP = 255
 
 
 @dataclass(frozen=True)
-class Chart:
+class FloorSurvey:
     """What the robots say of a floor; robots that say the same share one."""
 
     graph: RouteGraph | None = None
@@ -34,15 +34,15 @@ class Chart:
         return f"{vertex} ({label})" if label else str(vertex)
 
 
-def charts_of(floor: str, topics: list[TopicFacts]) -> list[tuple[Chart, list[str]]]:
+def charts_of(floor: str, topics: list[TopicFacts]) -> list[tuple[FloorSurvey, list[str]]]:
     """Every different chart of a floor, with the robots that gave it."""
-    found = dict[str, Chart]()
+    found = dict[str, FloorSurvey]()
     for facts in topics:
         if facts.wanted.floor != floor:
             continue
-        chart = found.get(facts.wanted.robot, Chart())
+        chart = found.get(facts.wanted.robot, FloorSurvey())
         found[facts.wanted.robot] = _with(chart, facts.event)
-    charts = list[tuple[Chart, list[str]]]()
+    charts = list[tuple[FloorSurvey, list[str]]]()
     for robot, chart in found.items():
         owners = next((robots for other, robots in charts if other == chart), None)
         if owners is None:
@@ -52,7 +52,7 @@ def charts_of(floor: str, topics: list[TopicFacts]) -> list[tuple[Chart, list[st
     return charts
 
 
-def _with(chart: Chart, event: Event | None) -> Chart:
+def _with(chart: FloorSurvey, event: Event | None) -> FloorSurvey:
     if not isinstance(event, ChartReceived):
         return chart
     match event:

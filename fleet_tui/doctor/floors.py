@@ -6,7 +6,7 @@ from typing import NamedTuple
 from fleet_tui.config.schema import Config, FloorEntry, RobotEntry
 from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
-from fleet_tui.doctor.charts import OFF_MAP, Chart, charts_of, class_at, live_grid
+from fleet_tui.doctor.charts import OFF_MAP, FloorSurvey, charts_of, class_at, live_grid
 from fleet_tui.doctor.graphs import connection_finding, graph_file_finding, label_finding
 from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
 from fleet_tui.model.geometry import MapFrame
@@ -35,7 +35,7 @@ def floor_findings(
     if file is not None or needing:
         yield graph_file_finding(floor, file, len(needing))
         if file is not None and file.graph is not None:
-            charts.append((Chart(file.graph, file.labels), [floor.graph]))
+            charts.append((FloorSurvey(file.graph, file.labels), [floor.graph]))
     for chart, robots in charts:
         by = f" by {listed(robots)}" if len(charts) > 1 else ""
         if grid is not None and chart.frame is not None:
@@ -49,7 +49,7 @@ def floor_findings(
 
 
 def placed_grid(
-    loaded: FloorMapLoaded | None, topics: list[TopicFacts], floor: str, chart: Chart
+    loaded: FloorMapLoaded | None, topics: list[TopicFacts], floor: str, chart: FloorSurvey
 ) -> OccupancyGrid | None:
     """A floor's map where it lies in the world: a plain image lies as a chart's map_metadata says."""
     grid = loaded.grid if loaded else live_grid(floor, topics)
@@ -102,7 +102,7 @@ def _place(frame: MapFrame) -> str:
 
 
 def _vertices(
-    floor: FloorEntry, by: str, chart: Chart, graph: RouteGraph, grid: OccupancyGrid | None
+    floor: FloorEntry, by: str, chart: FloorSurvey, graph: RouteGraph, grid: OccupancyGrid | None
 ) -> Finding:
     count = f"{len(graph.vertices)} vertices{by}"
     if not graph.vertices:

@@ -9,7 +9,7 @@ from fleet_tui.adapters.probes import QueryProbe
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
-from fleet_tui.discovery.facts import BridgeFacts, Rosapi
+from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts
 from fleet_tui.discovery.rosapi import (
     ANSWER_WITHIN,
     ask_publishers,
@@ -17,7 +17,7 @@ from fleet_tui.discovery.rosapi import (
     clock_ahead,
     look_around,
 )
-from fleet_tui.discovery.wire import Wire
+from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.doctor.listening import listen
 from fleet_tui.errors import LinkError
 
@@ -25,7 +25,7 @@ ROUND_TRIPS = 10
 BETWEEN = 0.05  # seconds between two of them while all topics come
 
 
-async def measure_calls(wire: Wire, until: float, pause: float = 0.0) -> tuple[float, ...]:
+async def measure_calls(wire: BridgeConnection, until: float, pause: float = 0.0) -> tuple[float, ...]:
     """Round trips to the bridge itself in seconds, one after the other."""
     trips = list[float]()
     until = min(until, time.monotonic() + ANSWER_WITHIN)
@@ -43,8 +43,12 @@ async def measure_calls(wire: Wire, until: float, pause: float = 0.0) -> tuple[f
 
 
 async def _look_up(
-    wanted: list[Feed], adapters: Mapping[str, Adapter], wire: Wire, rosapi: Rosapi, until: float
-) -> Rosapi:
+    wanted: list[Feed],
+    adapters: Mapping[str, Adapter],
+    wire: BridgeConnection,
+    rosapi: RosapiFacts,
+    until: float,
+) -> RosapiFacts:
     """Ask rosapi about the topics and services of a bridge's robots."""
     named = [one.address for one in wanted]
     robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
@@ -70,7 +74,11 @@ def _queries(robots: Iterable[str], adapters: Mapping[str, Adapter]) -> list[Que
 
 
 async def _ask_robots(
-    wanted: list[Feed], adapters: Mapping[str, Adapter], wire: Wire, rosapi: Rosapi, until: float
+    wanted: list[Feed],
+    adapters: Mapping[str, Adapter],
+    wire: BridgeConnection,
+    rosapi: RosapiFacts,
+    until: float,
 ) -> dict[str, object]:
     """Ask the services of which only the type is known for sure: of another one `{}` may be a command."""
 
@@ -90,7 +98,7 @@ async def _ask_robots(
     return {query.service: found for query, found in zip(queries, answers, strict=True)}
 
 
-async def gather(config: Config, name: str, wire: Wire, until: float) -> BridgeFacts:
+async def gather(config: Config, name: str, wire: BridgeConnection, until: float) -> BridgeFacts:
     """Everything about a bridge that answers, by the monotonic `until`: questions and topics side by side."""
     trips = await measure_calls(wire, until)
     rosapi, ahead = await look_around(wire), None

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from fleet_tui.config.schema import FloorEntry
 from fleet_tui.discovery.finding import Finding, Verdict, listed
-from fleet_tui.doctor.charts import Chart
+from fleet_tui.doctor.charts import FloorSurvey
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import natural
@@ -31,7 +31,7 @@ def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing
 
 
 def connection_finding(
-    floor: FloorEntry, by: str, chart: Chart, graph: RouteGraph, has_others: bool
+    floor: FloorEntry, by: str, chart: FloorSurvey, graph: RouteGraph, has_others: bool
 ) -> Finding:
     """Whether every vertex can be reached from every other."""
     lost = _cut_off(graph, has_others)

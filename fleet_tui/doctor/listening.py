@@ -11,9 +11,9 @@ from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.schema import Link
-from fleet_tui.discovery.facts import Rosapi, TopicFacts, is_hidden
+from fleet_tui.discovery.facts import RosapiFacts, TopicFacts, is_hidden
 from fleet_tui.discovery.rosapi import subscribers
-from fleet_tui.discovery.wire import Wire
+from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
 
 CONNECT_WITHIN = 4.0
@@ -44,7 +44,7 @@ async def listen(
     bridge: Link,
     adapters: Mapping[str, Adapter],
     wanted: list[Feed],
-    rosapi: Rosapi,
+    rosapi: RosapiFacts,
     until: float,
     drawn: Iterable[str] = (),
 ) -> Listened:
@@ -52,7 +52,7 @@ async def listen(
     `drawn`: floors whose live map nobody needs."""
     asked = list(_worth_hearing(wanted, rosapi, drawn))
     count = -(-len(asked) // SHARE)
-    wires = [Wire(bridge, adapters) for _ in range(count)]
+    wires = [BridgeConnection(bridge, adapters) for _ in range(count)]
     try:
         await asyncio.gather(*(_hear(wire, asked[n::count], rosapi, until) for n, wire in enumerate(wires)))
         now = time.monotonic()
@@ -68,7 +68,7 @@ async def listen(
 
 
 def _worth_hearing(
-    wanted: Iterable[Feed], rosapi: Rosapi, drawn: Iterable[str]
+    wanted: Iterable[Feed], rosapi: RosapiFacts, drawn: Iterable[str]
 ) -> Iterator[tuple[Feed, str]]:
     """What may be subscribed to, with the bridge's spelling of its type. With a wrong type, or before it
     is there, a topic would be spoiled for every client. Of a floor one live map is enough, and none where
@@ -87,7 +87,7 @@ def _worth_hearing(
         yield one, types.get(topic, type_)
 
 
-async def _hear(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None:
+async def _hear(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float) -> None:
     if await wire.connect(min(CONNECT_WITHIN, until - time.monotonic())):
         return
     with suppress(LinkError):
@@ -100,7 +100,7 @@ async def _hear(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None
         await again
 
 
-async def _wait(wire: Wire, topics: list[Feed], until: float) -> None:
+async def _wait(wire: BridgeConnection, topics: list[Feed], until: float) -> None:
     least = time.monotonic() + AT_LEAST
     while time.monotonic() < until and not wire.lost:
         asleep = time.monotonic()
@@ -111,7 +111,7 @@ async def _wait(wire: Wire, topics: list[Feed], until: float) -> None:
             return
 
 
-async def _subscribe(wire: Wire, topics: Asked, latched: bool, until: float) -> None:
+async def _subscribe(wire: BridgeConnection, topics: Asked, latched: bool, until: float) -> None:
     """Subscribe, some at a time: a call is answered when the subscribes before it are done.
 
     Raises LinkError.
@@ -125,7 +125,7 @@ async def _subscribe(wire: Wire, topics: Asked, latched: bool, until: float) -> 
             wire.heard[one.address].since = time.monotonic()
 
 
-async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) -> None:
+async def _ask_again(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float) -> None:
     """Ask plainly for what a floor's topics did not bring, to tell why. Raises LinkError.
 
     A bridge of ROS 2 chooses the quality of service once, for all its clients, and sends nothing binary
@@ -150,7 +150,7 @@ async def _ask_again(wire: Wire, topics: Asked, rosapi: Rosapi, until: float) ->
     await _wait(wire, [one for one, _ in silent], until)
 
 
-def _is_silent(wire: Wire, wanted: Feed) -> bool:
+def _is_silent(wire: BridgeConnection, wanted: Feed) -> bool:
     heard = wire.heard[wanted.address]
     return not heard.count and not heard.fragmented
 

@@ -6,11 +6,11 @@ from collections.abc import Collection, Iterable, Mapping
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.config.schema import Config
-from fleet_tui.discovery.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 
 
-def robots_on(names: Names, rosapi: Rosapi) -> set[str]:
+def robots_on(names: Names, rosapi: RosapiFacts) -> set[str]:
     """The names in place of a robot's in the topics that are published on a bridge."""
     found = set[str]()
     for topic in filter(rosapi.has, rosapi.topics):

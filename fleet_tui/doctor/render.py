@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from fleet_tui.discovery.finding import Finding, Verdict, listed
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 VERSION = 1
 GLYPHS = {Verdict.OK: "✓", Verdict.WARN: "!", Verdict.FAIL: "✗", Verdict.SKIPPED: "-"}
@@ -19,7 +19,7 @@ def line(finding: Finding, plain: bool, colour: bool, width: int = 0) -> str:
     """One finding: verdict, glyph, what, measured, remedy. `width` 0: all on one line."""
     verdict = f"{finding.verdict.value:>7} {(PLAIN if plain else GLYPHS)[finding.verdict]}"
     words = f"{finding.subject} {finding.check}: {finding.measured}"
-    words = visible(f"{words} -> {finding.remedy}" if finding.remedy else words)
+    words = sanitize(f"{words} -> {finding.remedy}" if finding.remedy else words)
     if plain:
         words = words.encode("ascii", "replace").decode()
     if width:
@@ -37,7 +37,7 @@ def summary(findings: Sequence[Finding], width: int = 0) -> str:
     first = next((finding for finding in findings if finding.is_failure), None)
     if first is not None:
         text = f"{text}. Begin with {first.subject} {first.check}: {first.measured}"
-    text = visible(text + _left_out(findings))
+    text = sanitize(text + _left_out(findings))
     return "\n".join(textwrap.wrap(text, width, break_on_hyphens=False)) if width else text
 
 

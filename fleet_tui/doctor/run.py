@@ -19,9 +19,9 @@ from fleet_tui.config.schema import DEFAULT_LINK, Config
 from fleet_tui.discovery.approach import Approach
 from fleet_tui.discovery.facts import BridgeFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict
-from fleet_tui.discovery.wire import Wire
+from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.doctor.causes import causes_of, rosapi_finding
-from fleet_tui.doctor.charts import Chart, charts_of
+from fleet_tui.doctor.charts import FloorSurvey, charts_of
 from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
 from fleet_tui.doctor.gather import gather
@@ -47,7 +47,7 @@ Take = Callable[[Finding], None]
 async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFacts | None:
     """One bridge from outside in; None where there is no way to it."""
     bridge = config.bridge(name)
-    wire = Wire(bridge)
+    wire = BridgeConnection(bridge)
     approach = Approach(name, bridge, wire, "" if config.path != Path() else "the address")
     try:
         is_up = True
@@ -105,7 +105,7 @@ def building_findings(
     for floor in part.floors:
         files = loaded.get(floor.name, FloorFiles())
         yield from floor_findings(config, floor, files, mute, topics)
-        charts = [chart for chart, _ in charts_of(floor.name, topics) if chart.frame] or [Chart()]
+        charts = [chart for chart, _ in charts_of(floor.name, topics) if chart.frame] or [FloorSurvey()]
         grids[floor.name] = placed_grid(files.map, topics, floor.name, charts[0])
     yield from _places(config, grids, topics)
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.schema import Config, RobotEntry
-from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts, Rosapi, TopicFacts, is_hidden
+from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts, RosapiFacts, TopicFacts, is_hidden
 from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 from fleet_tui.discovery.tools import LATCHED, LOOK_FOR_NODE, named
 from fleet_tui.doctor.causes import Cause
@@ -174,7 +174,7 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
     return _finding(facts, verdict, f"{measured}{by}", remedy, **values)
 
 
-def _asked_again(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
+def _asked_again(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
     """Why a floor's topic came only when it was asked for plainly, or in pieces."""
     if facts.fragmented:
         binary = "never as cbor, " if facts.wanted.large else ""
@@ -192,7 +192,7 @@ def _asked_again(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
     )
 
 
-def _nothing_came(facts: TopicFacts, rosapi: Rosapi) -> tuple[Verdict, str, str]:
+def _nothing_came(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
     key = facts.wanted.key
     had_time = facts.waited >= LONG_ENOUGH and not facts.complaint
     if had_time and rosapi.lists_action_of(facts.topic):

@@ -33,7 +33,7 @@ _BAND = 256  # rows turned into classes at a time: a large image in colour is no
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class OccupancyThresholds:
     """How map_server (ROS 1) and nav2_map_server make occupancy of brightness. Thresholds: 0 to 1.
 
     The defaults are theirs, for a plain image too.
@@ -50,7 +50,7 @@ def load_floor_map(floor: str, path: Path, added: bool) -> FloorMapLoaded:
     try:
         if path.suffix.lower() in (".yaml", ".yml"):
             return FloorMapLoaded(floor, _from_yaml(path, added))
-        classes = _classes(path, Reading())
+        classes = _classes(path, OccupancyThresholds())
         frame = MapFrame(1.0, classes.shape[1], classes.shape[0])
         return FloorMapLoaded(floor, build_grid(frame, classes), tied=False)
     except MapError as problem:
@@ -110,18 +110,18 @@ def _table(path: Path) -> dict[str, Any]:
     return table
 
 
-def _reading(table: dict[str, Any]) -> Reading:
-    usual = Reading()
+def _reading(table: dict[str, Any]) -> OccupancyThresholds:
+    usual = OccupancyThresholds()
     mode, negate = str(table.get("mode", usual.mode)).lower(), table.get("negate", 0)
     if mode not in MODES:
         raise MapError(f"mode {mode[:20]!r} is none of {', '.join(MODES)}")
     if not isinstance(negate, int):
         raise MapError("negate must be 0 or 1")
     occupied = _number(table, "occupied_thresh", usual.occupied_above)
-    return Reading(mode, bool(negate), occupied, _number(table, "free_thresh", usual.free_below))
+    return OccupancyThresholds(mode, bool(negate), occupied, _number(table, "free_thresh", usual.free_below))
 
 
-def _classes(path: Path, reading: Reading) -> Classes:
+def _classes(path: Path, reading: OccupancyThresholds) -> Classes:
     """An image file as classes, uint8 of shape (height, width)."""
     try:
         with warnings.catch_warnings():
@@ -141,7 +141,7 @@ def _classes(path: Path, reading: Reading) -> Classes:
         raise MapError(f"{path.name} can't be read: {problem}") from None
 
 
-def _classified(image: Image.Image, reading: Reading) -> Classes:
+def _classified(image: Image.Image, reading: OccupancyThresholds) -> Classes:
     classes = np.empty((image.height, image.width), np.uint8)
     mode = _channels(image)
     for top in range(0, image.height, _BAND):
@@ -160,7 +160,7 @@ def _channels(image: Image.Image) -> str:
     return "L" if image.mode in ("1", "L") else "RGB"
 
 
-def _band_classes(cells: NDArray[Any], reading: Reading) -> Classes:
+def _band_classes(cells: NDArray[Any], reading: OccupancyThresholds) -> Classes:
     """Rows of pixels, 8 bits or (without channels) 16, as classes.
 
     map_server averages the channels, in trinary mode the alpha among them; in scale mode what is
@@ -179,7 +179,7 @@ def _band_classes(cells: NDArray[Any], reading: Reading) -> Classes:
 
 
 @lru_cache(8)
-def _table_of(top: int, reading: Reading) -> Classes:
+def _table_of(top: int, reading: OccupancyThresholds) -> Classes:
     """The class of every brightness from 0 to `top`."""
     bright = np.arange(top + 1)
     if reading.mode == "raw":

@@ -13,7 +13,7 @@ from fleet_tui.config.small_file import read_text
 from fleet_tui.errors import GraphError, WireError
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, beyond, brief
+from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
 MAX_FILE = 40_000_000
 """Bytes: some 500 for each of the most vertices and edges that are taken."""
@@ -84,7 +84,7 @@ def _read(floor: str, path: Path) -> FloorGraphLoaded:
 
 def _summary(faults: list[str]) -> str:
     more = f", and {len(faults) - 1} more faults" if len(faults) > 1 else ""
-    return f"{brief(faults[0])}{more}"
+    return f"{truncate(faults[0])}{more}"
 
 
 def _features(path: Path) -> list[msgspec.Raw]:
@@ -128,7 +128,7 @@ def _feature(raw: msgspec.Raw) -> _Feature:
         raise WireError(str(problem)) from None
     type_ = feature.geometry.type
     if type_ != "Point" and type_ not in LINES:
-        raise WireError(f"geometry {brief(type_, 20)!r} is neither a Point nor a line: left out")
+        raise WireError(f"geometry {truncate(type_, 20)!r} is neither a Point nor a line: left out")
     return feature
 
 
@@ -136,7 +136,7 @@ def _vertices(points: Iterable[_Feature], faults: list[str]) -> tuple[dict[str, 
     """Return vertices by id, and the labels of those that have one. Of two with one id the later counts."""
     vertices, labels, read = dict[str, Vertex](), dict[str, str](), list(points)
     if len(read) > MOST_VERTICES:
-        faults.append(beyond(len(read), MOST_VERTICES, "vertices"))
+        faults.append(too_many(len(read), MOST_VERTICES, "vertices"))
     for point in read[:MOST_VERTICES]:
         id_, metadata = str(point.properties.id), point.properties.metadata or _Metadata()
         try:
@@ -169,7 +169,7 @@ def _text(value: object) -> str:
     """Return a label or class; a whole number is one, too."""
     if isinstance(value, int) and not isinstance(value, bool):
         value = str(value)
-    return brief(value.strip(), LONGEST_NAME) if isinstance(value, str) else ""
+    return truncate(value.strip(), LONGEST_NAME) if isinstance(value, str) else ""
 
 
 def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: list[str]) -> RouteGraph:
@@ -178,7 +178,7 @@ def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: li
     Ids of edges may repeat, as they do in files that come with Nav2: nothing here goes by them."""
     ways, read = dict[tuple[str, str], Edge](), list(lines)
     if len(read) > MOST_EDGES:
-        faults.append(beyond(len(read), MOST_EDGES, "edges"))
+        faults.append(too_many(len(read), MOST_EDGES, "edges"))
     for line in read[:MOST_EDGES]:
         ends, id_ = (line.properties.startid, line.properties.endid), str(line.properties.id)
         way = str(ends[0]), str(ends[1])

@@ -153,7 +153,7 @@ class Step(Struct, frozen=True):
     words: str = ""
 
 
-class Before(Struct, frozen=True):
+class Baseline(Struct, frozen=True):
     """What the robot had reported when the command was given: telemetry is read against it.
 
     `last_serial` is None where no queue had come; `request_id` is the one that the queue echoed.
@@ -179,7 +179,7 @@ class CommandRecord(Struct, frozen=True):
     issued_at: float
     wall: float
     steps: tuple[Step, ...]
-    before: Before
+    before: Baseline
     order_id: str | None = None
     order_serial: int | None = None
     answer: Step | None = None

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from msgspec import Struct, structs
 
-from fleet_tui.model.ros_logs import Diagnosis, LogLine
+from fleet_tui.model.ros_logs import LogLine, PartDiagnosis
 
 WINDOW = 5.0
 """Seconds over which rates are measured."""
@@ -201,7 +201,7 @@ class LinkCounter:
         self.log: deque[LogLine] = deque(maxlen=LOG_LINES)
         self.logged = 0
         """How many lines of the robots' log ever came."""
-        self.health: dict[str, Diagnosis] = {}
+        self.health: dict[str, PartDiagnosis] = {}
         self._is_up = False
 
     def opened(self) -> None:
@@ -232,7 +232,7 @@ class LinkCounter:
         self.logged += 1
         self.log.append(line)
 
-    def take_health(self, diagnoses: Iterable[Diagnosis]) -> None:
+    def take_health(self, diagnoses: Iterable[PartDiagnosis]) -> None:
         """What robots say of their health; the newest of each name counts."""
         health = dict(self.health)
         for one in diagnoses:

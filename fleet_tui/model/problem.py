@@ -12,7 +12,7 @@ class Problem(Struct, frozen=True):
     blocks: bool = True
 
 
-class Rights(Struct, frozen=True):
+class Permissions(Struct, frozen=True):
     """What this console may do."""
 
     read_only: bool = False

@@ -10,7 +10,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import at_vertices
 
 
-class Wish(Struct, frozen=True):
+class Request(Struct, frozen=True):
     """What an operator asks in one go: commands in sequence. `floors`: the floor of each vertex that
     was chosen by name, since the wire knows only ids, and floors may have the same ones."""
 

@@ -14,7 +14,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Goal, Progress
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 
 T = TypeVar("T")
 
@@ -34,7 +34,7 @@ class StampClock(Struct, frozen=True):
     at: float
 
 
-class Chart(Struct, frozen=True, eq=False):
+class RobotMap(Struct, frozen=True, eq=False):
     """A floor as one robot knows it. The live `grid` is there only where it was subscribed."""
 
     frame: MapFrame | None = None
@@ -69,7 +69,7 @@ class Robot(Struct, frozen=True, eq=False):
     name: str
     number: int
     link: str
-    charts: Mapping[str, Chart]
+    charts: Mapping[str, RobotMap]
     pose: Reading[Pose] | None = None
     standing: Reading[Pose] | None = None
     place: Reading[Pose] | None = None
@@ -135,4 +135,4 @@ class Robot(Struct, frozen=True, eq=False):
 
 def with_fault(robot: Robot, text: str, count: int = 1) -> Robot:
     """The robot with bad data counted and the newest named."""
-    return replace(robot, faults=robot.faults + count, last_fault=brief(text))
+    return replace(robot, faults=robot.faults + count, last_fault=truncate(text))

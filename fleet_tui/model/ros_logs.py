@@ -46,7 +46,7 @@ class Health(IntEnum):
     STALE = 3
 
 
-class Diagnosis(Struct, frozen=True):
+class PartDiagnosis(Struct, frozen=True):
     """What /diagnostics said of one part at `at` (monotonic seconds); `level` as `Health` has it."""
 
     at: float

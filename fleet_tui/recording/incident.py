@@ -22,7 +22,7 @@ from typing import IO
 from fleet_tui import __version__
 from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.audit.log import encode
-from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.reader import AuditReader
 from fleet_tui.config.access import without_secrets
 from fleet_tui.config.as_toml import as_toml
 from fleet_tui.config.schema import Config
@@ -158,7 +158,7 @@ def _audit(path: Path, since: float) -> bytes:
     def is_recent(record: AuditRecord) -> bool:
         return datetime.fromisoformat(record.time).timestamp() >= since
 
-    newest = takewhile(is_recent, Reading(path).newest_first())
+    newest = takewhile(is_recent, AuditReader(path).newest_first())
     return b"".join(map(encode, reversed(list(newest))))
 
 

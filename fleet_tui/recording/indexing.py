@@ -10,8 +10,8 @@ import msgspec
 from fleet_tui.config.check import checked
 from fleet_tui.recording.gzip_members import Lines, open_plain
 from fleet_tui.recording.parts import parts_beside
-from fleet_tui.recording.recording import LAST_SECOND, Moment, Place, Recording
-from fleet_tui.recording.records import VERSION, Header, Keyframe, Lost, Mark, RecordingError, decode
+from fleet_tui.recording.recording import LAST_SECOND, Instant, KeyframeLocation, Recording
+from fleet_tui.recording.records import VERSION, Keyframe, Lost, Mark, RecordingError, RecordingHeader, decode
 
 MOST_MARKS = 100_000
 """Marks, and losses, that are kept in memory."""
@@ -57,9 +57,9 @@ def open_recording(path: Path, progress: Callable[[float], None] = lambda _share
     return recording
 
 
-def _parts(path: Path) -> tuple[list[tuple[Path, Header, int]], list[str]]:
+def _parts(path: Path) -> tuple[list[tuple[Path, RecordingHeader, int]], list[str]]:
     """The parts with their headers and sizes, and what is wrong with others that have such a name."""
-    found: dict[Path, tuple[Path, Header, int]] = {}
+    found: dict[Path, tuple[Path, RecordingHeader, int]] = {}
     problems: dict[Path, RecordingError] = {}
     for part in parts_beside(path):
         try:
@@ -76,7 +76,7 @@ def _parts(path: Path) -> tuple[list[tuple[Path, Header, int]], list[str]]:
     return parts, [str(problem) for problem in problems.values()]
 
 
-def _header(path: Path) -> tuple[Header, int]:
+def _header(path: Path) -> tuple[RecordingHeader, int]:
     """The header of a file, and its bytes. Raises RecordingError, which names the file."""
     with open_plain(path) as file:
         lines = Lines(file)
@@ -92,7 +92,7 @@ def _header(path: Path) -> tuple[Header, int]:
                     " update it"
                 )
             header = decode(line, stamp.version)
-            assert isinstance(header, Header)
+            assert isinstance(header, RecordingHeader)
             problems = checked(header.config)
             if problems:
                 raise RecordingError(f"holds a configuration that is none: {problems[0]}")
@@ -130,18 +130,18 @@ def _take_lines(recording: Recording, part: Path, lines: Lines) -> Iterator[int]
                 last = b""
             nth = nth if member == in_member else 0
             in_member = member
-            nth += _take(recording, Place(part, member, nth), line)
+            nth += _take(recording, KeyframeLocation(part, member, nth), line)
     finally:
         if last:
             _reach(recording, last)
 
 
-def _take(recording: Recording, place: Place, line: bytes) -> bool:
+def _take(recording: Recording, place: KeyframeLocation, line: bytes) -> bool:
     """Take a record; whether it is a keyframe."""
     moment = _reach(recording, line)
     record = decode(line, recording.header.version)
     match record:
-        case Header():
+        case RecordingHeader():
             _follow(recording, place.path, record)
         case Keyframe():
             recording.keyframes.append(moment)
@@ -153,7 +153,7 @@ def _take(recording: Recording, place: Place, line: bytes) -> bool:
     return isinstance(record, Keyframe)
 
 
-def _follow(recording: Recording, path: Path, header: Header) -> None:
+def _follow(recording: Recording, path: Path, header: RecordingHeader) -> None:
     """The first parts may have made room for others; one from between them has been lost."""
     gone = header.part - recording.part - 1
     if header.recording == recording.header.recording and recording.part >= 0 and gone > 0:
@@ -162,13 +162,13 @@ def _follow(recording: Recording, path: Path, header: Header) -> None:
     recording.part = header.part
 
 
-def _reach(recording: Recording, line: bytes) -> Moment:
+def _reach(recording: Recording, line: bytes) -> Instant:
     """The moment of a record, up to which the recording goes now."""
     stamp = _stamp(line)
     earliest = max(0.0, recording.end.at)
     if stamp.kind != "header" and not (earliest <= stamp.at < LONGEST_UP and 0.0 <= stamp.wall < LAST_SECOND):
         raise RecordingError("a record has a time that can't be")
-    moment = Moment(stamp.at, stamp.wall)
+    moment = Instant(stamp.at, stamp.wall)
     if stamp.kind != "header":
         recording.end = moment
     return moment

@@ -17,7 +17,7 @@ RETRY = 1.0
 """Seconds between two tries where the disk does not take it."""
 
 
-class Limits(Struct, frozen=True):
+class PartLimits(Struct, frozen=True):
     """When a new file begins (its bytes, its seconds), how many are kept (0: all), and their bytes in all."""
 
     part_bytes: float = 256e6
@@ -26,13 +26,13 @@ class Limits(Struct, frozen=True):
     total_bytes: float = float("inf")
 
 
-USUAL = Limits()
+USUAL = PartLimits()
 
 
 class PartFiles:
     """What can't be done is False, and `problem` says why: the next `turn` tries another file."""
 
-    def __init__(self, first: Path, limits: Limits, head: Callable[[int, float], bytes]) -> None:
+    def __init__(self, first: Path, limits: PartLimits, head: Callable[[int, float], bytes]) -> None:
         """Begin. `head` gives the first lines of a part that begins at a monotonic second. Raises
         RecordingError where `first`, or another part of it, is there already, and where it can't be made."""
         if any(parts_beside(first)):

@@ -14,16 +14,16 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.gzip_members import LONGEST_LINE
-from fleet_tui.recording.part_files import Limits, PartFiles
+from fleet_tui.recording.part_files import PartFiles, PartLimits
 from fleet_tui.recording.records import (
     VERSION,
-    Header,
     Heard,
     Keyframe,
     Lost,
     Mark,
     Packer,
     Record,
+    RecordingHeader,
     Sent,
     Told,
     encode,
@@ -44,7 +44,7 @@ ENCODING = (ValueError, TypeError, OverflowError, NotImplementedError, msgspec.M
 class PartWriter:
     """Runs in one thread. All times are monotonic."""
 
-    def __init__(self, first: Path, config: Config, origin: Origin, limits: Limits) -> None:
+    def __init__(self, first: Path, config: Config, origin: Origin, limits: PartLimits) -> None:
         """Begin. Raises RecordingError as PartFiles does."""
         self.wants_keyframe = False
         self.records = 0
@@ -122,7 +122,9 @@ class PartWriter:
 
     def _head(self, part: int, at: float) -> bytes:
         at, wall = self._times(at)
-        header = Header(VERSION, __version__, self._id, part, at, wall, self._origin.demo, self._config)
+        header = RecordingHeader(
+            VERSION, __version__, self._id, part, at, wall, self._origin.demo, self._config
+        )
         return encode(header, self._packer)
 
     def _times(self, at: float) -> tuple[float, float]:

@@ -12,7 +12,7 @@ from fleet_tui.audit.entries import Origin
 from fleet_tui.config.schema import Config
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.recording.part_files import USUAL, Limits
+from fleet_tui.recording.part_files import USUAL, PartLimits
 from fleet_tui.recording.part_writer import PartWriter
 from fleet_tui.state.store import Store
 
@@ -36,7 +36,7 @@ class Recorder:
     """A tap. `heard`, `sent`, `told` and `watch` are called on the network loop, the rest by any thread."""
 
     def __init__(
-        self, first: Path, config: Config, store: Store, origin: Origin, limits: Limits = USUAL
+        self, first: Path, config: Config, store: Store, origin: Origin, limits: PartLimits = USUAL
     ) -> None:
         """Begin. Raises RecordingError where the file can't be made, or is there already."""
         self._writer = PartWriter(first, config, origin, limits)

@@ -17,13 +17,13 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueHeld
 from fleet_tui.recording.gzip_members import Lines, open_plain
 from fleet_tui.recording.records import (
-    Header,
     Heard,
     Keyframe,
     Lost,
     Mark,
     Record,
     RecordingError,
+    RecordingHeader,
     Sent,
     Told,
     decode,
@@ -33,14 +33,14 @@ LAST_SECOND = 253_402_300_799.0
 """Unix time at the end of the year 9999."""
 
 
-class Moment(Struct, frozen=True):
+class Instant(Struct, frozen=True):
     """An instant: monotonic seconds, and the Unix time that belonged to it."""
 
     at: float
     wall: float
 
 
-class Place(Struct, frozen=True):
+class KeyframeLocation(Struct, frozen=True):
     """Where a keyframe lies: its file, the gzip member, and how many keyframes of that come before."""
 
     path: Path
@@ -55,12 +55,12 @@ class Recording:
     it can't be read."""
 
     path: Path
-    header: Header
-    end: Moment = Moment(-math.inf, 0.0)  # noqa: RUF009  # a frozen value
+    header: RecordingHeader
+    end: Instant = Instant(-math.inf, 0.0)  # noqa: RUF009  # a frozen value
     parts: list[Path] = field(default_factory=list)
     part: int = -1
-    keyframes: list[Moment] = field(default_factory=list)
-    places: list[Place] = field(default_factory=list)
+    keyframes: list[Instant] = field(default_factory=list)
+    places: list[KeyframeLocation] = field(default_factory=list)
     marks: list[Mark] = field(default_factory=list)
     lost: list[Lost] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
@@ -71,7 +71,7 @@ class Recording:
         return self.header.config
 
     @property
-    def begin(self) -> Moment:
+    def begin(self) -> Instant:
         """Its first keyframe."""
         return self.keyframes[0]
 
@@ -91,7 +91,7 @@ class Recording:
             to_skip = place.nth if path == place.path else 0
             for record in self._of_part(path, place.member if path == place.path else 0):
                 to_skip -= isinstance(record, Keyframe)
-                if isinstance(record, Header) or to_skip >= 0:
+                if isinstance(record, RecordingHeader) or to_skip >= 0:
                     continue
                 if not (last <= record.at <= self.end.at and 0 <= record.wall < LAST_SECOND):
                     break

@@ -52,12 +52,12 @@ class Recordings:
         usual, folder = self._config.recording, self._folder / RECENT / ("demo" if self._demo else "")
         if not usual.recent_minutes:
             return
-        from fleet_tui.recording.part_files import Limits
+        from fleet_tui.recording.part_files import PartLimits
 
         size = usual.recent_mb * 1e6
         kept = math.ceil(usual.recent_minutes * 60 / RECENT_PART) + 1
         # One file is being written while the others are counted.
-        limits = Limits(size / PARTS, RECENT_PART, kept, size - size / PARTS)
+        limits = PartLimits(size / PARTS, RECENT_PART, kept, size - size / PARTS)
         try:
             remove_stale(folder)
             self._recent = self._record(folder / f"{_of_this_process()}-{_now()}.jsonl.gz", limits)
@@ -67,10 +67,10 @@ class Recordings:
 
     def start(self) -> Path:
         """Begin a recording; where it is. Raises RecordingError."""
-        from fleet_tui.recording.part_files import Limits
+        from fleet_tui.recording.part_files import PartLimits
 
         usual = self._config.recording
-        limits = Limits(usual.rotate_mb * 1e6, usual.rotate_minutes * 60, usual.keep)
+        limits = PartLimits(usual.rotate_mb * 1e6, usual.rotate_minutes * 60, usual.keep)
         self._recorder = self._record(self._folder / RECORDINGS / f"{_now()}.jsonl.gz", limits)
         return self._recorder.path
 
@@ -110,10 +110,10 @@ class Recordings:
 
     def _record(self, path: Path, limits: object) -> "Recorder":
         from fleet_tui.audit.log import new_origin
-        from fleet_tui.recording.part_files import Limits
+        from fleet_tui.recording.part_files import PartLimits
         from fleet_tui.recording.recorder import Recorder
 
-        assert isinstance(limits, Limits)
+        assert isinstance(limits, PartLimits)
         origin = new_origin(self._config, self._demo)
         return self.taps.attach(Recorder(path, self._config, self._store, origin, limits))
 

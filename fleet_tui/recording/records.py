@@ -34,7 +34,7 @@ class RecordingError(FleetError):
     """A recording that can't be read, or written, and what to do."""
 
 
-class Header(Struct, frozen=True, tag="header", tag_field="kind"):
+class RecordingHeader(Struct, frozen=True, tag="header", tag_field="kind"):
     """The first line of a file. `recording` is the same in all parts of one recording, `part` counts
     them from 0; `config` is without secrets."""
 
@@ -121,7 +121,7 @@ class Lost(Struct, frozen=True, tag="lost", tag_field="kind"):
     why: str
 
 
-Record = Header | Keyframe | Heard | Sent | Told | Mark | Lost
+Record = RecordingHeader | Keyframe | Heard | Sent | Told | Mark | Lost
 
 
 class _Cells(Struct, frozen=True):

@@ -14,18 +14,18 @@ JUMPS_WITHIN = 10.0
 """Seconds for which a jump of a robot's pose counts."""
 
 
-def is_apart(one: Pose, other: Pose) -> bool:
+def moved(one: Pose, other: Pose) -> bool:
     """Whether it moved or turned by more than localisation jitters."""
     turned = abs(math.remainder(_turn(one) - _turn(other), math.tau))
     return _metres(one, other) > STILL_WITHIN or turned > STILL_YAW
 
 
-def gets_on(one: Pose, other: Pose) -> bool:
+def progressed(one: Pose, other: Pose) -> bool:
     """Whether it is somewhere else."""
     return _metres(one, other) > PLACE_WITHIN
 
 
-def leap(one: Pose, other: Pose, seconds: float) -> float | None:
+def jump(one: Pose, other: Pose, seconds: float) -> float | None:
     """The metres between them, if no robot drives so far in that time."""
     if abs(one.x - other.x) < JUMP_DISTANCE and abs(one.y - other.y) < JUMP_DISTANCE:
         # As nearly every pose is: this is asked for each of them.

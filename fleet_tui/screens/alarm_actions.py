@@ -9,7 +9,7 @@ from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelv
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.command_actions import CommandActions
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -57,7 +57,7 @@ class AlarmActions(CommandActions):
             return
         first, last = self.clock(alarm.first_wall), self.clock(alarm.last_wall)
         seen = f"first seen {first}, last seen {last}, x{alarm.count}"
-        title = f"{source}: {visible(alarm.text)}\n{seen}"
+        title = f"{source}: {sanitize(alarm.text)}\n{seen}"
         self.menu.show(title, [*self._ways_to(alarm), *self._answers(alarm)])
 
     def _ways_to(self, alarm: Alarm) -> "Iterator[Entry]":

@@ -10,8 +10,8 @@ from textual.binding import BindingType
 
 from fleet_tui.discovery.choices import Choice
 from fleet_tui.discovery.site import DiscoveredSite
-from fleet_tui.screens.before import Before
-from fleet_tui.view.roles import Ink
+from fleet_tui.screens.before import RowsScreen
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrival import Line, Rows, arrival_rows
 
 KEYS = (("enter", "open"), ("up/down", "line"), ("left/right", "choose"), ("q", "leave"))
@@ -19,7 +19,7 @@ NONE = {"floor": "any floor", "frame": "no floor"}
 """What an option that is empty means."""
 
 
-class Arrival(Before):
+class Arrival(RowsScreen):
     """Every choice has its best guess already: Enter opens."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -33,7 +33,7 @@ class Arrival(Before):
 
     def __init__(
         self,
-        inks: Mapping[Ink, Style],
+        inks: Mapping[StyleRole, Style],
         site: DiscoveredSite,
         done: Callable[[DiscoveredSite | None], None],
     ) -> None:

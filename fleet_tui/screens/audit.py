@@ -21,7 +21,7 @@ from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.audit.log import Audit
-    from fleet_tui.audit.reader import Reading
+    from fleet_tui.audit.reader import AuditReader
     from fleet_tui.audit.search import Search
 
 SHOWN = 1000
@@ -76,9 +76,9 @@ class AuditLog(Overlay):
         event.stop()
         self._search()
 
-    def _wanted(self) -> "tuple[Reading, Search] | None":
+    def _wanted(self) -> "tuple[AuditReader, Search] | None":
         """The log and what is searched in it, unless what was typed is no search."""
-        from fleet_tui.audit.reader import Reading
+        from fleet_tui.audit.reader import AuditReader
         from fleet_tui.audit.search import search_of
 
         audit = self._audit()
@@ -91,14 +91,14 @@ class AuditLog(Overlay):
         except FleetError as problem:
             self._list([], empty=str(problem))
             return None
-        return Reading(audit.file.path), search
+        return AuditReader(audit.file.path), search
 
     def _search(self) -> None:
         wanted = self._wanted()
         if wanted is not None:
             self.run_worker(partial(self._read, *wanted), thread=True, exclusive=True, group="audit")
 
-    def _read(self, reading: "Reading", search: "Search") -> None:
+    def _read(self, reading: "AuditReader", search: "Search") -> None:
         """In a thread: the newest that match."""
         worker = get_current_worker()
         found: list[AuditRecord] = []
@@ -159,7 +159,7 @@ class AuditLog(Overlay):
             self._say("writing ...")
             self.run_worker(partial(self._write, *wanted), thread=True, group="audit export")
 
-    def _write(self, reading: "Reading", search: "Search") -> None:
+    def _write(self, reading: "AuditReader", search: "Search") -> None:
         """In a thread: everything that matches, to a new file beside the log."""
         from fleet_tui.audit.export import export
 

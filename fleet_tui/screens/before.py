@@ -6,13 +6,13 @@ from rich.style import Style
 from textual.app import ComposeResult
 from textual.screen import Screen
 
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrival import Rows, footer
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
 
 
-class Before(Screen[None]):
+class RowsScreen(Screen[None]):
     """One page of rows above a footer. Its keys are the screen's own: nothing has the focus."""
 
     AUTO_FOCUS = ""
@@ -23,7 +23,7 @@ class Before(Screen[None]):
     Before Input { border: none; height: 1; }
     """
 
-    def __init__(self, inks: Mapping[Ink, Style], keys: Sequence[tuple[str, str]]) -> None:
+    def __init__(self, inks: Mapping[StyleRole, Style], keys: Sequence[tuple[str, str]]) -> None:
         super().__init__()
         self._keys = keys
         self.page, self._footer = InkView(inks, id="rows"), LineView(id="keys")

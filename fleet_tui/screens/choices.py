@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.request import Wish, chain
+from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, matches, places, recent_ends
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 SHOWN = 8
 
@@ -23,7 +23,7 @@ def choices(
     if robot is None:
         return []
     found = matches(robot, typed, recent_ends(state, robot) if field == "to" else ())[:SHOWN]
-    if chosen is None or visible(chosen.name) != typed:
+    if chosen is None or sanitize(chosen.name) != typed:
         return found
     # Floors may have the same label: what was chosen stays what Enter takes.
     return [chosen, *(place for place in found if place != chosen)]
@@ -34,11 +34,11 @@ def is_in_label(robot: Robot | None, typed: str) -> bool:
     return robot is not None and any(typed.casefold() in place.name.casefold() for place in places(robot))
 
 
-def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Wish:
+def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Request:
     """Orders that visit the places one after the other; `only_to`: without a start."""
     floors = {place.vertex: place.floor for place in visited}
     vertices = [place.vertex for place in visited]
-    return Wish(chain(robot.name, vertices, only_to, robot.kind.takes_stops), floors)
+    return Request(chain(robot.name, vertices, only_to, robot.kind.takes_stops), floors)
 
 
 def wanted_now(robot: Robot, only_to: bool) -> str:
@@ -60,5 +60,5 @@ def line(choice: Place | str) -> str:
     return (
         choice
         if isinstance(choice, str)
-        else f"{visible(choice.name)}  ({visible(choice.vertex)}, {choice.floor})"
+        else f"{sanitize(choice.name)}  ({sanitize(choice.vertex)}, {choice.floor})"
     )

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 from fleet_tui.model import kind
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.events import Event
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.keeping import hold_all
 from fleet_tui.screens.order_actions import OrderActions
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.bindings import OPENING_ACTIONS, SELECTING_ACTIONS
 
 if TYPE_CHECKING:
@@ -33,15 +33,15 @@ class CommandActions(OrderActions):
 
     def action_pause(self) -> None:
         """Pause the selected robot, at once."""
-        self.do(Wish((PauseRobot(self.selection.robot),)))
+        self.do(Request((PauseRobot(self.selection.robot),)))
 
     def action_resume(self) -> None:
         """Resume the selected robot, at once."""
-        self.do(Wish((ResumeRobot(self.selection.robot),)))
+        self.do(Request((ResumeRobot(self.selection.robot),)))
 
     def action_pause_all(self) -> None:
         """Pause every robot, at once."""
-        self.do(Wish(tuple(map(PauseRobot, self.state.robots))))
+        self.do(Request(tuple(map(PauseRobot, self.state.robots))))
 
     def action_arm(self) -> None:
         """Let commands leave this console, or no longer: orders that wait here neither."""
@@ -65,7 +65,7 @@ class CommandActions(OrderActions):
             ("Clear all orders", kind.CLEAR, self.action_clear),
         )
         self.menu.show(
-            f"{robot}: {visible(fault)}" if fault else robot,
+            f"{robot}: {sanitize(fault)}" if fault else robot,
             [
                 *((text, partial(self._for, robot, do)) for text, verb, do in asked if known.kind.can(verb)),
                 ("Show on the map", lambda: self.find_robot(robot)),

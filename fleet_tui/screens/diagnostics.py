@@ -15,11 +15,11 @@ from textual.timer import Timer
 from textual.widgets import Input
 
 from fleet_tui.keys import PAGES
-from fleet_tui.screens.diagnostics_pages import FILTERED, Page, Pages, Wire
+from fleet_tui.screens.diagnostics_pages import FILTERED, Page, Pages, RawMessages
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.line_view import LineView
@@ -60,7 +60,7 @@ class Diagnostics(Overlay):
     ]
 
     def __init__(
-        self, pages: Pages, wire: Callable[[], Wire | None], keys: Mapping[str, tuple[str, ...]]
+        self, pages: Pages, wire: Callable[[], RawMessages | None], keys: Mapping[str, tuple[str, ...]]
     ) -> None:
         super().__init__(id="diagnostics")
         self._pages, self._wire, self._keys = pages, wire, keys
@@ -90,7 +90,7 @@ class Diagnostics(Overlay):
         yield self.rows
         yield self._foot
 
-    def set_inks(self, styles: Mapping[Ink, Style]) -> None:
+    def set_inks(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change every colour."""
         for view in (self._tabs, self.rows, self._foot):
             view.set_inks(styles)

@@ -6,13 +6,13 @@ from fleet_tui.view.selection import Selection
 
 if TYPE_CHECKING:
     from fleet_tui.screens.diagnostics import Diagnostics
-    from fleet_tui.screens.diagnostics_pages import Wire
+    from fleet_tui.screens.diagnostics_pages import RawMessages
 
 
 class DiagnosticsActions:
     """`backend` is None as long as the console starts."""
 
-    backend: "Wire | None" = None
+    backend: "RawMessages | None" = None
     diagnostics: "Diagnostics"
     selection: Selection
 

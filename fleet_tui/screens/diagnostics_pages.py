@@ -35,7 +35,7 @@ class Page(IntEnum):
 FILTERED = (Page.TOPICS, Page.LOG, Page.HEALTH, Page.CONSOLE)
 
 
-class Wire(Protocol):
+class RawMessages(Protocol):
     """Where it all comes from."""
 
     @property
@@ -51,7 +51,10 @@ class Pages:
     from which on lines are shown, `wanted` what must stand in the rows of a page."""
 
     def __init__(
-        self, state: Callable[[], FleetState], wire: Callable[[], Wire | None], clock: Callable[[float], str]
+        self,
+        state: Callable[[], FleetState],
+        wire: Callable[[], RawMessages | None],
+        clock: Callable[[float], str],
     ) -> None:
         self._state, self._wire, self._clock = state, wire, clock
         self.topic: tuple[str, str] | None = None

@@ -13,8 +13,8 @@ from textual.worker import Worker
 from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.site import WITHIN, DiscoveredSite, start_discovery
 from fleet_tui.errors import FleetError
-from fleet_tui.screens.before import Before
-from fleet_tui.view.roles import Ink
+from fleet_tui.screens.before import RowsScreen
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrival import Asked, Rows, first_run_rows
 from fleet_tui.widgets.field import Field
 
@@ -25,7 +25,7 @@ EVERY = 0.1
 """Seconds between two looks at how far it is."""
 
 
-class FirstRun(Before):
+class FirstRun(RowsScreen):
     """Asks at one address at a time."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -38,7 +38,7 @@ class FirstRun(Before):
 
     def __init__(
         self,
-        inks: Mapping[Ink, Style],
+        inks: Mapping[StyleRole, Style],
         places: Sequence[tuple[str, str]],
         done: Callable[[DiscoveredSite | None], None],
         address: str = LOCAL,

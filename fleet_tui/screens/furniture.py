@@ -13,7 +13,7 @@ from fleet_tui.screens.palette import Palette
 from fleet_tui.screens.typed import typed
 from fleet_tui.screens.why import Why
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.widgets.map_view import MapView
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 async def furnish(screen: "MainScreen", drawing: Drawing) -> None:
     """Put everything in its place; the focus is on the map. The audit log begins before there is a link."""
     screen.map = MapView(id="map")
-    screen.map.look = Look(drawing=drawing)
+    screen.map.look = MapOptions(drawing=drawing)
     screen.order_form = OrderForm(lambda: screen.state, screen.give)
     screen.confirm, screen.menu = Confirm(id="confirm"), Menu(id="menu")
     screen.key_help = Help(screen.keys)

@@ -7,7 +7,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 
 LINK_WITHIN, PAUSE_WITHIN = 1.0, 5.0
 """Seconds after which a request, and one to pause, no longer waits for the first connection."""
@@ -15,11 +15,11 @@ LINK_WITHIN, PAUSE_WITHIN = 1.0, 5.0
 LATEST = 0.5
 """Seconds after that within which the console must look again: a request is not sent long after its key."""
 
-Give = Callable[[Wish], None]
+Give = Callable[[Request], None]
 
 
-class _Waiting(NamedTuple):
-    wish: Wish
+class _HeldInput(NamedTuple):
+    wish: Request
     since: float
 
     @property
@@ -37,11 +37,11 @@ class Held:
     def __init__(self, give: Give, refuse: Callable[[str], None]) -> None:
         """`refuse` is told why a request is not sent."""
         self._give, self._refuse = give, refuse
-        self._waiting: list[_Waiting] = []
+        self._waiting: list[_HeldInput] = []
 
-    def hold(self, state: FleetState, wish: Wish, now: float) -> Wish | None:
+    def hold(self, state: FleetState, wish: Request, now: float) -> Request | None:
         """Keep what has to wait. Returns what need not, None where that is nothing."""
-        return self._keep_starting(state, _Waiting(wish, now))
+        return self._keep_starting(state, _HeldInput(wish, now))
 
     def release(self, state: FleetState, now: float) -> None:
         """Give what need not wait any longer; where the time is up, the checks say why it is not sent."""
@@ -55,12 +55,12 @@ class Held:
             else:
                 self._give(ready)
 
-    def _keep_starting(self, state: FleetState, one: _Waiting) -> Wish | None:
+    def _keep_starting(self, state: FleetState, one: _HeldInput) -> Request | None:
         """Keep the commands whose link is not there yet, whatever the other links do."""
         commands = one.wish.commands
         starting = tuple(command for command in commands if _is_starting(state, command))
         if starting:
-            self._waiting.append(_Waiting(replace(one.wish, commands=starting), one.since))
+            self._waiting.append(_HeldInput(replace(one.wish, commands=starting), one.since))
         rest = tuple(command for command in commands if command not in starting)
         return replace(one.wish, commands=rest) if rest else None
 

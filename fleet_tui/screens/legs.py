@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from textual.widgets import Input
 
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.field import Field
 
 SIGN = ">"
@@ -20,7 +20,7 @@ class Legs:
     @property
     def text(self) -> str:
         """What the field begins with."""
-        return "".join(f"{visible(place.name)} {SIGN} " for place in self.places)
+        return "".join(f"{sanitize(place.name)} {SIGN} " for place in self.places)
 
     def kept(self, typed: str) -> "Legs":
         """Those that still stand in what is typed."""

@@ -15,7 +15,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, hints
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.selection import first_selection
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
@@ -80,7 +80,7 @@ class MainScreen(Navigation):
         await furnish(self, drawing)
         self.furnished = True
 
-    def set_inks(self, styles: Mapping[Ink, Style]) -> None:
+    def set_inks(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change every colour."""
         for view in (self.status, self.fleet, self.alarms, self.queue, self.message, self.hints):
             view.set_inks(styles)

@@ -16,7 +16,7 @@ from fleet_tui.screens.incident_actions import IncidentActions
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.playback_actions import PlaybackActions
 from fleet_tui.screens.save_actions import SaveActions
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.hints import hidden_keys
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -131,11 +131,11 @@ class Navigation(
                 vertex = chart.graph.vertices.get(id_) if chart.graph else None
                 if vertex is not None:
                     yield (
-                        f"Go to vertex {visible(label)}",
+                        f"Go to vertex {sanitize(label)}",
                         partial(self.find_vertex, floor, vertex.x, vertex.y),
                     )
         for name, use in self.themes.items():
-            yield f"Theme: {visible(name)}", use
+            yield f"Theme: {sanitize(name)}", use
 
     @property
     def in_overlay(self) -> bool:

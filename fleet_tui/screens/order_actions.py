@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.screens.dispatch import Dispatch
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.selection import Selection
 from fleet_tui.view.tables.fleet import mission, way
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -47,7 +47,7 @@ class OrderActions(Dispatch):
         chart = robot.charts.get(floor)
         name = chart.name_of(vertex) if chart else None
         if name is None:
-            self.say(f"{robot.name} knows no vertex {visible(vertex)} on {floor}")
+            self.say(f"{robot.name} knows no vertex {sanitize(vertex)} on {floor}")
         else:
             self.order_form.start(robot.name, Place(vertex, name, floor))
 
@@ -64,32 +64,32 @@ class OrderActions(Dispatch):
 
     def ask_cancel(self, robot: str, order_id: str) -> None:
         """Cancel one order, after asking."""
-        self.do(Wish((CancelOrder(robot, order_id),)))
+        self.do(Request((CancelOrder(robot, order_id),)))
 
     def action_clear(self) -> None:
         """Clear all orders of the selected robot, after asking."""
-        self.do(Wish((ClearOrders(self.selection.robot),)))
+        self.do(Request((ClearOrders(self.selection.robot),)))
 
     def queue_menu(self, name: str, order_id: str) -> None:
         """Where an order comes from, and what can be done with it."""
         robot = self.state.robots[name]
         order = next((order for order in robot.orders.orders if order.id == order_id), None)
         if order is None:
-            self.say(f"order {visible(order_id)} is gone already")
+            self.say(f"order {sanitize(order_id)} is gone already")
             return
         back = order.stops[::-1]
         entries: list[Entry] = []
         if robot.kind.can(kind.CANCEL):
             entries.append(("Cancel this order", lambda: self.ask_cancel(name, order_id)))
         if order.stops and robot.kind.can(kind.ORDER):
-            again = Wish((PlaceOrder(name, order.stops),))
+            again = Request((PlaceOrder(name, order.stops),))
             entries.append((f"Again: {way(robot, order.stops)}", lambda: self.do(again)))
         if len(back) > 1 and kind.ORDER in robot.kind.accepts:
-            returning = Wish((PlaceOrder(name, back),))
+            returning = Request((PlaceOrder(name, back),))
             entries.append((f"Return trip: {way(robot, back)}", lambda: self.do(returning)))
         if robot.kind.can(kind.CLEAR):
-            entries.append((f"Clear all orders of {name}", lambda: self.do(Wish((ClearOrders(name),)))))
+            entries.append((f"Clear all orders of {name}", lambda: self.do(Request((ClearOrders(name),)))))
         from fleet_tui.view.tables.order_story import origin  # the first paint does without it
 
         told = origin(self.state, name, order, self.clock)
-        self.menu.show(f"Order {visible(order_id)} of {name}: {mission(robot, order)}\n{told}", entries)
+        self.menu.show(f"Order {sanitize(order_id)} of {name}: {mission(robot, order)}\n{told}", entries)

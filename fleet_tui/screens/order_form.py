@@ -11,13 +11,13 @@ from textual.widget import Widget
 from textual.widgets import Button, Input, Static
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start
 from fleet_tui.screens.choices import Choices, choices, is_in_label, line, missing, order, wanted_now
 from fleet_tui.screens.legs import SIGN, LegField, Legs
 from fleet_tui.screens.overlay import MouseButton, Overlay
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.field import Keys
 from fleet_tui.widgets.matches import Matches
 
@@ -29,7 +29,7 @@ class OrderForm(Overlay):
     it, and calls back when it was sent."""
 
     def __init__(
-        self, state: Callable[[], FleetState], give: Callable[[Wish, Callable[[], None]], str]
+        self, state: Callable[[], FleetState], give: Callable[[Request, Callable[[], None]], str]
     ) -> None:
         super().__init__(id="order-form")
         self._state = state
@@ -97,7 +97,7 @@ class OrderForm(Overlay):
         if self._picked is not None:
             place, field = self._picked, "from" if has_start and not may_skip_start(robot) else "to"
             self._chosen[field], self._picked = place, None
-            self._input(field).put(visible(place.name))
+            self._input(field).put(sanitize(place.name))
         loaded = robot is not None and robot.has_cargo
         self.border_title = "Come here: cargo is on board" if loaded and not has_start else "Order"
 
@@ -130,7 +130,7 @@ class OrderForm(Overlay):
         event.stop()
         field = event.input.id or ""
         # The message may be about letters that were typed before the choice was made.
-        if field in self._chosen and visible(self._chosen[field].name) != self._input(field).typed:
+        if field in self._chosen and sanitize(self._chosen[field].name) != self._input(field).typed:
             del self._chosen[field]
         self._forget_other_robots()
         if field == "robot":
@@ -196,7 +196,7 @@ class OrderForm(Overlay):
             self._input(field).put(choice)
             self._arrange()
         else:
-            self._input(field).put(visible(choice.name))
+            self._input(field).put(sanitize(choice.name))
             self._chosen[field] = choice
         if field == "to":
             self._finish()

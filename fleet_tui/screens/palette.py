@@ -10,7 +10,7 @@ from textual.widgets import Input
 
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.typed import Entry, Typed
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.matches import Matches
 
@@ -75,9 +75,9 @@ class Palette(Overlay):
         found = [*command.entries, *(entry for score, entry in scored if score > 0)][:SHOWN]
         if command.is_command:
             lines = [one for one in command.completed if one.strip() != typed]
-            found += [(visible(one), partial(self._go_on, one)) for one in lines[:SHOWN]]
+            found += [(sanitize(one), partial(self._go_on, one)) for one in lines[:SHOWN]]
         if not found and typed:
-            said = command.problem or f"nothing is called {visible(typed)}: ? lists what there is"
+            said = command.problem or f"nothing is called {sanitize(typed)}: ? lists what there is"
             found = [(said, partial(self._go_on, line))]
         self._found = found
         self._matches.show(text for text, _ in found)

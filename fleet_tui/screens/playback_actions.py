@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.errors import FleetError
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 from fleet_tui.screens.audit_actions import AuditActions
 from fleet_tui.screens.dispatch import Dispatch
 from fleet_tui.screens.recording_actions import RecordingActions
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.status import console_notes, status_line, status_right
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.selection import Selection
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.messages import TimePicked
@@ -64,7 +64,7 @@ class PlaybackActions(RecordingActions, AuditActions, Dispatch):
             self.map.forget()
         date = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(moment.wall))
         runs = status_line(state, self.selection.robot, addressed=False)
-        self.status.show(((f" REPLAY {date} ", Ink.WARN), *runs))
+        self.status.show(((f" REPLAY {date} ", StyleRole.WARN), *runs))
         if self.time_line is not None:
             self.time_line.show(moment, self.clock)
 
@@ -82,7 +82,7 @@ class PlaybackActions(RecordingActions, AuditActions, Dispatch):
             return False
         return super().check_action(action, parameters)
 
-    def give(self, wish: Wish, sent: Callable[[], None] = lambda: None) -> str:
+    def give(self, wish: Request, sent: Callable[[], None] = lambda: None) -> str:
         """Send a wish, unless a recording is shown."""
         return super().give(wish, sent) if self.player is None else IT_IS_A_RECORDING
 
@@ -111,7 +111,7 @@ class PlaybackActions(RecordingActions, AuditActions, Dispatch):
         try:
             at = player.time_of(text)
         except FleetError as problem:
-            return Typed(problem=visible(str(problem)))
+            return Typed(problem=sanitize(str(problem)))
         return Typed([(f"Go to {text}", lambda: player.seek(at))])
 
     def on_time_picked(self, event: TimePicked) -> None:

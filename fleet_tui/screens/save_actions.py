@@ -9,7 +9,7 @@ from fleet_tui.config.saving import USUAL, Saving
 from fleet_tui.config.schema import expanded
 from fleet_tui.errors import FleetError
 from fleet_tui.screens.part import Part
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 if TYPE_CHECKING:
     from fleet_tui.screens.confirm import Confirm
@@ -45,7 +45,7 @@ class SaveActions(Part):
         assert self.saving is not None
         name = name or USUAL
         return Typed(
-            [(f"Save this configuration to {visible(name)}", partial(self._save, self.saving, name))]
+            [(f"Save this configuration to {sanitize(name)}", partial(self._save, self.saving, name))]
         )
 
     def _unsavable(self, name: str) -> str:
@@ -54,13 +54,13 @@ class SaveActions(Part):
             return "nothing to save: this is no console on a fleet of your own"
         path = self.saving.path
         if path and (not name or expanded(name).resolve() == Path(path).resolve()):
-            return f"this configuration is in {visible(path)} already: {WORD} FILE writes a copy"
+            return f"this configuration is in {sanitize(path)} already: {WORD} FILE writes a copy"
         return ""
 
     def _save(self, saving: Saving, name: str) -> None:
         """Write it, after asking where something is there already."""
         if expanded(name).exists():
-            question = f"{visible(name)} is there already. Write over it?"
+            question = f"{sanitize(name)} is there already. Write over it?"
             self.confirm.ask(lambda: question, partial(self._write, saving, name))
         else:
             self._write(saving, name)
@@ -69,7 +69,7 @@ class SaveActions(Part):
         try:
             path = saving.write(name)
         except FleetError as problem:
-            self.say(visible(f"not saved: {problem}"))
+            self.say(sanitize(f"not saved: {problem}"))
         else:
             where = str(path).replace(str(Path.home()), "~", 1)
-            self.say(visible(f"saved to {where}" + ": fleet-tui opens it here" * (name == USUAL)))
+            self.say(sanitize(f"saved to {where}" + ": fleet-tui opens it here" * (name == USUAL)))

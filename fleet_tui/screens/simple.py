@@ -10,11 +10,11 @@ from textual.content import Content
 from textual.widgets import Button, OptionList, Static
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, places
 from fleet_tui.screens.choices import order
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 
 class Large(Button):
@@ -59,7 +59,7 @@ class Simple(Vertical):
         state: Callable[[], FleetState],
         selected: Callable[[], str],
         select: Callable[[str], None],
-        give: Callable[[Wish, Callable[[], None]], str],
+        give: Callable[[Request, Callable[[], None]], str],
     ) -> None:
         super().__init__(id="simple")
         self._state, self._selected, self._select, self._give = state, selected, select, give
@@ -92,9 +92,9 @@ class Simple(Vertical):
         if shown == self._shown:
             return
         self._shown = shown
-        names = {field: visible(place.name) for field, place in self._chosen.items()}
+        names = {field: sanitize(place.name) for field, place in self._chosen.items()}
         # As Content: a label from the wire is text, whatever markup it looks like.
-        self._button("robot").label = Content(f"Robot: {visible(robot.name)}")
+        self._button("robot").label = Content(f"Robot: {sanitize(robot.name)}")
         self._button("from").label = Content(f"From: {names.get('from', start)}")
         self._button("to").label = Content(to + names.get("to", "choose ..."))
         for field in ("robot", "from", "to", "send"):
@@ -148,7 +148,7 @@ class Simple(Vertical):
         """List what can be chosen."""
         robot = self._robot()
         self._choices = [] if field == "robot" else places(robot)
-        names = [f"{visible(place.name)}  ({place.floor})" for place in self._choices]
+        names = [f"{sanitize(place.name)}  ({place.floor})" for place in self._choices]
         if field != "robot" and not names:
             self._say(f"{robot.name} has not told its places yet")
             return

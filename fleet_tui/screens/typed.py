@@ -6,11 +6,11 @@ from functools import partial
 
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import acceptable, not_accepted
 from fleet_tui.rules.language.completion import complete, is_command
 from fleet_tui.rules.language.grammar import parse
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import wish_text
 
 Entry = tuple[str, Callable[[], object]]
@@ -30,7 +30,7 @@ class Typed:
         return bool(self.entries or self.problem)
 
 
-def typed(line: str, state: FleetState, selected: str, do: Callable[[Wish], None]) -> Typed:
+def typed(line: str, state: FleetState, selected: str, do: Callable[[Request], None]) -> Typed:
     """What a line means, where it is one that `do` can do."""
     completed = complete(line, state, selected)
     if not is_command(line, state):
@@ -38,7 +38,7 @@ def typed(line: str, state: FleetState, selected: str, do: Callable[[Wish], None
     try:
         wish = parse(line, state, selected)
     except CommandError as problem:
-        return Typed(completed=completed, problem=visible(str(problem)))
+        return Typed(completed=completed, problem=sanitize(str(problem)))
     if impossible := not_accepted(state, acceptable(state, wish)[0].commands):
-        return Typed(completed=completed, problem=visible(impossible[0].text))
+        return Typed(completed=completed, problem=sanitize(impossible[0].text))
     return Typed([(wish_text(state, wish), partial(do, wish))], completed)

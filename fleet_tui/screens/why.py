@@ -12,7 +12,7 @@ from textual.widgets import Static
 from fleet_tui.keys import KEYS
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.why import why_lines
 from fleet_tui.widgets.bindings import bindings
 
@@ -72,7 +72,7 @@ class Why(Overlay, can_focus=True):
     def look(self) -> None:
         """Show what holds now."""
         state, name = self._looked_at()
-        self.border_title = Content(f"Why does {visible(name)} stand still?")
+        self.border_title = Content(f"Why does {sanitize(name)} stand still?")
         lines = why_lines(state, state.robots[name], self._keys)
         if lines != self._shown:
             self._shown = lines

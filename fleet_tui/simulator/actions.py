@@ -14,7 +14,7 @@ from fleet_tui.simulator.ros.definitions import ACTIONS
 from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.errors import BridgeError, ServiceError
 from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros.goals import ActionServer, Goal
+from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.sessions.operations import Operation
@@ -35,7 +35,7 @@ class _Given:
     operation: "Operation"
     fleet: Fleet
     server: ActionServer
-    goal: Goal
+    goal: ServedGoal
     ended: Ended = field(default_factory=asyncio.Future)
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Message, Topic
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.goals import ActionServer, Goal
+from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType
 
 if TYPE_CHECKING:
@@ -50,10 +50,10 @@ class Fleet(Protocol):
     def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The topics that are listened to: name -> type, and what takes a message."""
 
-    def feedback(self, server: ActionServer, goal: Goal, dialect: Dialect) -> Message | None:
+    def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
         """The feedback of an action on a goal, None where it says nothing."""
 
-    def result(self, server: ActionServer, goal: Goal) -> Message | None:
+    def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
         """The result of a goal that is over, None while it can't be heard."""
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:

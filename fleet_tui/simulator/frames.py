@@ -77,7 +77,7 @@ class Payload:
         return cbor2.dumps(self._raw(self.msg) if self._raw else self.msg, default=_as_tag)
 
 
-class Publication:
+class OutgoingFrame:
     """A payload on its way out on a topic: one frame for all clients of a compression."""
 
     def __init__(self, topic: str, payload: Payload) -> None:

@@ -8,7 +8,7 @@ from functools import cached_property
 
 
 @dataclass(frozen=True)
-class Vertex:
+class SimVertex:
     """A place: x, y in metres."""
 
     id: int
@@ -17,7 +17,7 @@ class Vertex:
 
 
 @dataclass(frozen=True)
-class Edge:
+class SimEdge:
     """A connection between two vertices, both ways."""
 
     id: int
@@ -26,11 +26,11 @@ class Edge:
 
 
 @dataclass(frozen=True)
-class RouteGraph:
+class SimGraph:
     """Vertices by id and the edges between them."""
 
-    vertices: Mapping[int, Vertex]
-    edges: tuple[Edge, ...]
+    vertices: Mapping[int, SimVertex]
+    edges: tuple[SimEdge, ...]
 
     @cached_property
     def _ways(self) -> Mapping[int, list[tuple[int, float]]]:

@@ -23,7 +23,7 @@ class Build(Protocol):
 
 
 @dataclass(frozen=True)
-class Kind:
+class SimKind:
     """A kind of robots: the generations of ROS it runs on, the usual one first, and its faults.
 
     `profile`: the table of the configuration that says how the simulated ones differ from the usual, by the
@@ -57,8 +57,8 @@ def _nav2(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet"
     return Nav2Fleet(robots, floors, seed, first=first, step=step)
 
 
-KINDS: Mapping[str, Kind] = {
-    "oh_ressources": Kind(_oh_ressources, ("1", "2"), FAULTS, oh_ressources),
-    "move_base": Kind(_move_base, ("1",), MOVE_BASE_FAULTS, navigating, graph_files=True),
-    "nav2": Kind(_nav2, ("2",), NAV2_FAULTS, navigating, graph_files=True),
+KINDS: Mapping[str, SimKind] = {
+    "oh_ressources": SimKind(_oh_ressources, ("1", "2"), FAULTS, oh_ressources),
+    "move_base": SimKind(_move_base, ("1",), MOVE_BASE_FAULTS, navigating, graph_files=True),
+    "nav2": SimKind(_nav2, ("2",), NAV2_FAULTS, navigating, graph_files=True),
 }

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.robot import Robot
+from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.encoding import encode
 from fleet_tui.simulator.ros.ros1 import ROS1
-from fleet_tui.simulator.warehouse import Floor
+from fleet_tui.simulator.warehouse import SimFloor
 from fleet_tui.simulator.world import World
 
 if TYPE_CHECKING:
@@ -85,12 +85,12 @@ def _always(payload: Payload, _now: float) -> Payload:
 
 
 def _now(
-    message: Callable[[Robot], Message], robot: Robot, dialect: Dialect, type_: str, now: float
+    message: Callable[[SimRobot], Message], robot: SimRobot, dialect: Dialect, type_: str, now: float
 ) -> Payload:
     return raw_payload(dialect, type_, now, message(robot))
 
 
-def _poses(robot: Robot, dialect: Dialect) -> Callable[[float], Payload]:
+def _poses(robot: SimRobot, dialect: Dialect) -> Callable[[float], Payload]:
     said = count(1)
 
     def payload(now: float) -> Payload:
@@ -104,23 +104,23 @@ def _poses(robot: Robot, dialect: Dialect) -> Callable[[float], Payload]:
     return payload
 
 
-def _battery(robot: Robot) -> Message:
+def _battery(robot: SimRobot) -> Message:
     return {"data": float32(robot.battery)}
 
 
-def _cargo(robot: Robot) -> Message:
+def _cargo(robot: SimRobot) -> Message:
     return {"data": robot.cargo}
 
 
-def _obstacle(robot: Robot) -> Message:
+def _obstacle(robot: SimRobot) -> Message:
     return {"data": float32(robot.obstacle)}
 
 
-def _paused(robot: Robot) -> Message:
+def _paused(robot: SimRobot) -> Message:
     return {"data": robot.paused}
 
 
-def _queue(robot: Robot) -> Message:
+def _queue(robot: SimRobot) -> Message:
     return {
         "request_id": robot.request_id,
         "last_order_id": robot.last_order_id,
@@ -133,7 +133,7 @@ def _queue(robot: Robot) -> Message:
     }
 
 
-_TELEMETRY: Mapping[str, tuple[str, Callable[[Robot], Message]]] = {
+_TELEMETRY: Mapping[str, tuple[str, Callable[[SimRobot], Message]]] = {
     "battery": ("std_msgs/Float32", _battery),
     "cargo": ("std_msgs/Bool", _cargo),
     "obstacle": ("std_msgs/Float32", _obstacle),
@@ -156,7 +156,7 @@ def _metadata(loaded_at: float, dialect: Dialect) -> Message:
     }
 
 
-def _graph(floor: Floor) -> Message:
+def _graph(floor: SimFloor) -> Message:
     return {
         "vertices": [
             {"id": vertex.id, "x": vertex.x, "y": vertex.y, "type": floor.types[vertex.id]}
@@ -166,10 +166,10 @@ def _graph(floor: Floor) -> Message:
     }
 
 
-def _labels(floor: Floor) -> Message:
+def _labels(floor: SimFloor) -> Message:
     return {"vertices": [{"label": label, "vertex_id": id_} for id_, label in floor.labels.items()]}
 
 
-def _map(floor: Floor, loaded_at: float, dialect: Dialect) -> Message:
+def _map(floor: SimFloor, loaded_at: float, dialect: Dialect) -> Message:
     header = dialect.header(1, loaded_at, floor.name)
     return {"header": header, "info": _metadata(loaded_at, dialect), "data": floor.cells.ravel()}

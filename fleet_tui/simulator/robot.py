@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.warehouse import Building, Floor
+from fleet_tui.simulator.warehouse import Building, SimFloor
 
 STEP = 0.05  # seconds of world time per step
 SPEED = 1.1  # m/s
@@ -26,7 +26,7 @@ def robot_numbers(robots: int, first: int, step: int) -> range:
 
 
 @dataclass
-class Order:
+class SimOrder:
     """A transport order; status is `Q` queued, `W` in process or `C` cancelled."""
 
     id: int
@@ -36,7 +36,7 @@ class Order:
     status: str = "Q"
 
 
-class Robot:
+class SimRobot:
     """A robot and its queue. `quiet` turns off obstacles and trips to the docking station."""
 
     def __init__(self, index: int, building: Building, vertex: int, rng: random.Random, quiet: bool) -> None:
@@ -58,8 +58,8 @@ class Robot:
         """Seconds for which nothing of it is published."""
         self.stuck = False
         """Whether it stands still as long as it has an order in process."""
-        self.orders: list[Order] = []
-        self.ended: list[Order] = []
+        self.orders: list[SimOrder] = []
+        self.ended: list[SimOrder] = []
         """Orders that are over and still reported."""
         self.last_order_id = self.request_id = 0
         self._driving = False
@@ -68,7 +68,7 @@ class Robot:
         self._work = self._live()
 
     @property
-    def floor(self) -> Floor:
+    def floor(self) -> SimFloor:
         """The floor it stands on."""
         return self._building.floor_of(self.vertex)
 
@@ -81,7 +81,7 @@ class Robot:
         """Queue an order between two vertices; `loaded`: the cargo is on board, drive to `end` at once."""
         self.last_order_id += 1
         self.request_id = request_id
-        self.orders.append(Order(self.last_order_id, start, end, loaded))
+        self.orders.append(SimOrder(self.last_order_id, start, end, loaded))
         if self.current_order_id == -1:
             self._start_anew()
 
@@ -121,7 +121,7 @@ class Robot:
                 self.idle += STEP
                 yield
 
-    def _carry_out(self, order: Order) -> Work:
+    def _carry_out(self, order: SimOrder) -> Work:
         self.idle = 0.0
         order.status = "W"
         if not order.loaded:

@@ -30,7 +30,7 @@ def _type(dialect: Dialect, verb: str) -> str:
 
 
 @dataclass(frozen=True)
-class Graph:
+class RosGraph:
     """All there is, each name with its type; it may change later.
 
     `listened`: topics to which robots listen; `subscribed`: those to which the bridge is subscribed, with the
@@ -44,12 +44,12 @@ class Graph:
     action_servers: Callable[[], list[str]]
 
 
-class Rosapi:
+class RosapiServer:
     """Answers about a graph. `clock`: the wall time; `own`: whether a topic or service is a client's of the
     bridge. `distro` may be changed."""
 
     def __init__(
-        self, dialect: Dialect, graph: Graph, clock: Callable[[], float], own: Callable[[str], bool]
+        self, dialect: Dialect, graph: RosGraph, clock: Callable[[], float], own: Callable[[str], bool]
     ) -> None:
         self._dialect, self._clock, self._own = dialect, clock, own
         self._topics, self._services, self._subscribed = graph.topics, graph.services, graph.subscribed

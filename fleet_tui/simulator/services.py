@@ -16,7 +16,7 @@ from fleet_tui.simulator.ros.actionlib import servers_among
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError
-from fleet_tui.simulator.rosapi import HIDDEN, Graph, Rosapi
+from fleet_tui.simulator.rosapi import HIDDEN, RosapiServer, RosGraph
 from fleet_tui.simulator.sessions.operations import Operation
 from fleet_tui.simulator.sessions.session import Session
 
@@ -78,8 +78,8 @@ class ServiceDesk:
         def action_servers() -> list[str]:
             return [*self.actions.names, *servers_among({**listened, **self.types})]
 
-        graph = Graph(self.types, listened, self.services, subscribed, action_servers)
-        self.rosapi = Rosapi(dialect, graph, time.time, self.guests.owns)
+        graph = RosGraph(self.types, listened, self.services, subscribed, action_servers)
+        self.rosapi = RosapiServer(dialect, graph, time.time, self.guests.owns)
 
     def fleet_of(self, robot: str) -> Fleet:
         """The fleet of a robot."""

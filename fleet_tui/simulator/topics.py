@@ -8,7 +8,7 @@ from typing import Any
 
 from fleet_tui.simulator.channels import Channels, resolve
 from fleet_tui.simulator.fleets import Fleet
-from fleet_tui.simulator.frames import Payload, Publication
+from fleet_tui.simulator.frames import OutgoingFrame, Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.services import ServiceDesk
@@ -51,7 +51,7 @@ class TopicDesk(ServiceDesk):
     def publish_raw(self, topic: str, msg: dict[str, Any] | str | bytes) -> int:
         """Send a message, or as it is a text or binary frame, to the topic's subscribers, past throttle
         and queue. Returns how many there are."""
-        publication = Publication(topic, Payload(msg))
+        publication = OutgoingFrame(topic, Payload(msg))
         for session in self.channels.sessions(topic):
             compression = session.subscriptions[topic].compression
             session.reply(publication.frame(compression) if isinstance(msg, dict) else msg)
@@ -63,7 +63,7 @@ class TopicDesk(ServiceDesk):
         for asked in _spellings(name):
             if self.channels.sessions(asked) and self._flows(asked, topic):
                 payload = payload or topic.payload(time.time())
-                self.in_turn(partial(self._send, asked, topic, Publication(asked, payload)))
+                self.in_turn(partial(self._send, asked, topic, OutgoingFrame(asked, payload)))
 
     def publish_for(self, session: Session, operation: Operation) -> None:
         """Publish a client's message, to robots too. Raises BridgeError."""
@@ -122,7 +122,7 @@ class TopicDesk(ServiceDesk):
     def _asked(self) -> Mapping[str, str]:
         return self.channels.types()
 
-    def _send(self, asked: str, topic: Topic, publication: Publication) -> None:
+    def _send(self, asked: str, topic: Topic, publication: OutgoingFrame) -> None:
         never = self.dialect.short(topic.type) in self.dialect.never_cbor
         for session in self.channels.sessions(asked):
             if not (never and session.subscriptions[asked].compression == "cbor"):
@@ -140,7 +140,7 @@ class TopicDesk(ServiceDesk):
         if channels.durable(asked) and channels.hears(asked, topic) and topic.name not in self.muted:
             now = time.time()
             for payload in topic.history() if topic.history else (topic.payload(now),):
-                session.offer(asked, Publication(asked, payload))
+                session.offer(asked, OutgoingFrame(asked, payload))
 
 
 def _spellings(topic: str) -> tuple[str, ...]:

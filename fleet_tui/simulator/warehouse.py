@@ -11,7 +11,7 @@ from itertools import combinations
 import numpy as np
 
 from fleet_tui.simulator.floorplan import Cells, Plan, draw
-from fleet_tui.simulator.graph import Edge, RouteGraph, Vertex
+from fleet_tui.simulator.graph import SimEdge, SimGraph, SimVertex
 
 FLOOR_IDS = 100  # floor k numbers its vertices and edges from k * FLOOR_IDS
 
@@ -40,12 +40,12 @@ MIDDLE = 10.0  # y about which every second pair of floors is mirrored; the elev
 
 
 @dataclass(frozen=True, eq=False)
-class Floor:
+class SimFloor:
     """One floor: its occupancy, row 0 at the BOTTOM, and its graph with labels and wire types by id."""
 
     name: str
     cells: Cells
-    graph: RouteGraph
+    graph: SimGraph
     labels: Mapping[int, str]
     types: Mapping[int, str]
 
@@ -58,17 +58,17 @@ class Floor:
 class Building:
     """All floors, and the one graph on which robots plan: elevators join the floors."""
 
-    floors: tuple[Floor, ...]
+    floors: tuple[SimFloor, ...]
 
     @cached_property
-    def graph(self) -> RouteGraph:
+    def graph(self) -> SimGraph:
         """Every floor's vertices and edges, and a ride between any two elevators."""
         shafts = [floor.vertex_of("elevator") for floor in self.floors]
-        rides = tuple(Edge(-1, start, end) for start, end in combinations(shafts, 2))
+        rides = tuple(SimEdge(-1, start, end) for start, end in combinations(shafts, 2))
         vertices = {id_: vertex for floor in self.floors for id_, vertex in floor.graph.vertices.items()}
-        return RouteGraph(vertices, tuple(e for floor in self.floors for e in floor.graph.edges) + rides)
+        return SimGraph(vertices, tuple(e for floor in self.floors for e in floor.graph.edges) + rides)
 
-    def floor_of(self, vertex: int) -> Floor:
+    def floor_of(self, vertex: int) -> SimFloor:
         """The floor on which a vertex of this building lies."""
         return self.floors[vertex // FLOOR_IDS]
 
@@ -79,7 +79,7 @@ def build_building(floors: int) -> Building:
 
 
 @cache
-def build_floor(number: int) -> Floor:
+def build_floor(number: int) -> SimFloor:
     """The floor of this number, counting from 0."""
     plan = (_GROUND, _UPPER)[number % 2]
     base = number * FLOOR_IDS
@@ -89,14 +89,14 @@ def build_floor(number: int) -> Floor:
     types |= {plan.elevator[0]: "elevator", plan.docking[0]: "charger"}
     suffix = "" if number < 2 else f" {number}"
     named = dict(sorted([*plan.labels.items(), plan.elevator, plan.docking]))
-    vertices = {base + index: Vertex(base + index, x, y) for index, (x, y) in enumerate(spots)}
+    vertices = {base + index: SimVertex(base + index, x, y) for index, (x, y) in enumerate(spots)}
     aisles = [pair for pair in _neighbours(plan) if pair not in plan.closed]
     cells = draw(plan, [(_spots(plan)[start], _spots(plan)[end]) for start, end in aisles], ELEVATOR_AT)
-    edges = tuple(Edge(base + i, base + start, base + end) for i, (start, end) in enumerate(aisles))
-    return Floor(
+    edges = tuple(SimEdge(base + i, base + start, base + end) for i, (start, end) in enumerate(aisles))
+    return SimFloor(
         f"floor_{number}",
         np.ascontiguousarray(cells[::-1]) if mirrored else cells,
-        RouteGraph(vertices, edges),
+        SimGraph(vertices, edges),
         {base + index: f"{label}{suffix}" for index, label in named.items()},
         {base + index: types.get(index, "way") for index in range(len(spots))},
     )

@@ -4,7 +4,7 @@ import random
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from fleet_tui.simulator.robot import LOW, STEP, Robot, robot_numbers
+from fleet_tui.simulator.robot import LOW, STEP, SimRobot, robot_numbers
 from fleet_tui.simulator.warehouse import build_building
 
 Values = dict[str, Any]
@@ -68,19 +68,19 @@ class World:
                 return {"success": True, "message": "paused" if robot.paused else "running"}
         raise KeyError(service)
 
-    def _order(self, robot: Robot, request_id: int, start: int, end: int, loaded: bool = False) -> Values:
+    def _order(self, robot: SimRobot, request_id: int, start: int, end: int, loaded: bool = False) -> Values:
         for vertex in (start, end):
             if vertex not in self.building.graph.vertices:
                 return _status(request_id, f"REJECTED: no vertex {vertex}")
         robot.take(start, end, request_id, loaded)
         return _status(request_id, "ACCEPTED")
 
-    def _new_robot(self, index: int) -> Robot:
+    def _new_robot(self, index: int) -> SimRobot:
         """Robots start in turn on all floors, spread over the vertices."""
         floor = self.building.floors[index % len(self.building.floors)]
         vertices = tuple(floor.graph.vertices)
         spot = 7 * (index // len(self.building.floors)) + 3 * index
-        return Robot(index, self.building, vertices[spot % len(vertices)], self._rng, self._quiet)
+        return SimRobot(index, self.building, vertices[spot % len(vertices)], self._rng, self._quiet)
 
     def _employ(self) -> None:
         """The warehouse's own orders: one for every robot that has been idle long enough."""
@@ -95,7 +95,7 @@ class World:
             else:
                 robot.take(start, end, self._requests)
 
-    def _trip(self, robot: Robot) -> tuple[int, int]:
+    def _trip(self, robot: SimRobot) -> tuple[int, int]:
         """Two labelled vertices: mostly on the robot's floor, every fifth trip ends on any floor."""
         start, end = self._rng.sample(tuple(robot.floor.labels), 2)
         if self._rng.random() < 0.2:
@@ -116,11 +116,11 @@ def _status(request_id: int, status: str) -> Values:
     return {"request_id": request_id, "status": status}
 
 
-def _drop_all(robot: Robot) -> int:
+def _drop_all(robot: SimRobot) -> int:
     return robot.drop({order.id for order in robot.orders})
 
 
-def _cancel(robot: Robot, ind: int) -> Values:
+def _cancel(robot: SimRobot, ind: int) -> Values:
     """As the real bridge has it: an `ind` of 0 or less means every order."""
     if ind <= 0:
         return {"success": True, "status": f"cancelled {_drop_all(robot)}"}

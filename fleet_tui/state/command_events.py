@@ -6,7 +6,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.commands import (
-    Before,
+    Baseline,
     CancelOrder,
     ClearOrders,
     CommandRecord,
@@ -21,7 +21,7 @@ from fleet_tui.rules.commands.confirmation import before, confirm
 from fleet_tui.rules.commands.follow_up import follow_up
 from fleet_tui.rules.commands.keeping import next_id
 from fleet_tui.state.goal_reports import know_stops
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 
 COMMANDS_KEPT = 200
 
@@ -65,7 +65,7 @@ def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetSt
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None or (event.stage is Stage.WAITING and not isinstance(found.command, PlaceOrder)):
         return state
-    record = found.advanced(Step(_late_or(event.stage, state, found), event.at, brief(event.words)))
+    record = found.advanced(Step(_late_or(event.stage, state, found), event.at, truncate(event.words)))
     if record is found:
         return state
     robot = state.robots.get(record.command.robot)
@@ -86,7 +86,7 @@ def take_answer(state: FleetState, event: navigation_events.GoalAnswered) -> Fle
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None:
         return state
-    answer = Step(event.stage, event.at, brief(event.words))
+    answer = Step(event.stage, event.at, truncate(event.words))
     return _with_record(state, replace(found, answer=answer))
 
 
@@ -110,7 +110,7 @@ def issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
     if any(record.id == event.id for record in state.commands):
         return state
     robot = state.robots.get(event.command.robot)
-    known = Before() if robot is None else before(robot, event.at)
+    known = Baseline() if robot is None else before(robot, event.at)
     record = CommandRecord(
         event.id,
         event.command,
@@ -131,4 +131,4 @@ def issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
 def hold_queue(state: FleetState, event: navigation_events.QueueHeld) -> FleetState:
     """Keep the orders that wait here from leaving."""
     robot = state.robots.get(event.robot)
-    return state if robot is None else with_robot(state, replace(robot, held=brief(event.reason)))
+    return state if robot is None else with_robot(state, replace(robot, held=truncate(event.reason)))

@@ -7,7 +7,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 
 
 def apply_to_floor(state: FleetState, event: events.FloorMapLoaded | events.FloorGraphLoaded) -> FleetState:
@@ -15,9 +15,9 @@ def apply_to_floor(state: FleetState, event: events.FloorMapLoaded | events.Floo
     floor = state.floors[event.floor]
     match event:
         case events.FloorMapLoaded():
-            floor = replace(floor, grid=event.grid, problem=brief(event.problem), tied=event.tied)
+            floor = replace(floor, grid=event.grid, problem=truncate(event.problem), tied=event.tied)
         case events.FloorGraphLoaded():
-            floor = replace(floor, graph_problem=brief(event.problem))
+            floor = replace(floor, graph_problem=truncate(event.problem))
             state = replace(state, robots={name: _given(one, event) for name, one in state.robots.items()})
         case _:
             assert_never(event)

@@ -7,7 +7,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 
 LinkEvent = (
     events.LinkChanged
@@ -31,7 +31,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
         replace(
             link,
             phase=event.phase,
-            reason=brief(event.reason) or (link.reason if event.phase is not Phase.UP else ""),
+            reason=truncate(event.reason) or (link.reason if event.phase is not Phase.UP else ""),
             next_try=event.next_try,
             since=link.since if same_side and link.since else event.at,
             unsourced=link.unsourced if event.phase is Phase.UP else "",
@@ -48,13 +48,14 @@ def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
         case events.LinkHeard():
             return _with_link(state, replace(link, heard=event.at))
         case events.CommandPathChanged():
-            changed = replace(link, command_path=event.path, command_reason=brief(event.reason))
+            changed = replace(link, command_path=event.path, command_reason=truncate(event.reason))
             return _with_link(state, replace(changed, commands_connected=event.connected))
         case events.MessagesUnsourced():
-            return _with_link(state, replace(link, unsourced=brief(event.package)))
+            return _with_link(state, replace(link, unsourced=truncate(event.package)))
         case events.FrameRejected():
             return _with_link(
-                state, replace(link, faults=link.faults + 1, last_fault=brief(event.text), fault_at=state.now)
+                state,
+                replace(link, faults=link.faults + 1, last_fault=truncate(event.text), fault_at=state.now),
             )
         case _:
             assert_never(event)

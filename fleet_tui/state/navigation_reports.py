@@ -9,7 +9,7 @@ from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.state.goal_reports import apply_goals, heard_at
 from fleet_tui.state.reports import apply_report, set_clock
-from fleet_tui.text.limits import LONGEST_NAME, brief
+from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 
 def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot:
@@ -25,7 +25,7 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
             before = robot.blocked
             goes_on = before is not None and before.value.action == event.action
             since = before.value.since if before is not None and goes_on else event.at
-            blocked = Blocked(event.action, brief(event.polygon, LONGEST_NAME), since)
+            blocked = Blocked(event.action, truncate(event.polygon, LONGEST_NAME), since)
             return heard_at(replace(robot, blocked=Reading(blocked, event.at)), event.at)
         case navigation_events.ProgressReported():
             progress = _merged(robot, event.progress)
@@ -33,7 +33,7 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
         case navigation_events.Alive():
             return heard_at(robot, event.at)
         case navigation_events.FloorReported():
-            return replace(robot, own_floor=brief(event.floor, LONGEST_NAME))
+            return replace(robot, own_floor=truncate(event.floor, LONGEST_NAME))
         case navigation_events.Unmeasured():
             names = robot.unmeasured
             told = names if event.value in names else (*names, event.value)
@@ -72,7 +72,7 @@ def _take_localisation(robot: Robot, event: navigation_events.LocalisationReport
     robot was there."""
     if event.variance is not None:
         robot = replace(robot, variance=Reading(event.variance, event.at))
-    frame_id = brief(event.frame_id.lstrip("/"), LONGEST_NAME)
+    frame_id = truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     robot = replace(robot, located=event.pose, frame_id=frame_id)
     if robot.odometry is not None:
         robot = replace(robot, anchor=event.pose.after(robot.odometry.inverse))

@@ -10,9 +10,9 @@ from fleet_tui.model import events
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Order, OrderQueue, vertices_of
 from fleet_tui.model.order_life import trace_movement, trace_queue
-from fleet_tui.model.robot import Chart, Reading, Robot, StampClock, with_fault
-from fleet_tui.rules.movement import JUMPS_WITHIN, gets_on, is_apart, leap
-from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, brief
+from fleet_tui.model.robot import Reading, Robot, RobotMap, StampClock, with_fault
+from fleet_tui.rules.movement import JUMPS_WITHIN, jump, moved, progressed
+from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 # A robot whose clock runs slower than ours by this share must not age into "offline" over days.
 CLOCK_DRIFT = 1e-3
@@ -39,14 +39,14 @@ def _place(robot: Robot, pose: Reading[Pose], frame_id: str) -> Reading[Pose]:
     before = robot.place
     if before is None or frame_id != robot.frame_id:
         return pose
-    return pose if gets_on(before.value, pose.value) else before
+    return pose if progressed(before.value, pose.value) else before
 
 
 def _jumps(robot: Robot, pose: Pose, frame_id: str, at: float) -> tuple[Reading[float], ...]:
     last = robot.pose
     if last is None or frame_id != robot.frame_id:
         return robot.jumps
-    metres = leap(last.value, pose, at - last.at)
+    metres = jump(last.value, pose, at - last.at)
     if metres is None:
         return robot.jumps
     recent = (jump for jump in robot.jumps if at - jump.at < JUMPS_WITHIN)
@@ -69,9 +69,9 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         clock = set_clock(clock, event.at, event.stamp)
         # Of a stamp beyond all measure the sum is rounded by minutes: nothing was true after it came.
         true_at = min(event.at, event.stamp + clock.offset)
-    pose, frame_id = Reading(event.pose, true_at), brief(event.frame_id.lstrip("/"), LONGEST_NAME)
+    pose, frame_id = Reading(event.pose, true_at), truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     standing = robot.standing
-    if standing is None or frame_id != robot.frame_id or is_apart(standing.value, event.pose):
+    if standing is None or frame_id != robot.frame_id or moved(standing.value, event.pose):
         standing = pose
     driving = _drives_on(robot, event.pose)
     stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
@@ -174,7 +174,7 @@ def apply_report(robot: Robot, event: events.Telemetry) -> Robot:
 
 def apply_chart(robot: Robot, event: events.ChartReceived) -> Robot:
     """Apply what a robot tells of a floor to it."""
-    chart = robot.charts.get(event.floor, Chart())
+    chart = robot.charts.get(event.floor, RobotMap())
     match event:
         case events.FrameReceived():
             chart = replace(chart, frame=event.frame)

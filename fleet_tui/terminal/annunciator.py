@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fleet_tui.config.schema import Alarms
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 QUIET = 5.0
 """Seconds between two calls: what is raised meanwhile is one call."""
@@ -17,7 +17,7 @@ LONGEST = 200
 def notification(text: str, inside_tmux: bool) -> str:
     """The bytes that ask a terminal to notify. tmux hands them on, or, unless its
     `allow-passthrough` is on, drops them."""
-    osc = f"\x1b]9;fleet-tui: {visible(text)[:LONGEST]}\x1b\\"
+    osc = f"\x1b]9;fleet-tui: {sanitize(text)[:LONGEST]}\x1b\\"
     return "\x1bPtmux;" + osc.replace("\x1b", "\x1b\x1b") + "\x1b\\" if inside_tmux else osc
 
 

@@ -13,7 +13,7 @@ from rich.segment import Segment
 from rich.style import Style
 
 from fleet_tui.terminal.cell_strip import CellStrip
-from fleet_tui.terminal.looks import PLAIN, RESET, Look, look_of, turn
+from fleet_tui.terminal.looks import PLAIN, RESET, Sgr, look_of, turn
 
 Cells = NDArray[np.uint64]
 
@@ -44,17 +44,17 @@ _CONTROLS = dict.fromkeys(
 REMEMBERED = 4096
 """Looks, and likewise odd characters, after which those that are nowhere in view are forgotten."""
 
-Named = TypeVar("Named", Look, str)
+Named = TypeVar("Named", Sgr, str)
 
 
-class Glass:
+class ScreenBuffer:
     """`put` what is wanted, `take` the bytes that make the terminal show it."""
 
     def __init__(self, colours: ColorSystem | None) -> None:
         self._colours = colours
         self._wanted: NDArray[np.uint64] = np.empty((0, 0), np.uint64)
         self._sent = self._wanted
-        self._looks: dict[Look, int] = {}
+        self._looks: dict[Sgr, int] = {}
         self._clusters: dict[str, int] = {}
         self._styles: Sequence[Style] = ()
         self._inks: NDArray[np.uint64] = np.empty(0, np.uint64)
@@ -115,7 +115,7 @@ class Glass:
         if x < len(row) and row[x] & _CODE == _TAIL:
             row[x - 1 : x + 1] = row[x - 1] & ~_CODE | _BLANK
 
-    def _look(self, look: Look) -> int:
+    def _look(self, look: Sgr) -> int:
         return self._looks.setdefault(look, len(self._looks))
 
     def _cells(self, text: str) -> list[int]:

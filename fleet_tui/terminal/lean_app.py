@@ -25,7 +25,7 @@ from textual.worker import WorkerFailed
 
 if TYPE_CHECKING:
     from fleet_tui.terminal.budget import Budget
-    from fleet_tui.terminal.glass import Glass
+    from fleet_tui.terminal.glass import ScreenBuffer
 
 MADE_FOR = "8.2.8"
 RETRY, RETRY_LONGEST = 0.001, 0.016
@@ -69,7 +69,7 @@ class LeanApp(App[None]):
     lean = True
     """The first picture may go Textual's way: what is needed here takes as long to import as to paint it."""
 
-    _glass: "Glass | None" = None
+    _glass: "ScreenBuffer | None" = None
     _writer: object = None
     _cursor_sent = Offset(-1, -1)
     _retrying = False
@@ -122,11 +122,11 @@ class LeanApp(App[None]):
 
     def _paints_lean(self) -> bool:
         if self._glass is None and self.LEAN and self.lean:
-            from fleet_tui.terminal.glass import Glass
+            from fleet_tui.terminal.glass import ScreenBuffer
 
             self.LEAN = textual_fits()
             colours = None if self.no_color else _COLOURS.get(self.console.color_system or "")
-            self._glass = Glass(colours) if self.LEAN else None
+            self._glass = ScreenBuffer(colours) if self.LEAN else None
             self.screen.refresh()
         return self._glass is not None
 

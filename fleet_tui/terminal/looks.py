@@ -8,7 +8,7 @@ from rich.color_triplet import ColorTriplet
 from rich.style import Style
 
 
-class Look(NamedTuple):
+class Sgr(NamedTuple):
     """SGR parameters; empty means the terminal's own."""
 
     weight: str = ""
@@ -16,7 +16,7 @@ class Look(NamedTuple):
     on: str = ""
 
 
-PLAIN = Look()
+PLAIN = Sgr()
 RESET = "\x1b[m"
 
 _WEIGHTS = {
@@ -33,17 +33,17 @@ _WEIGHTS = {
 
 
 @lru_cache(4096)
-def look_of(style: Style | None, colours: ColorSystem | None) -> Look:
+def look_of(style: Style | None, colours: ColorSystem | None) -> Sgr:
     """A Rich style with as many colours as the terminal has; None: no colour at all."""
     if style is None:
         return PLAIN
     weight = ";".join(code for code, name in _WEIGHTS.items() if getattr(style, name))
     if colours is None:
-        return Look(weight)
+        return Sgr(weight)
     color, on = _code(style.color, colours, True), _code(style.bgcolor, colours, False)
     if colours is ColorSystem.STANDARD and color and on and style.color != style.bgcolor:
         color = _apart(color, on)
-    return Look(weight, color, on)
+    return Sgr(weight, color, on)
 
 
 def _apart(color: str, on: str) -> str:
@@ -104,7 +104,7 @@ def nearest(triplet: ColorTriplet) -> int:
 
 
 @lru_cache(4096)
-def turn(before: Look, after: Look) -> str:
+def turn(before: Sgr, after: Sgr) -> str:
     """The shortest sequence that makes `after` of `before`."""
     if before == after:
         return ""

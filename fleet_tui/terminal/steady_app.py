@@ -5,8 +5,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from fleet_tui.terminal.paint_first import PaintFirst
-from fleet_tui.text.limits import brief
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.limits import truncate
+from fleet_tui.text.sanitize import sanitize
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -65,5 +65,5 @@ class SteadyApp(PaintFirst):
 
     def _note_fault(self, problem: BaseException) -> None:
         # The words of an exception may come from anywhere, and some have none.
-        words = visible(brief(str(problem))) or type(problem).__name__
+        words = sanitize(truncate(str(problem))) or type(problem).__name__
         self.note(f"internal error: {words} (details in the log file)")

@@ -14,12 +14,12 @@ MOST_EDGES = 50_000
 """Edges of one such graph."""
 
 
-def brief(text: str, longest: int = LONGEST_WORDS) -> str:
+def truncate(text: str, longest: int = LONGEST_WORDS) -> str:
     """`text`, or its beginning and how long all of it is."""
     return text if len(text) <= longest else f"{text[:longest]}… ({len(text):,} characters)"
 
 
-def beyond(count: int, most: int, what: str) -> str:
+def too_many(count: int, most: int, what: str) -> str:
     """What to say of a list that is too long, empty if it isn't."""
     return f"{count:,} {what}: only the first {most:,} are taken" if count > most else ""
 

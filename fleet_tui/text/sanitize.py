@@ -21,7 +21,7 @@ def _safe(letter: str) -> str:
     return " " if letter.isspace() else letter
 
 
-def visible(text: str) -> str:
+def sanitize(text: str) -> str:
     """`text` without anything that moves the cursor, hides, or turns the reading direction.
 
     Control characters become their pictures (ESC: ␛), everything else unseen U+FFFD.
@@ -71,7 +71,7 @@ def cells_of(text: str) -> Iterator[tuple[str, int]]:
 
 def fit(text: str, cells: int, right: bool = False) -> str:
     """`text`, made safe, in exactly `cells` cells: cut with `…`, or padded (at the left if `right`)."""
-    text = visible(text)
+    text = sanitize(text)
     width = cell_width(text)
     if width > cells:
         text, width = _cut(text, cells)

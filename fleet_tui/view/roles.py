@@ -3,7 +3,7 @@
 from enum import IntEnum, auto
 
 
-class Ink(IntEnum):
+class StyleRole(IntEnum):
     """What a piece of text on the map or in a pane means; fits in a uint8 plane."""
 
     FLOOR = 0

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from textual import events
 from textual.widgets import Input
 
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 Keys = Mapping[str, Callable[[], object]]
 
@@ -23,7 +23,7 @@ class Field(Input):
 
     def on_paste(self, event: events.Paste) -> None:
         """What is pasted may come from a robot: it is shown as it would be anywhere else."""
-        event.text = "\n".join(map(visible, event.text.splitlines()))
+        event.text = "\n".join(map(sanitize, event.text.splitlines()))
 
     def on_key(self, event: events.Key) -> None:
         """Ours, somebody else's, or text."""

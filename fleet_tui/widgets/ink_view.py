@@ -10,7 +10,7 @@ from textual.strip import Strip
 from textual.widget import Widget
 
 from fleet_tui.terminal.row_strip import RowStrip
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 
 
@@ -20,13 +20,13 @@ class InkView(Widget):
     ALLOW_SELECT: ClassVar[bool] = False
     """Dragging means something else here."""
 
-    def __init__(self, inks: Mapping[Ink, Style] | None = None, *, id: str | None = None) -> None:
+    def __init__(self, inks: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(id=id)
         self._styles = _by_number(inks or {})
         self._rows: Sequence[Sequence[Run]] = []
         self._strips: list[Strip] = []
 
-    def set_inks(self, styles: Mapping[Ink, Style]) -> None:
+    def set_inks(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change the theme: every ink's style, at once."""
         self._styles = _by_number(styles)
         self._strips = [self._strip(y) for y in range(len(self._strips))]
@@ -67,5 +67,5 @@ class InkView(Widget):
         return [self.render_line(y).crop(crop.x, crop.right) for y in range(crop.y, crop.bottom)]
 
 
-def _by_number(styles: Mapping[Ink, Style]) -> list[Style]:
-    return [styles.get(ink, Style.null()) for ink in Ink]
+def _by_number(styles: Mapping[StyleRole, Style]) -> list[Style]:
+    return [styles.get(ink, Style.null()) for ink in StyleRole]

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, cut, width_of
 from fleet_tui.widgets.ink_view import InkView
 
@@ -26,5 +26,5 @@ class LineView(InkView):
             left = cut(left, max(0, width - at_right - 1))
         gap = width - width_of(left) - at_right
         if gap > 0:
-            left = [*left, (" " * gap, Ink.TEXT), *right]
+            left = [*left, (" " * gap, StyleRole.TEXT), *right]
         self.paint_rows([cut(left, width)])

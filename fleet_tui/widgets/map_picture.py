@@ -10,12 +10,12 @@ from textual import events
 from fleet_tui.view.map.camera import ZOOM_STEP, Camera
 from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.layers import Look, Tags
+from fleet_tui.view.map.layers import MapOptions, Tags
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.map.trails import Trails
 from fleet_tui.view.map.viewport import Viewport, pick, pointed
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.cells_view import CellsView
 from fleet_tui.widgets.messages import RobotPicked, VertexPicked
 
@@ -25,16 +25,16 @@ CAPTION_ROWS = 1
 class MapPicture(CellsView, can_focus=True):
     """Shows a Scene below a caption; wheel zooms, drag pans, click picks."""
 
-    def __init__(self, inks: Mapping[Ink, Style] | None = None, *, id: str | None = None) -> None:
+    def __init__(self, inks: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(inks, id=id)
-        self.look = Look()
+        self.look = MapOptions()
         self.viewport = Viewport()
         self.scene: Scene | None = None
         self._trails = Trails()
         self._tags: Tags = {}
-        self._tags_of: tuple[Camera, Look] | None = None
+        self._tags_of: tuple[Camera, MapOptions] | None = None
         self._behind: Cells | None = None
-        self._behind_of: tuple[Scene, Camera, Look] | None = None
+        self._behind_of: tuple[Scene, Camera, MapOptions] | None = None
         self._drag: tuple[int, int] | None = None
         self._dragged = False
 
@@ -139,7 +139,7 @@ class MapPicture(CellsView, can_focus=True):
         self._drag = None
 
 
-def _same(before: tuple[Scene, Camera, Look], now: tuple[Scene, Camera, Look]) -> bool:
+def _same(before: tuple[Scene, Camera, MapOptions], now: tuple[Scene, Camera, MapOptions]) -> bool:
     """Whether the same backdrop serves both; the large parts are compared by identity."""
     old, new = before[0], now[0]
     same_parts = old.grid is new.grid and old.vertices is new.vertices and old.edges is new.edges

@@ -5,14 +5,14 @@ from collections.abc import Hashable
 from textual import events
 from textual.geometry import Size
 
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Button, Row, Run, Table, cut, width_of
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.messages import ButtonPressed, RowChosen, RowPicked
 
 MARK = "▸"
-NO_MARK = (" ", Ink.TEXT)
+NO_MARK = (" ", StyleRole.TEXT)
 
 
 class RowsPane(InkView, can_focus=True):
@@ -56,14 +56,14 @@ class RowsPane(InkView, can_focus=True):
         if width < 1 or height < 1:
             return
         self._scroll(height - 1)
-        mark = MARK, Ink.ACCENT if self.has_focus else Ink.DIM
+        mark = MARK, StyleRole.ACCENT if self.has_focus else StyleRole.DIM
         shown = [
             (mark if row.key == self.cursor else NO_MARK, *_slide(row, self._slid, self.room))
             for row in self._table.rows[self._top : self._top + height - 1]
         ]
         if not shown:
-            shown = [cut([NO_MARK, (self._table.empty, Ink.DIM)], width)]
-        blank = [((" " * width, Ink.TEXT),)] * (height - 1 - len(shown))
+            shown = [cut([NO_MARK, (self._table.empty, StyleRole.DIM)], width)]
+        blank = [((" " * width, StyleRole.TEXT),)] * (height - 1 - len(shown))
         self.paint_rows([self._title(width), *shown, *blank][:height])
 
     def _scroll(self, rows: int) -> None:
@@ -73,14 +73,14 @@ class RowsPane(InkView, can_focus=True):
 
     def _title(self, width: int) -> tuple[Run, ...]:
         title: list[Run] = [
-            (text, Ink.TITLE_FOCUSED if ink is Ink.TITLE and self.has_focus else ink)
+            (text, StyleRole.TITLE_FOCUSED if ink is StyleRole.TITLE and self.has_focus else ink)
             for text, ink in self._table.title
         ]
         hidden = len(self._table.rows) - (self.size.height - 1)
         if hidden > 0 and not self._table.title_buttons:
-            title.append((f" {self._place + 1}/{len(self._table.rows)}", Ink.DIM))
-        runs = [("─ ", Ink.RULE), *title, (" ", Ink.RULE)]
-        return cut([*runs, ("─" * (width - width_of(runs)), Ink.RULE)], width)
+            title.append((f" {self._place + 1}/{len(self._table.rows)}", StyleRole.DIM))
+        runs = [("─ ", StyleRole.RULE), *title, (" ", StyleRole.RULE)]
+        return cut([*runs, ("─" * (width - width_of(runs)), StyleRole.RULE)], width)
 
     def action_move(self, step: int) -> None:
         """The cursor up or down."""

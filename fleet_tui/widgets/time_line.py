@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from textual import events
 
-from fleet_tui.view.lines.time import Moment, time_line
+from fleet_tui.view.lines.time import ReplayPosition, time_line
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.messages import TimePicked
 
@@ -14,7 +14,7 @@ class TimeLine(InkView):
 
     DEFAULT_CSS = "TimeLine { height: 2; width: 1fr; }"
 
-    def show(self, moment: Moment, clock: Callable[[float], str]) -> None:
+    def show(self, moment: ReplayPosition, clock: Callable[[float], str]) -> None:
         """Show where it stands now."""
         if self.size.width > 0:
             self.paint_rows(time_line(moment, clock, self.size.width))

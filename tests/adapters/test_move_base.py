@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.adapters.adapter import Call, Feed, Publication, Site
+from fleet_tui.adapters.adapter import Feed, Publication, ServiceCall, Site
 from fleet_tui.adapters.discovery import Listed
 from fleet_tui.adapters.move_base.adapter import MoveBase
 from fleet_tui.adapters.move_base.discovery import discover
@@ -27,7 +27,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, TargetReported
 from fleet_tui.model.order import OrderState, Stop, at_vertices
-from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.model.robot import Robot, RobotMap
 from tests.fleets import graph
 
 UNIQUE = "0123456789abcdef0123456789abcdef"
@@ -68,7 +68,7 @@ def listed(*goals: tuple[str, int, str]) -> tuple[Goal, ...]:
 
 
 def robot(*goals: Goal, heard: bool = True, named: str = "") -> Robot:
-    chart = Chart(graph=graph(1, 2, 3).graph)
+    chart = RobotMap(graph=graph(1, 2, 3).graph)
     known = {"move_base": goals} if heard else {}
     return Robot("r1", 1, "rosbridge", {"hall": chart}, floor="hall", goals=known, named=named)
 
@@ -208,7 +208,7 @@ class TestSent:
         assert ("/r1/pause", "std_msgs/Bool") in list(adapter(**profile).publications("r1"))
         services = {"pause": "/{robot}/halt", "resume": "/{robot}/go"}
         calls = adapter(services=services).outgoing(PauseRobot("r1"), 1, robot())
-        assert calls == (Call("/r1/halt", "std_srvs/Trigger", {}),)
+        assert calls == (ServiceCall("/r1/halt", "std_srvs/Trigger", {}),)
 
     def test_a_topic_that_is_empty_is_named(self) -> None:
         with pytest.raises(CommandError, match=r"\[profile.topics\] goal is empty"):

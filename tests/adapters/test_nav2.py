@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.adapters.adapter import Call, Feed, Goal, Publication, Site
+from fleet_tui.adapters.adapter import ActionGoal, Feed, Publication, ServiceCall, Site
 from fleet_tui.adapters.nav2.adapter import Nav2
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.operations import Publish, decode
@@ -34,7 +34,7 @@ from fleet_tui.model.navigation_events import (
     Unmeasured,
 )
 from fleet_tui.model.order import OrderState, Stop, at_vertices
-from fleet_tui.model.robot import Chart, Reading, Robot
+from fleet_tui.model.robot import Reading, Robot, RobotMap
 from tests.fleets import graph, recording
 
 ZERO = "AAAAAAAAAAAAAAAAAAAAAA=="
@@ -71,7 +71,7 @@ def _strict(frame: str) -> str:
 
 
 def robot(*goals: KnownGoal, pose: Pose | None = None) -> Robot:
-    chart = Chart(graph=graph(1, 2, 3).graph)
+    chart = RobotMap(graph=graph(1, 2, 3).graph)
     return Robot(
         *("tb2", 1, "rosbridge", {"hall": chart}),
         pose=Reading(pose, 1.0) if pose else None,
@@ -159,7 +159,7 @@ class TestRecorded:
         first = next(one for one in sent if one["op"] == "send_action_goal")
         stop = Stop(pose=Pose(8.0, 3.0))
         (goal,) = adapter().outgoing(PlaceOrder("tb2", (stop,)), 1, robot())
-        assert goal == Goal(first["action"], first["action_type"], first["args"])
+        assert goal == ActionGoal(first["action"], first["action_type"], first["args"])
 
 
 HEADER = {"stamp": {"sec": 1, "nanosec": 2}, "frame_id": "map"}
@@ -266,7 +266,7 @@ class TestOutgoing:
     def test_two_stops_are_waypoints_with_the_heading_of_the_way_there(self) -> None:
         command = PlaceOrder("tb2", at_vertices("1", "3"))
         (goal,) = adapter().outgoing(command, 1, robot(pose=Pose(0.0, -5.0)))
-        assert isinstance(goal, Goal)
+        assert isinstance(goal, ActionGoal)
         assert (goal.address, goal.type) == ("/tb2/follow_waypoints", "nav2_msgs/action/FollowWaypoints")
         poses: Any = goal.args["poses"]
         assert [one["header"] for one in poses] == [{"frame_id": "map"}] * 2
@@ -278,7 +278,7 @@ class TestOutgoing:
         (call,) = adapter().outgoing(
             CancelOrder("tb2", "0a28bf7e"), 1, robot(known("0a28bf7e", "navigate_to_pose"))
         )
-        assert call == Call(
+        assert call == ServiceCall(
             "/tb2/navigate_to_pose/_action/cancel_goal",
             "action_msgs/srv/CancelGoal",
             {"goal_info": {"goal_id": {"uuid": UUID}, "stamp": {"sec": 0, "nanosec": 0}}},
@@ -298,7 +298,7 @@ class TestOutgoing:
             "dock_robot",
         ]
         for call in calls:
-            assert isinstance(call, Call)
+            assert isinstance(call, ServiceCall)
             assert call.args == {"goal_info": {"goal_id": {"uuid": ZERO}, "stamp": {"sec": 0, "nanosec": 0}}}
         assert not it.outgoing(ResumeRobot("tb2"), 1, busy)
 
@@ -306,7 +306,7 @@ class TestOutgoing:
         ours = known("0a28bf7e", "navigate_to_pose", is_ours=True)
         other = known("bbbbbbbb", "dock_robot", "u" * 22 + "==")
         (call,) = adapter().outgoing(ClearOrders("tb2"), 1, robot(ours, other))
-        assert isinstance(call, Call) and UUID in str(call.args)
+        assert isinstance(call, ServiceCall) and UUID in str(call.args)
 
     def test_what_can_not_be_said_is_refused_with_a_reason(self) -> None:
         for command, words in [
@@ -336,7 +336,9 @@ class TestPauses:
     def test_two_services_come_before_hold(self) -> None:
         it = adapter(services={"pause": "/{robot}/hold", "resume": "/{robot}/go"})
         assert not it.kind.holds
-        assert it.outgoing(PauseRobot("tb2"), 1, robot()) == (Call("/tb2/hold", "std_srvs/Trigger", {}),)
+        assert it.outgoing(PauseRobot("tb2"), 1, robot()) == (
+            ServiceCall("/tb2/hold", "std_srvs/Trigger", {}),
+        )
 
     def test_without_any_this_kind_has_no_pause(self) -> None:
         it = adapter(settings={"nav2": {"pause": ""}})

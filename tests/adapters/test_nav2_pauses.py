@@ -1,6 +1,6 @@
 """Pauses of robots with Nav2 whose profile is only half written."""
 
-from fleet_tui.adapters.adapter import Call, Site
+from fleet_tui.adapters.adapter import ServiceCall, Site
 from fleet_tui.adapters.nav2.adapter import Nav2
 from fleet_tui.adapters.nav2.goals import CANCEL_TYPE
 from fleet_tui.adapters.profile import Profile
@@ -21,4 +21,4 @@ def test_a_pause_service_without_one_to_resume_is_not_called() -> None:
     it = Nav2(Profile(kind="nav2", services={"pause": "/{robot}/pause"}), Site())
     assert it.kind.holds
     calls = it.outgoing(PauseRobot("tb2"), 1, ROBOT)
-    assert [call.type for call in calls if isinstance(call, Call)] == [CANCEL_TYPE, CANCEL_TYPE]
+    assert [call.type for call in calls if isinstance(call, ServiceCall)] == [CANCEL_TYPE, CANCEL_TYPE]

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from fleet_tui.adapters.adapter import Call
+from fleet_tui.adapters.adapter import ServiceCall
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.errors import CommandError
@@ -40,9 +40,9 @@ INT32 = st.integers(-(2**31), 2**31 - 1)
 SERVICE = "/r1/Application_layout/"
 
 
-def call(command: Command, request_id: int = 5, profile: Profile | None = None) -> Call:
+def call(command: Command, request_id: int = 5, profile: Profile | None = None) -> ServiceCall:
     (made,) = adapter_of(profile).outgoing(command, request_id, Robot("r1", 1, "", {}))
-    assert isinstance(made, Call)
+    assert isinstance(made, ServiceCall)
     return made
 
 

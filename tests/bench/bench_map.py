@@ -12,11 +12,11 @@ from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneRobot
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from tests.bench.others import others
 from tests.bench.rows import Row, row
 
@@ -105,8 +105,8 @@ def tick_times(grid: OccupancyGrid) -> None:
             for n in range(count)
         )
         scene = Scene("floor_0", grid.frame, grid, robots=robots)
-        behind = backdrop(scene, camera, Look())
-        ms = median_ms(lambda b=behind, s=scene: picture(b, s, camera, Look()), 41)  # type: ignore[misc]  # as above
+        behind = backdrop(scene, camera, MapOptions())
+        ms = median_ms(lambda b=behind, s=scene: picture(b, s, camera, MapOptions()), 41)  # type: ignore[misc]  # as above
         print(f"    robots over the backdrop: {count:3} robots {ms:.2f} ms")
 
 
@@ -128,8 +128,8 @@ def walls_lost(cases: int = 3300) -> tuple[int, int]:
         for drawing in Drawing:
             total += 1
             inks = ground(grid, camera, drawing).inks
-            walls = (inks == Ink.WALL) | (inks == Ink.WALL_BEYOND)
-            inside = (walls | (inks == Ink.FLOOR)).any(axis=1)
+            walls = (inks == StyleRole.WALL) | (inks == StyleRole.WALL_BEYOND)
+            inside = (walls | (inks == StyleRole.FLOOR)).any(axis=1)
             lost += not walls[inside][:, sorted(near)].any(axis=1).all()
     return lost, total
 

@@ -10,7 +10,7 @@ import time
 
 import numpy as np
 
-from fleet_tui.simulator.frames import Payload, Publication
+from fleet_tui.simulator.frames import OutgoingFrame, Payload
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
@@ -35,7 +35,7 @@ def big_map() -> dict[str, object]:
 
 async def serve(robots: int) -> None:
     server = RosbridgeServer(World(robots, 1, seed=1))
-    publication = Publication(TOPIC, Payload(big_map()))
+    publication = OutgoingFrame(TOPIC, Payload(big_map()))
     # Made beforehand: making them must not take from the console what is measured.
     frames = {"cbor": publication.frame("cbor"), "json": publication.frame("none")}
     await server.start()

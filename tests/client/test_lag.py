@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from fleet_tui.adapters.ros.reading import Read, Reading
+from fleet_tui.adapters.ros.reading import FrameReader, Read
 from fleet_tui.model.fleet import behind_text
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.server import RosbridgeServer
@@ -18,13 +18,13 @@ ROBOTS = 10
 async def test_a_console_that_is_behind_says_so_and_blames_no_robot(monkeypatch: pytest.MonkeyPatch) -> None:
     server = RosbridgeServer(World(robots=ROBOTS, floors=1, seed=1, quiet=True))
     await server.start()
-    read, slowness = Reading.read, 0.0
+    read, slowness = FrameReader.read, 0.0
 
-    def slow(self: Reading, payload: bytes, is_binary: bool, at: float) -> Read:
+    def slow(self: FrameReader, payload: bytes, is_binary: bool, at: float) -> Read:
         time.sleep(slowness)
         return read(self, payload, is_binary, at)
 
-    monkeypatch.setattr(Reading, "read", slow)
+    monkeypatch.setattr(FrameReader, "read", slow)
     try:
         async with linked(config_of(server.url, ROBOTS)) as (link, store):
             await store.until(ready)

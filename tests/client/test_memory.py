@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from fleet_tui.client.memory import settle, tidy
+from fleet_tui.client.memory import collect, freeze
 
 
 @pytest.fixture
@@ -25,16 +25,16 @@ class Ring:
 @pytest.mark.usefixtures("thawed")
 def test_what_stays_is_not_looked_through_again() -> None:
     stays = [Ring() for _ in range(1000)]
-    settle()
+    freeze()
     searched = {id(one) for one in gc.get_objects()}
     assert not any(id(ring) in searched for ring in stays)
     is_found = weakref.ref(Ring())
-    tidy()
+    collect()
     assert is_found() is None
 
 
 @pytest.mark.usefixtures("thawed")
 def test_what_is_garbage_by_then_is_found_first() -> None:
     is_found = weakref.ref(Ring())
-    settle()
+    freeze()
     assert is_found() is None

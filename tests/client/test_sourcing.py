@@ -6,8 +6,8 @@ from msgspec.structs import replace
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.client import sourcing
 from fleet_tui.model.events import MessagesUnsourced
-from fleet_tui.model.problem import Rights
-from fleet_tui.model.request import Wish
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
@@ -31,7 +31,7 @@ async def test_a_bridge_without_the_messages_is_told_with_the_remedy(
         state = await store.until(
             lambda state: any(alarm.condition.kind == "messages" for alarm in state.alarms)
         )
-        found = problems(state, Wish((place_order("robot_0", 0, 1),)), Rights())
+        found = problems(state, Request((place_order("robot_0", 0, 1),)), Permissions())
         assert ("queue unheard", False) in [(problem.check, problem.blocks) for problem in found]
 
 

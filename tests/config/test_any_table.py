@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from fleet_tui.config.load import load
 from fleet_tui.errors import ConfigError
 from fleet_tui.themes import BASE, load_themes, read_theme
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 TABLES = ("rosbridge", "links", "floors", "robots", "operator", "keys", "ui", "alarms", "profile", "path")
 ENTRIES = ("name", "url", "map", "size", "link", "refusals", "topics", "fields", "order", "offline_after")
@@ -62,7 +62,7 @@ def test_any_table_is_a_theme_or_refused_in_words(table: dict[str, str]) -> None
         except ConfigError as refused:
             assert refused.problems and all(refused.problems)
         else:
-            assert theme.textual() and set(theme.styles()) == set(Ink)
+            assert theme.textual() and set(theme.styles()) == set(StyleRole)
 
 
 @given(st.binary(max_size=60) | st.text(max_size=60).map(lambda text: text.encode("utf-8", "surrogatepass")))

@@ -10,7 +10,7 @@ from pathlib import Path
 from fleet_tui.audit.entries import Origin
 from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import Audit
-from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.reader import AuditReader
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config
 from fleet_tui.model import commands
@@ -67,7 +67,7 @@ async def linked(config: Config) -> AsyncIterator[tuple[FleetLink, WatchedStore]
 
 def read(path: Path) -> list[AuditRecord]:
     """Every line of an audit log, the oldest first; all are whole."""
-    reading = Reading(path)
+    reading = AuditReader(path)
     lines = list(reading.newest_first())[::-1]
     assert reading.unreadable == 0
     return lines

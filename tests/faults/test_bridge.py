@@ -4,12 +4,12 @@ import time
 
 import pytest
 
-from fleet_tui.adapters.ros.reading import Read, Reading
+from fleet_tui.adapters.ros.reading import FrameReader, Read
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
-from fleet_tui.model.problem import Rights
-from fleet_tui.model.request import Wish
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.faults import play
@@ -85,7 +85,7 @@ async def test_a_bridge_without_the_robots_messages(server: RosbridgeServer) -> 
         noticed = await watch.until(raised("messages"))
         remedy = "rosbridge lacks the messages of OH_ressources: source their workspace, then restart it"
         assert remedy in shown(store.state)
-        asked = problems(store.state, Wish((place_order("robot_0", 19, 0),)), Rights())
+        asked = problems(store.state, Request((place_order("robot_0", 19, 0),)), Permissions())
         assert "queue unheard" in [problem.check for problem in asked]
         server.unsourced.clear()
         await server.restart_bridge()
@@ -99,13 +99,13 @@ async def test_a_bridge_without_the_robots_messages(server: RosbridgeServer) -> 
 async def test_this_console_is_behind(monkeypatch: pytest.MonkeyPatch) -> None:
     server = RosbridgeServer(World(robots=10, floors=1, seed=1, quiet=True))
     await server.start()
-    read, slowness = Reading.read, 0.0
+    read, slowness = FrameReader.read, 0.0
 
-    def slow(self: Reading, payload: bytes, is_binary: bool, at: float) -> Read:
+    def slow(self: FrameReader, payload: bytes, is_binary: bool, at: float) -> Read:
         time.sleep(slowness)
         return read(self, payload, is_binary, at)
 
-    monkeypatch.setattr(Reading, "read", slow)
+    monkeypatch.setattr(FrameReader, "read", slow)
     async with linked(usual(server.url, 10)) as (link, store):
         await store.until(ready)
         slowness = 0.05

@@ -23,7 +23,7 @@ with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"])
     from fleet_tui.model.commands import PauseRobot
     from fleet_tui.recording.indexing import open_recording
     from fleet_tui.recording.records import Keyframe, RecordingError
-    from fleet_tui.text.sanitize import cell_width, fit, visible
+    from fleet_tui.text.sanitize import cell_width, fit, sanitize
     from fleet_tui.themes import load_themes, read_theme
     from tests.adapting import adapter_of
     from tests.journal.recordings import header, keyframe, packed
@@ -94,7 +94,7 @@ def _recording(payload: bytes) -> None:
 
 def _text(payload: bytes) -> None:
     text = payload.decode("utf-8", "surrogateescape")
-    shown = visible(text)
+    shown = sanitize(text)
     assert not any(ord(letter) < 0x20 or 0x7F <= ord(letter) < 0xA0 for letter in shown)
     assert cell_width(fit(text, 20)) == 20
 

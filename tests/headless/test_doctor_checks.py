@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 
 from fleet_tui.adapters.adapter import Feed
 from fleet_tui.config.schema import FloorEntry
-from fleet_tui.discovery.facts import BridgeFacts, Rosapi, TopicFacts
+from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict
 from fleet_tui.discovery.tools import LOOK_FOR_NODE, named
-from fleet_tui.discovery.wire import Heard
-from fleet_tui.doctor.charts import Chart
+from fleet_tui.discovery.wire import TopicListening
+from fleet_tui.doctor.charts import FloorSurvey
 from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.doctor.graphs import connection_finding, label_finding
 from fleet_tui.doctor.render import line, summary
@@ -51,14 +51,14 @@ def test_a_graph_hangs_together_if_there_is_a_path_between_any_two(
 ) -> None:
     routes = graph(pairs, directed)
     together = all(routes.path(str(start), str(end)) for start in range(8) for end in range(8))
-    found = connection_finding(FLOOR, "", Chart(routes), routes, False)
+    found = connection_finding(FLOOR, "", FloorSurvey(routes), routes, False)
     assert (found.verdict is Verdict.OK) == together
 
 
 def test_elevators_join_parts_where_there_are_other_floors() -> None:
     routes = graph([(0, 1), (1, 2), (2, 3), (4, 5), (5, 6), (6, 7)], lifts=(3, 4))
-    assert connection_finding(FLOOR, "", Chart(routes), routes, True).verdict is Verdict.OK
-    alone = connection_finding(FLOOR, "", Chart(routes, {"6": "Store"}), routes, False)
+    assert connection_finding(FLOOR, "", FloorSurvey(routes), routes, True).verdict is Verdict.OK
+    alone = connection_finding(FLOOR, "", FloorSurvey(routes, {"6": "Store"}), routes, False)
     assert alone.verdict is Verdict.FAIL and "4 of 8 vertices can't be reached" in alone.measured
 
 
@@ -76,7 +76,7 @@ def test_a_message_that_is_being_read_is_not_one_that_can_not_be_read() -> None:
         seen.append(heard.facts(at).count)
         return [TimePassed(at, at)]
 
-    heard = Heard(Feed("map", ("robot_0",), "floor_0", "/map", ""), 0.0, read)
+    heard = TopicListening(Feed("map", ("robot_0",), "floor_0", "/map", ""), 0.0, read)
     heard.take({}, 1.0)
     facts = heard.facts(2.0)
     assert seen == [0] and (facts.count, facts.event) == (1, TimePassed(1.0, 1.0))
@@ -96,7 +96,9 @@ def test_a_bridge_that_falls_behind_is_told_from_a_machine_that_does(
 ) -> None:
     wanted = Feed("pose", ("r",), "", "/p", "")
     pose = TopicFacts(wanted, subscribed=True, count=50, rate=490.0, late=late)
-    facts = BridgeFacts("rosbridge", Rosapi(ros=2), (pose,), (0.004,), busy_trips=(calls,), behind=behind)
+    facts = BridgeFacts(
+        "rosbridge", RosapiFacts(ros=2), (pose,), (0.004,), busy_trips=(calls,), behind=behind
+    )
     found = load_finding(facts)
     assert found.verdict is verdict and "490 messages/s" in found.measured
     assert ("about 500 messages/s" in found.remedy) == (verdict is Verdict.WARN)
@@ -115,7 +117,7 @@ def test_a_remedy_names_the_tools_of_the_ros_that_is_there(ros: int, words: str)
 
 
 def test_round_trips_and_clocks() -> None:
-    facts = BridgeFacts("rosbridge", Rosapi(), round_trips=(0.01, 0.02, 0.03), ahead=0.2)
+    facts = BridgeFacts("rosbridge", RosapiFacts(), round_trips=(0.01, 0.02, 0.03), ahead=0.2)
     quick = round_trip_finding(facts)
     assert quick.verdict is Verdict.OK and quick.measured == "20.0 ms and back, jitter 20.0 ms (3 calls)"
     assert round_trip_finding(replace(facts, round_trips=(0.5,))).verdict is Verdict.WARN

@@ -11,7 +11,7 @@ import msgspec
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grid import OccupancyGrid
-from fleet_tui.recording.records import VERSION, Header, Keyframe, Packer, Record, encode, public
+from fleet_tui.recording.records import VERSION, Keyframe, Packer, Record, RecordingHeader, encode, public
 from tests.fleets import T0, WALL, fleet
 from tests.watched import config_of
 
@@ -33,9 +33,11 @@ def plain(value: Any) -> Any:
     return repr(value)
 
 
-def header(config: Config | None = None, recording: str = "r", part: int = 0, at: float = T0) -> Header:
+def header(
+    config: Config | None = None, recording: str = "r", part: int = 0, at: float = T0
+) -> RecordingHeader:
     config = config or config_of("ws://site:9090")
-    return Header(VERSION, "test", recording, part, at, WALL, False, public(config))
+    return RecordingHeader(VERSION, "test", recording, part, at, WALL, False, public(config))
 
 
 def keyframe(at: float = T0, state: FleetState | None = None) -> Keyframe:

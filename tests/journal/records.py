@@ -5,7 +5,7 @@ from pathlib import Path
 from fleet_tui.audit.entries import Origin
 from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import Audit
-from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.reader import AuditReader
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
@@ -33,7 +33,7 @@ def watched(folder: Path, origin: Origin = ANA) -> tuple[Store, Audit]:
 
 def read(folder: Path) -> list[AuditRecord]:
     """The log of a folder, the oldest record first; nothing in it may be unreadable."""
-    reading = Reading(folder / FILE_NAME)
+    reading = AuditReader(folder / FILE_NAME)
     found = list(reading.newest_first())[::-1]
     assert reading.unreadable == 0
     return found

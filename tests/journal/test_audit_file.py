@@ -13,7 +13,7 @@ import pytest
 
 from fleet_tui.audit.file import KEPT, AuditFile, part
 from fleet_tui.audit.log import encode
-from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.reader import AuditReader
 from tests.journal.records import record
 
 # Appends numbered records, and says each number once the record is written.
@@ -37,7 +37,7 @@ def writer(path: Path, name: str, first: int, count: int, size: int, limit: int)
 
 def numbers(path: Path, name: str) -> list[int]:
     """What one writer wrote, in the sequence of the files."""
-    records = list(Reading(path).newest_first())[::-1]
+    records = list(AuditReader(path).newest_first())[::-1]
     return [int(one.change) for one in records if one.operator == name]
 
 
@@ -51,7 +51,7 @@ def test_a_kill_at_any_instant_costs_no_written_record(tmp_path: Path) -> None:
                 said.append(int(running.stdout.readline()))
             running.send_signal(signal.SIGKILL)
             said += [int(line) for line in running.stdout.read().split()]
-    reading = Reading(path)
+    reading = AuditReader(path)
     found = [int(one.change) for one in reading.newest_first()][::-1]
     assert set(said) <= set(found)
     assert found == sorted(set(found))
@@ -69,7 +69,7 @@ def test_two_consoles_never_mix_their_lines(tmp_path: Path) -> None:
             assert running.stdout is not None
             running.stdout.read()
     assert part(path, 2).exists()
-    reading = Reading(path)
+    reading = AuditReader(path)
     assert len(list(reading.newest_first())) == 2 * count and reading.unreadable == 0
     assert numbers(path, "a") == numbers(path, "b") == list(range(count))
 
@@ -79,12 +79,12 @@ def test_a_torn_last_line_never_eats_the_next_record(tmp_path: Path, left: int) 
     path = tmp_path / "audit.jsonl"
     whole = encode(record("before"))
     path.write_bytes(whole + whole[:left])
-    reading = Reading(path)
+    reading = AuditReader(path)
     assert [one.words for one in reading.newest_first()] == ["before"]
     assert reading.unreadable == 1
     AuditFile(path).append(encode(record("after")))
     assert path.read_bytes().startswith(whole + whole[:left] + b"\n")
-    again = Reading(path)
+    again = AuditReader(path)
     found = [one.words for one in again.newest_first()]
     # Where only its newline was missing, the torn line is a whole record after all.
     missing = left < len(whole) - 1
@@ -98,7 +98,7 @@ def test_a_line_torn_by_another_console_is_closed_by_this_one(tmp_path: Path) ->
     with path.open("ab") as other:
         other.write(b'{"version":1,"ti')
     file.append(encode(record("two")))
-    reading = Reading(path)
+    reading = AuditReader(path)
     assert [one.words for one in reading.newest_first()] == ["two", "one"]
     assert reading.unreadable == 1
 
@@ -119,7 +119,7 @@ def test_a_gap_left_by_a_kill_while_rotating_is_filled_first(tmp_path: Path) -> 
     for name in (path, part(path, 1), part(path, 3), part(path, 4)):
         name.write_bytes(encode(record(name.name)))
     AuditFile(path, max_bytes=10).append(encode(record("new")))
-    found = [one.words for one in Reading(path).newest_first()]
+    found = [one.words for one in AuditReader(path).newest_first()]
     assert found == ["new", "audit.jsonl", "audit.jsonl.1", "audit.jsonl.3", "audit.jsonl.4"]
 
 
@@ -130,7 +130,7 @@ def test_a_file_that_another_console_rotates_just_now_is_written_all_the_same(tm
     with path.open("rb") as other:
         fcntl.flock(other, fcntl.LOCK_EX)
         AuditFile(path, max_bytes=10).append(encode(record("new")))
-    assert [one.words for one in Reading(path).newest_first()] == ["new", "old"]
+    assert [one.words for one in AuditReader(path).newest_first()] == ["new", "old"]
     assert not part(path, 1).exists()
 
 
@@ -205,7 +205,7 @@ def test_a_disk_that_is_full_in_the_middle_of_a_line(tmp_path: Path) -> None:
         [sys.executable, "-c", FULL, str(path)], input=line, capture_output=True, check=True
     )
     assert done.stdout.strip() == b"3"
-    reading = Reading(path)
+    reading = AuditReader(path)
     assert len(list(reading.newest_first())) == 2 and reading.unreadable == 1
 
 
@@ -222,5 +222,5 @@ def test_a_file_that_another_console_has_just_rotated_is_not_rotated_again(
 
     monkeypatch.setattr(fcntl, "flock", overtaken)
     AuditFile(path, max_bytes=10).append(encode(record("three")))
-    assert [one.words for one in Reading(path).newest_first()] == ["three", "two", "one"]
+    assert [one.words for one in AuditReader(path).newest_first()] == ["three", "two", "one"]
     assert not part(path, 2).exists()

@@ -22,7 +22,7 @@ from hypothesis import strategies as st
 
 from fleet_tui.audit.export import write_csv
 from fleet_tui.audit.file import FILE_NAME
-from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.reader import AuditReader
 from fleet_tui.audit.search import search_of
 from fleet_tui.cli.audit import write_records
 from fleet_tui.model.audit_record import AuditRecord
@@ -31,7 +31,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.recording import upgrade
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.records import RecordingError, Told, decode
 from fleet_tui.rules.language.grammar import written
 from fleet_tui.view.tables.audit import line_text
@@ -71,7 +71,7 @@ def audit_log(tmp_path: Path) -> Path:
 def test_a_recording_plays_as_it_did() -> None:
     recording = open_recording(RECORDING)
     assert recording.header.version == 1 and not recording.note
-    head = Playhead(recording)
+    head = RecordingCursor(recording)
     while head.take() is not None:
         pass
     assert shown(head.state) == expected(MEANING["end"])
@@ -119,7 +119,7 @@ def test_the_marks_of_a_recording_read_as_they_did() -> None:
 
 
 def test_an_audit_log_reads_searches_and_exports_as_it_did(audit_log: Path) -> None:
-    reading = Reading(audit_log)
+    reading = AuditReader(audit_log)
     records = list(reading.newest_first())
     assert not reading.unreadable and {record.version for record in records} == {1}
     assert [line_text(record) for record in records] == MEANING["audit"]
@@ -139,11 +139,11 @@ def test_the_audit_command_prints_an_old_log(audit_log: Path, monkeypatch: pytes
 
 
 def test_old_and_new_lines_stand_in_one_log(audit_log: Path) -> None:
-    old = next(record for record in Reading(audit_log).newest_first() if record.order)
+    old = next(record for record in AuditReader(audit_log).newest_first() if record.order)
     new = msgspec.structs.replace(old, version=2, order="a1f3", start="dock", end="(1.2, 3.4)")
     with audit_log.open("ab") as file:
         file.write(msgspec.json.encode(new) + b"\n")
-    reading = Reading(audit_log)
+    reading = AuditReader(audit_log)
     assert next(record.order for record in reading.newest_first()) == "a1f3" and not reading.unreadable
 
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from fleet_tui.audit import reader
 from fleet_tui.audit.file import part
 from fleet_tui.audit.log import encode
-from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.reader import AuditReader
 from tests.journal.records import record
 
 WHOLE = encode(record("r"))
@@ -44,7 +44,7 @@ def test_only_whole_lines_that_are_records_come_out(lines: list[bytes], tail: by
         path = Path(folder, "audit.jsonl")
         path.write_bytes(b"".join(line + b"\n" for line in lines) + tail)
         whole = sum(line == WHOLE[:-1] for piece in lines for line in piece.split(b"\n"))
-        reading = Reading(path)
+        reading = AuditReader(path)
         assert len(list(reading.newest_first())) == whole
         others = [line for piece in lines for line in piece.split(b"\n") if line != WHOLE[:-1]]
         assert reading.unreadable == sum(bool(line.strip()) for line in others) + bool(tail)
@@ -53,7 +53,7 @@ def test_only_whole_lines_that_are_records_come_out(lines: list[bytes], tail: by
 def test_half_a_line_is_no_record_even_if_it_looks_like_one(tmp_path: Path) -> None:
     path = tmp_path / "audit.jsonl"
     path.write_bytes(WHOLE + WHOLE[:-1])
-    reading = Reading(path)
+    reading = AuditReader(path)
     assert len(list(reading.newest_first())) == 1 and reading.unreadable == 1
 
 
@@ -63,7 +63,7 @@ def test_the_newest_come_first_through_all_files_and_no_more_is_read_than_is_tak
         lines = (encode(record(f"{number} {n}")) for n in range(5))
         part(path, number).write_bytes(b"".join(lines))
     part(path, 2).write_bytes(b"rubbish\n" * 1000)
-    reading = Reading(path)
+    reading = AuditReader(path)
     found = [one.words for one in islice(reading.newest_first(), 7)]
     assert found == [*(f"0 {n}" for n in (4, 3, 2, 1, 0)), "1 4", "1 3"]
     assert reading.unreadable == 0
@@ -73,22 +73,22 @@ def test_a_file_renamed_while_it_is_opened_is_read_once(tmp_path: Path) -> None:
     path = tmp_path / "audit.jsonl"
     path.write_bytes(WHOLE)
     part(path, 1).hardlink_to(path)
-    assert len(list(Reading(path).newest_first())) == 1
+    assert len(list(AuditReader(path).newest_first())) == 1
 
 
 def test_no_file_is_no_record(tmp_path: Path) -> None:
-    assert list(Reading(tmp_path / "audit.jsonl").newest_first()) == []
+    assert list(AuditReader(tmp_path / "audit.jsonl").newest_first()) == []
 
 
 def test_a_line_that_never_ends_is_not_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reader, "LONGEST", 500)
     path = tmp_path / "audit.jsonl"
     path.write_bytes(WHOLE + b"x" * 100_000 + b"\n" + WHOLE)
-    reading = Reading(path)
+    reading = AuditReader(path)
     assert len(list(reading.newest_first())) == 2 and reading.unreadable == 1
 
 
 def test_fields_of_a_later_version_do_not_hide_a_record(tmp_path: Path) -> None:
     path = tmp_path / "audit.jsonl"
     path.write_bytes(WHOLE.replace(b'"version":1', b'"version":2,"new":{"a":[1]}'))
-    assert [one.version for one in Reading(path).newest_first()] == [2]
+    assert [one.version for one in AuditReader(path).newest_first()] == [2]

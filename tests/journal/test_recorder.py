@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.audit.entries import Origin
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
@@ -23,7 +23,7 @@ from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording import part_files, recorder
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.part_files import Limits
+from fleet_tui.recording.part_files import PartLimits
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.records import Heard, Keyframe, Mark, RecordingError, Sent, Told
 from fleet_tui.recording.taps import Taps
@@ -74,7 +74,9 @@ def played(path: Path, config: Config) -> Iterator[tuple[object, FleetState]]:
     read = open_recording(path)
     adapters = adapters_of(config)
     readings = {
-        link: Reading(link, limit_of(config, link), adapters, feeds_of(config, adapters, link), decode_apart)
+        link: FrameReader(
+            link, limit_of(config, link), adapters, feeds_of(config, adapters, link), decode_apart
+        )
         for link in config.bridges
     }
     state = fleet()
@@ -113,7 +115,7 @@ async def test_a_replay_is_at_every_instant_what_the_run_was(
     link = FleetLink(config, store, taps)
     link.open()
     await store.until(ready)
-    running = taps.attach(Recorder(path, config, store, ORIGIN, Limits(part_seconds=1.5)))
+    running = taps.attach(Recorder(path, config, store, ORIGIN, PartLimits(part_seconds=1.5)))
     await store.until(lambda _: running.records > 5)
     link.show_map("robot_0", "floor_0")
     await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
@@ -194,7 +196,7 @@ def test_a_frame_that_was_read_late_says_when_it_came(recording: Recorder, store
 
 def test_old_parts_go_and_each_begins_with_all_that_is_known(tmp_path: Path, store: Store) -> None:
     path = tmp_path / "ring.jsonl.gz"
-    recording = Recorder(path, CONFIG, store, ORIGIN, Limits(part_bytes=1, kept=3))
+    recording = Recorder(path, CONFIG, store, ORIGIN, PartLimits(part_bytes=1, kept=3))
     for n in range(8):
         ticks(recording, store, 1, T0 + n / 10)
         assert recording.flush()

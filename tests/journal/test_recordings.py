@@ -9,7 +9,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from fleet_tui.config.schema import Recording
+from fleet_tui.config.schema import RecordingConfig
 from fleet_tui.model import events
 from fleet_tui.recording import recordings as module
 from fleet_tui.recording.indexing import open_recording
@@ -49,7 +49,7 @@ def test_the_last_minutes_are_at_hand_while_they_are_written(kept: Recordings, t
 def test_only_the_last_minutes_stay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("fleet_tui.recording.recorder.KEYFRAME_EVERY", 0.0)
     monkeypatch.setattr(module, "RECENT_PART", 1e-6)
-    config = msgspec.structs.replace(CONFIG, recording=Recording(recent_minutes=1e-6 / 60 * 2))
+    config = msgspec.structs.replace(CONFIG, recording=RecordingConfig(recent_minutes=1e-6 / 60 * 2))
     kept = Recordings(config, Store(fleet()), tmp_path)
     kept.keep_recent()
     first = kept.recent()
@@ -64,7 +64,7 @@ def test_only_the_last_minutes_stay(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 
 def test_the_bytes_of_the_last_minutes_are_bounded(tmp_path: Path) -> None:
-    config = msgspec.structs.replace(CONFIG, recording=Recording(recent_mb=1.0))
+    config = msgspec.structs.replace(CONFIG, recording=RecordingConfig(recent_mb=1.0))
     kept = Recordings(config, Store(fleet()), tmp_path)
     kept.keep_recent()
     for n in range(60):
@@ -79,7 +79,7 @@ def test_the_bytes_of_the_last_minutes_are_bounded(tmp_path: Path) -> None:
 
 
 def test_none_are_kept_where_none_are_wanted(tmp_path: Path) -> None:
-    config = msgspec.structs.replace(CONFIG, recording=Recording(recent_minutes=0))
+    config = msgspec.structs.replace(CONFIG, recording=RecordingConfig(recent_minutes=0))
     kept = Recordings(config, Store(fleet()), tmp_path)
     kept.keep_recent()
     assert kept.recent() == [] and not (tmp_path / "recent").exists()

@@ -14,13 +14,13 @@ from fleet_tui.model import events
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import build_grid
 from fleet_tui.recording.records import (
-    Header,
     Heard,
     Keyframe,
     Lost,
     Mark,
     Packer,
     RecordingError,
+    RecordingHeader,
     Sent,
     Told,
     decode,
@@ -36,7 +36,7 @@ NUMBERS = st.floats()
 GRID = build_grid(MapFrame(0.05, 5, 3, Pose(-1.0, 2.0)), np.arange(15, dtype=np.uint8).reshape(3, 5) % 3)
 
 
-def again(record: Header | Keyframe | Heard | Sent | Told | Mark | Lost) -> object:
+def again(record: RecordingHeader | Keyframe | Heard | Sent | Told | Mark | Lost) -> object:
     line = encode(record, Packer())
     assert line.count(b"\n") == 1
     return decode(line)

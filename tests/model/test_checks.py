@@ -15,8 +15,8 @@ from fleet_tui.model.kind import ORDER as PLACES
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import Stop, vertices_of
-from fleet_tui.model.problem import Rights
-from fleet_tui.model.request import Wish, chain
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request, chain
 from fleet_tui.rules.commands.checks import CHECKS, FIRST, problems, repeated
 from tests.fleets import (
     F0,
@@ -48,8 +48,8 @@ def ready(*facts: Event, floors: int = 1) -> FleetState:
 
 def found(state: FleetState, *commands: Command, **floors: str) -> list[tuple[str, bool]]:
     """The names of the problems, and whether each blocks."""
-    wish = Wish(commands, {name[1:]: floor for name, floor in floors.items()})
-    return [(problem.check, problem.blocks) for problem in problems(state, wish, Rights())]
+    wish = Request(commands, {name[1:]: floor for name, floor in floors.items()})
+    return [(problem.check, problem.blocks) for problem in problems(state, wish, Permissions())]
 
 
 def floor(*ids: int, lift: int | None = None, joined: bool = True) -> GraphReceived:
@@ -97,7 +97,7 @@ def test_each_check_by_name(facts: tuple[Event, ...], command: Command, problem:
 
 
 def texts(state: FleetState, *commands: Command) -> str:
-    return "; ".join(problem.text for problem in problems(state, Wish(commands), Rights()))
+    return "; ".join(problem.text for problem in problems(state, Request(commands), Permissions()))
 
 
 def test_problems_name_the_thing_and_the_nearest_right_one() -> None:
@@ -128,7 +128,7 @@ def test_floors_are_joined_by_elevators_that_the_graphs_name() -> None:
     none_named = ready(floor(9, 10), floors=2)
     assert found(none_named, up) == [("floor mismatch", False)]
     (problem,) = problems(
-        of_kinds(none_named, Kind(changes_floors=False, accepts=(PLACES,))), Wish((up,)), Rights()
+        of_kinds(none_named, Kind(changes_floors=False, accepts=(PLACES,))), Request((up,)), Permissions()
     )
     assert problem.blocks
     assert problem.text == f"Base is on {F0}, 10 on {F1}: an order leads to places of one floor"
@@ -166,24 +166,24 @@ def test_of_a_chain_each_order_is_looked_at_but_what_comes_before_it_is_its_own(
 
 
 def test_a_pause_is_never_held_back() -> None:
-    pauses = Wish((PauseRobot(R0), PauseRobot("robot_1")))
+    pauses = Request((PauseRobot(R0), PauseRobot("robot_1")))
     for state in (ready(), ready(link_lost(T0)), fleet()):
-        assert problems(state, pauses, Rights(read_only=True, armed=False)) == []
+        assert problems(state, pauses, Permissions(read_only=True, armed=False)) == []
 
 
 def test_a_console_that_may_not_sends_nothing() -> None:
-    for rights, name in ((Rights(read_only=True), "read-only"), (Rights(armed=False), "not armed")):
-        first = problems(ready(), Wish((ORDER,)), rights)[0]
+    for rights, name in ((Permissions(read_only=True), "read-only"), (Permissions(armed=False), "not armed")):
+        first = problems(ready(), Request((ORDER,)), rights)[0]
         assert (first.check, first.blocks) == (name, True)
 
 
 def test_the_same_orders_again_within_a_second_are_a_slip() -> None:
-    wish, given = Wish(chain(R0, ["1", "2", "1", "2"])), {chain(R0, ["1", "2", "1", "2"]): T0}
+    wish, given = Request(chain(R0, ["1", "2", "1", "2"])), {chain(R0, ["1", "2", "1", "2"]): T0}
     assert [p.text for p in repeated(wish, given, T0 + 0.3)] == ["the same order was given 0.3 s ago"]
     assert repeated(wish, given, T0 + 1.0) == []
-    assert repeated(Wish((ORDER,)), given, T0 + 0.1) == []
+    assert repeated(Request((ORDER,)), given, T0 + 0.1) == []
     for command in (CancelOrder(R0, "1"), PauseRobot(R0), ClearOrders(R0)):
-        assert repeated(Wish((command,)), {(command,): T0}, T0) == []
+        assert repeated(Request((command,)), {(command,): T0}, T0) == []
 
 
 ids = st.integers(-2, 12).map(str) | st.text(max_size=3)
@@ -211,7 +211,7 @@ def test_whatever_is_known_every_wish_is_judged_and_each_problem_once(
     told_of: list[Event], commands: list[Command]
 ) -> None:
     state = ready(*told_of, floors=2)
-    judged = problems(state, Wish(tuple(commands)), Rights())
+    judged = problems(state, Request(tuple(commands)), Permissions())
     assert len(judged) == len(set(judged))
     assert [problem.blocks for problem in judged] == sorted((p.blocks for p in judged), reverse=True)
     assert all(problem.text and problem.check for problem in judged)

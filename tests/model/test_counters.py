@@ -17,7 +17,7 @@ from fleet_tui.model.counters import (
     RoundTrips,
     TopicCounter,
 )
-from fleet_tui.model.ros_logs import Diagnosis, LogLine
+from fleet_tui.model.ros_logs import LogLine, PartDiagnosis
 from tests.fleets import T0
 
 
@@ -121,8 +121,10 @@ def test_log_and_health_are_bounded_and_the_newest_word_counts() -> None:
         link.take_log(LogLine(T0 + n, 2, "/node", str(n)))
     assert len(link.log) == LOG_LINES and link.logged == LOG_LINES + 7
     assert link.log[-1].text == str(LOG_LINES + 6)
-    link.take_health(Diagnosis(T0, f"part {n}", 0, "fine") for n in range(MOST_DIAGNOSES + 9))
-    link.take_health([Diagnosis(T0 + 1, "part 0", 2, "broken"), Diagnosis(T0 + 1, "one too many", 2, "")])
+    link.take_health(PartDiagnosis(T0, f"part {n}", 0, "fine") for n in range(MOST_DIAGNOSES + 9))
+    link.take_health(
+        [PartDiagnosis(T0 + 1, "part 0", 2, "broken"), PartDiagnosis(T0 + 1, "one too many", 2, "")]
+    )
     assert len(link.health) == MOST_DIAGNOSES and "one too many" not in link.health
     assert link.health["part 0"].message == "broken"
 

@@ -20,8 +20,8 @@ from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, 
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import FloorReported, GoalsReported
 from fleet_tui.model.order import OrderState
-from fleet_tui.model.problem import Rights
-from fleet_tui.model.request import Wish
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.keeping import next_to_send, waiting
 from fleet_tui.rules.why.why import reasons
@@ -130,9 +130,9 @@ def test_one_of_several_stops_is_done_without_its_answer_and_says_what_is_not_kn
 
 def test_a_question_names_the_orders_that_wait_here_too() -> None:
     state = ours()
-    asked = question(state, Wish((ClearOrders(R0),)), [])
+    asked = question(state, Request((ClearOrders(R0),)), [])
     assert asked == "Clear all 2 orders of robot_0?\n  3f2a  -> Store\n  k1  -> Base"
-    asked = question(state, Wish((CancelOrder(R0, "k1"),)), [])
+    asked = question(state, Request((CancelOrder(R0, "k1"),)), [])
     assert asked == "Cancel order k1 of robot_0?\n-> Base"
 
 
@@ -141,10 +141,10 @@ def test_a_clear_takes_back_no_order_of_others() -> None:
         R0, T0, "navigate_to_pose", (Goal("77", "77-1", "navigate_to_pose", OrderState.IN_PROCESS),)
     )
     state = after(of_kinds(fleet(), KIND), *KNOWN, link_up(T0), pose(T0), foreign, tick(T0 + 0.1))
-    (problem,) = problems(state, Wish((ClearOrders(R0),)), Rights())
+    (problem,) = problems(state, Request((ClearOrders(R0),)), Permissions())
     assert (problem.text, problem.blocks) == ("robot_0 has no orders of this console", True)
     waits = after(state, *commanded(2, ORDER_2, Stage.WAITING, at=T0 + 0.2))
-    assert question(waits, Wish((ClearOrders(R0),)), []) == "Clear all 1 order of robot_0?\n  k1  -> Base"
+    assert question(waits, Request((ClearOrders(R0),)), []) == "Clear all 1 order of robot_0?\n  k1  -> Base"
 
 
 def test_orders_that_wait_here_are_orders_and_a_resume_says_whether_there_are_any() -> None:

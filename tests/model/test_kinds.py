@@ -12,8 +12,8 @@ from fleet_tui.model import events
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, ResumeRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, Kind
-from fleet_tui.model.problem import Rights
-from fleet_tui.model.request import Wish
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
 from fleet_tui.rules.language.completion import complete
 from fleet_tui.rules.language.lookup import destination_only, may_skip_start
@@ -49,7 +49,7 @@ def heard(*kinds: Kind, at: float = T0 + 1.0) -> FleetState:
 
 
 def found(state: FleetState, *commands: Command) -> list[tuple[str, str, bool]]:
-    problems_ = problems(state, Wish(commands), Rights())
+    problems_ = problems(state, Request(commands), Permissions())
     return [(one.check, one.text, one.blocks) for one in problems_]
 
 
@@ -85,16 +85,16 @@ def test_one_form_of_order_is_not_the_other(accepts: str, command: Command, lack
 
 def test_of_several_robots_those_that_can_do_not_wait_for_the_others() -> None:
     state = heard(FULL, BARE, FULL)
-    every = Wish(tuple(map(PauseRobot, state.robots)))
+    every = Request(tuple(map(PauseRobot, state.robots)))
     able, left_out = acceptable(state, every)
     assert [one.robot for one in able.commands] == [R0, "robot_2"]
     assert [one.text for one in left_out] == ["robot_1: this kind has no pause"]
-    assert problems(state, able, Rights()) == []
+    assert problems(state, able, Permissions()) == []
 
 
 def test_where_none_can_nothing_is_left_out_and_the_checks_say_it() -> None:
     state = heard(BARE, BARE)
-    every = Wish(tuple(map(PauseRobot, state.robots)))
+    every = Request(tuple(map(PauseRobot, state.robots)))
     assert acceptable(state, every) == (every, [])
     assert found(state, *every.commands) == [
         ("not accepted", "robot_0, robot_1: this kind has no pause", True)

@@ -5,7 +5,7 @@ from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import RouteGraph, Vertex
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.language.lookup import places
 from fleet_tui.state.reducer import apply
 
@@ -14,7 +14,7 @@ def test_labels_are_those_of_the_floor_it_is_on_where_ids_are_the_same() -> None
     """The floor's frame has another name than the floor."""
     floors = {name: Floor(name, frame) for name, frame in (("floor_0", "map_0"), ("floor_1", "map_1"))}
     charts = {
-        name: Chart(labels={"1": label}, graph=RouteGraph({"1": Vertex("1", 0.0, 0.0)}))
+        name: RobotMap(labels={"1": label}, graph=RouteGraph({"1": Vertex("1", 0.0, 0.0)}))
         for name, label in (("floor_0", "Base"), ("floor_1", "Attic"))
     }
     state = FleetState(floors, {"r": Robot("r", 1, "l", charts)}, {"l": LinkState("l", "ws://x")})

@@ -29,7 +29,7 @@ from fleet_tui.model.events import (
 from fleet_tui.model.geometry import Pose
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.simulator.robot import Order
+from fleet_tui.simulator.robot import SimOrder
 from tests.fleets import (
     R0,
     T0,
@@ -99,7 +99,7 @@ def behind_another(percent: float = 80.0) -> Planted:
 def waiting_orders() -> Planted:
     """The robot's software lists orders and begins none."""
     planted = Planted("stuck:robot_0").run(1)
-    planted.world.robots[R0].orders += [Order(7, 0, 19), Order(8, 19, 0)]
+    planted.world.robots[R0].orders += [SimOrder(7, 0, 19), SimOrder(8, 19, 0)]
     planted.world.robots[R0].step = lambda: None  # type: ignore[method-assign]  # it does not even try
     return planted
 
@@ -210,7 +210,7 @@ def test_a_refused_resume_is_named_beside_the_pause() -> None:
 def test_two_robots_in_each_others_way_are_said_to_be() -> None:
     planted = behind_another().run(2)
     other = planted.world.robots["robot_1"]
-    other.cargo, other.orders = True, [Order(9, CONSUMIDORES, BASE, status="W")]
+    other.cargo, other.orders = True, [SimOrder(9, CONSUMIDORES, BASE, status="W")]
     found = first(planted.run(2))
     assert found.evidence.startswith("robot_1 is 2.")
     assert found.evidence.endswith("each is in the other's way")

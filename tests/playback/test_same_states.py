@@ -17,7 +17,7 @@ from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import Phase
 from fleet_tui.recording import recorder
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Told
@@ -99,7 +99,7 @@ def often(monkeypatch: pytest.MonkeyPatch) -> None:
 async def test_every_instant_is_as_it_was(tmp_path: Path, server: RosbridgeServer) -> None:
     recording, ticks = await lived(tmp_path, server)
     assert not recording.note
-    head, was = Playhead(recording), list[tuple[float, object]]()
+    head, was = RecordingCursor(recording), list[tuple[float, object]]()
     while (record := head.take()) is not None:
         if isinstance(record, Told) and isinstance(record.event, TimePassed):
             state = plain(ticks[record.event.at])
@@ -121,7 +121,7 @@ async def test_every_instant_is_as_it_was(tmp_path: Path, server: RosbridgeServe
 
 
 async def test_a_record_back_is_as_it_was_before_it(tmp_path: Path) -> None:
-    head = Playhead(shift(tmp_path / "night.jsonl.gz"))
+    head = RecordingCursor(shift(tmp_path / "night.jsonl.gz"))
     seen = [(head.at, plain(head.state))]
     while head.take() is not None:
         seen.append((head.at, plain(head.state)))

@@ -13,7 +13,7 @@ from fleet_tui.model.commands import CancelOrder, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording import recorder
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.records import Told
 from tests.journal.recordings import plain
@@ -65,7 +65,7 @@ async def test_every_instant_is_as_it_was(tmp_path: Path) -> None:
             tap.close()
     recording, was = open_recording(tap.path), list[tuple[float, object]]()
     assert not recording.note
-    head = Playhead(recording)
+    head = RecordingCursor(recording)
     while (record := head.take()) is not None:
         if isinstance(record, Told) and isinstance(record.event, TimePassed):
             state = plain(store.ticks[record.event.at])

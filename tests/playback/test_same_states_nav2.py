@@ -13,7 +13,7 @@ from fleet_tui.model.events import TimePassed
 from fleet_tui.model.link import Phase
 from fleet_tui.recording import recorder
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.records import Told
 from fleet_tui.transports.rosbridge import connection
@@ -75,7 +75,7 @@ async def test_every_instant_is_as_it_was_and_every_keyframe_can_be_gone_to(tmp_
             tap.close()
     recording, was = open_recording(tap.path), list[tuple[float, object]]()
     assert not recording.note
-    head = Playhead(recording)
+    head = RecordingCursor(recording)
     while (record := head.take()) is not None:
         if isinstance(record, Told) and isinstance(record.event, TimePassed):
             state = plain(store.ticks[record.event.at])

@@ -12,10 +12,10 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.records import Heard, Told
-from fleet_tui.simulator.frames import Payload, Publication
+from fleet_tui.simulator.frames import OutgoingFrame, Payload
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.world import World
 from tests.journal.recordings import plain
@@ -28,12 +28,12 @@ SIDE = 3000
 TOPIC = "/robot_0/floor_0/map"
 
 
-def large_map() -> Publication:
+def large_map() -> OutgoingFrame:
     position, turned = {"x": 0.0, "y": 0.0, "z": 0.0}, {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
     origin = {"position": position, "orientation": turned}
     info = {"resolution": 0.05, "width": SIDE, "height": SIDE, "origin": origin}
     cells = np.random.default_rng(1).integers(0, 101, SIDE * SIDE).astype(np.int8)
-    return Publication(TOPIC, Payload({"header": {"frame_id": "floor_0"}, "info": info, "data": cells}))
+    return OutgoingFrame(TOPIC, Payload({"header": {"frame_id": "floor_0"}, "info": info, "data": cells}))
 
 
 def _width(state: FleetState) -> int:
@@ -64,7 +64,7 @@ async def test_two_bridges_and_a_large_map(tmp_path: Path, server: RosbridgeServ
         link.close()
         tap.close()
     recording = open_recording(tap.path)
-    head, ticks, maps = Playhead(recording), 0, 0
+    head, ticks, maps = RecordingCursor(recording), 0, 0
     while (record := head.take()) is not None:
         maps += isinstance(record, Heard) and len(record.payload) > SIDE * SIDE
         if isinstance(record, Told) and isinstance(record.event, TimePassed):

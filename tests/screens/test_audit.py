@@ -13,7 +13,7 @@ from textual.widgets import Input
 
 from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import auditing, encode
-from fleet_tui.audit.reader import Reading
+from fleet_tui.audit.reader import AuditReader
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.console_pilot import Console, console
 from tests.journal.records import record
@@ -148,7 +148,7 @@ async def test_a_full_disk_stands_on_the_screen_and_dispatch_goes_on(
         await it.shows("audit: not written: No space left on device")
         monkeypatch.setattr(AuditFile, "append", append)
         await it.hides("audit: not written")
-    found = [one.change for one in Reading(log).newest_first()][::-1]
+    found = [one.change for one in AuditReader(log).newest_first()][::-1]
     assert found == ["opened", "checked", "sent", "accepted", "confirmed", "closed"]
 
 
@@ -159,7 +159,7 @@ async def test_a_command_is_in_the_log_before_it_is_on_the_wire(
     answer: Callable[..., object] = server.world.answer
 
     def look(*args: object, **more: object) -> object:
-        seen.append([one.change for one in Reading(tmp_path / FILE_NAME).newest_first()])
+        seen.append([one.change for one in AuditReader(tmp_path / FILE_NAME).newest_first()])
         return answer(*args, **more)
 
     monkeypatch.setattr(server.world, "answer", look)

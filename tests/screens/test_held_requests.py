@@ -5,7 +5,7 @@ import msgspec
 from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 from fleet_tui.screens.held import LINK_WITHIN, PAUSE_WITHIN, Held
 from tests.fleets import fleet, place_order
 
@@ -31,7 +31,7 @@ class Given:
 
 def test_a_pause_of_all_does_not_wait_for_the_slowest_link() -> None:
     given, pauses = Given(), (PauseRobot("robot_0"), PauseRobot("robot_1"))
-    assert given.held.hold(starting(), Wish(pauses), 0.0) is None
+    assert given.held.hold(starting(), Request(pauses), 0.0) is None
     given.held.release(starting(UP), 0.3)
     assert given.commands == [pauses[1]]
     given.held.release(starting(UP), PAUSE_WITHIN)
@@ -41,16 +41,16 @@ def test_a_pause_of_all_does_not_wait_for_the_slowest_link() -> None:
 def test_an_order_that_waited_longer_than_a_second_is_not_sent_after_all() -> None:
     """The console may have been busy itself, while the link came up."""
     given, order = Given(), place_order("robot_1", 0, 1)
-    given.held.hold(starting(), Wish((order,)), 0.0)
+    given.held.hold(starting(), Request((order,)), 0.0)
     given.held.release(starting(UP), LINK_WITHIN + 1.0)
     assert not given.commands and given.said == ["not sent: it waited 2.0 s for the link: give it again"]
-    given.held.hold(starting(), Wish((order,)), 0.0)
+    given.held.hold(starting(), Request((order,)), 0.0)
     given.held.release(starting(UP), LINK_WITHIN)
     assert given.commands == [order]
 
 
 def test_a_pause_is_sent_however_long_it_waited() -> None:
     given = Given()
-    given.held.hold(starting(), Wish((PauseRobot("robot_1"),)), 0.0)
+    given.held.hold(starting(), Request((PauseRobot("robot_1"),)), 0.0)
     given.held.release(starting(UP), PAUSE_WITHIN + 9.0)
     assert given.commands == [PauseRobot("robot_1")]

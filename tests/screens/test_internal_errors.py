@@ -103,7 +103,7 @@ async def test_what_is_read_beside_the_screen_may_fail(
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
 ) -> None:
-    monkeypatch.setattr(reader.Reading, "newest_first", broken([None], reader.Reading.newest_first))
+    monkeypatch.setattr(reader.AuditReader, "newest_first", broken([None], reader.AuditReader.newest_first))
     config = config_of(server.url, 2, 2)
     async with console(config) as it:
         with auditing(tmp_path, config, it.store) as it.app.main.audit:

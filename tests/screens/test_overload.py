@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from fleet_tui.adapters.ros.reading import Read, Reading
+from fleet_tui.adapters.ros.reading import FrameReader, Read
 from fleet_tui.client import telemetry
 from fleet_tui.model.commands import Stage
 from fleet_tui.simulator.server import RosbridgeServer
@@ -15,15 +15,15 @@ LARGE = '{"op":"publish","topic":"/robot_1/cargo","msg":{"data":true}%s}' % (" "
 
 
 async def test_what_is_passed_over_is_said(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch) -> None:
-    reads, read = threading.Event(), Reading.read
+    reads, read = threading.Event(), FrameReader.read
     reads.set()
 
-    def held(self: Reading, payload: bytes, is_binary: bool, at: float) -> Read:
+    def held(self: FrameReader, payload: bytes, is_binary: bool, at: float) -> Read:
         if len(payload) > 100_000:
             reads.wait(30)
         return read(self, payload, is_binary, at)
 
-    monkeypatch.setattr(Reading, "read", held)
+    monkeypatch.setattr(FrameReader, "read", held)
     monkeypatch.setattr(telemetry, "MOST_WAITING", 200_000)
     async with console(config_of(server.url, 2), size=(200, 50)) as it:
         reads.clear()

@@ -6,7 +6,7 @@ from textual.app import ComposeResult
 from fleet_tui.model.events import LabelsReceived
 from fleet_tui.screens.simple import Simple
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from tests.console_pilot import Console, console
 from tests.screens.test_commands import sent, vertex
 from tests.watched import config_of
@@ -111,7 +111,7 @@ async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServe
         await it.press("escape")
         await it.shows("From: choose")
         await it.press("s")
-        await it.shows(visible("Base"), "map")
+        await it.shows(sanitize("Base"), "map")
         assert it.app.main.focused is it.app.main.map
 
 

@@ -3,11 +3,11 @@
 import pytest
 
 from fleet_tui.simulator.frames import Frame
-from fleet_tui.simulator.sessions.outbox import UNBUFFERED, Outbox, Subscription, Wish
+from fleet_tui.simulator.sessions.outbox import UNBUFFERED, ClientSubscription, Outbox, SubscribeRequest
 
 
-def subscription(throttle: float = 0.0, queue_length: int = 1) -> Subscription:
-    found = Subscription({"a": Wish(throttle, queue_length)})
+def subscription(throttle: float = 0.0, queue_length: int = 1) -> ClientSubscription:
+    found = ClientSubscription({"a": SubscribeRequest(throttle, queue_length)})
     found.settle()
     return found
 
@@ -86,6 +86,6 @@ def test_topics_are_sent_in_the_order_they_came() -> None:
 
 
 def test_several_wishes_of_one_client_take_the_strictest() -> None:
-    both = Subscription({"a": Wish(0.5, 3), "b": Wish(0.1, 1, "cbor")})
+    both = ClientSubscription({"a": SubscribeRequest(0.5, 3), "b": SubscribeRequest(0.1, 1, "cbor")})
     both.settle()
     assert (both.throttle, both.queue_length, both.compression) == (0.1, 1, "cbor")

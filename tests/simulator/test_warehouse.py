@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from fleet_tui.simulator.floorplan import FREE, HEIGHT, OCCUPIED, ORIGIN, RESOLUTION, UNKNOWN, WIDTH
-from fleet_tui.simulator.graph import Edge
-from fleet_tui.simulator.warehouse import Floor, build_building, build_floor
+from fleet_tui.simulator.graph import SimEdge
+from fleet_tui.simulator.warehouse import SimFloor, build_building, build_floor
 
 CLEARANCE = 0.3  # metres
 
 
-def around(floor: Floor, x: float, y: float) -> set[int]:
+def around(floor: SimFloor, x: float, y: float) -> set[int]:
     """The values of all cells whose middle is nearer than CLEARANCE to a point."""
     column, row = (x - ORIGIN[0]) / RESOLUTION, (y - ORIGIN[1]) / RESOLUTION
     reach = CLEARANCE / RESOLUTION
@@ -23,7 +23,7 @@ def around(floor: Floor, x: float, y: float) -> set[int]:
     return set(np.unique(floor.cells[bottom : bottom + size, left : left + size]).tolist())
 
 
-def points_of(floor: Floor, edge: Edge) -> list[tuple[float, float]]:
+def points_of(floor: SimFloor, edge: SimEdge) -> list[tuple[float, float]]:
     start, end = floor.graph.vertices[edge.start], floor.graph.vertices[edge.end]
     count = math.ceil(math.dist((start.x, start.y), (end.x, end.y)) / RESOLUTION)
     parts = [i / count for i in range(count + 1)]
@@ -31,22 +31,22 @@ def points_of(floor: Floor, edge: Edge) -> list[tuple[float, float]]:
 
 
 @pytest.fixture(params=range(5))
-def floor(request: pytest.FixtureRequest) -> Floor:
+def floor(request: pytest.FixtureRequest) -> SimFloor:
     return build_floor(request.param)
 
 
-def test_every_edge_lies_on_free_cells(floor: Floor) -> None:
+def test_every_edge_lies_on_free_cells(floor: SimFloor) -> None:
     for edge in floor.graph.edges:
         for x, y in points_of(floor, edge):
             assert around(floor, x, y) == {FREE}, (edge, x, y)
 
 
-def test_every_vertex_is_reached_from_the_first(floor: Floor) -> None:
+def test_every_vertex_is_reached_from_the_first(floor: SimFloor) -> None:
     first = min(floor.graph.vertices)
     assert all(floor.graph.path(first, vertex) for vertex in floor.graph.vertices)
 
 
-def test_a_floor_has_walls_free_ground_and_places_nobody_has_seen(floor: Floor) -> None:
+def test_a_floor_has_walls_free_ground_and_places_nobody_has_seen(floor: SimFloor) -> None:
     shares = {value: float(np.mean(floor.cells == value)) for value in (UNKNOWN, FREE, OCCUPIED)}
     assert sum(shares.values()) == pytest.approx(1.0)
     assert shares[FREE] > 0.5
@@ -55,7 +55,7 @@ def test_a_floor_has_walls_free_ground_and_places_nobody_has_seen(floor: Floor) 
     assert set(floor.cells[0].tolist()) == {UNKNOWN}
 
 
-def test_a_floor_has_one_elevator_one_docking_station_and_eight_labels(floor: Floor) -> None:
+def test_a_floor_has_one_elevator_one_docking_station_and_eight_labels(floor: SimFloor) -> None:
     assert len(floor.graph.vertices) == 20
     assert len(floor.labels) == 8
     types = Counter(floor.types.values())

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fleet_tui.simulator.robot import Robot
+from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.world import World
 
 Values = dict[str, Any]
@@ -25,7 +25,7 @@ def carry(world: World, end: int) -> Values:
     return call(world, "Execute_order_with_cargo", request_id=6, agent="robot_0", end_point=end)
 
 
-def statuses(robot: Robot) -> list[tuple[int, str]]:
+def statuses(robot: SimRobot) -> list[tuple[int, str]]:
     return [(order.id, order.status) for order in robot.orders]
 
 
@@ -40,7 +40,7 @@ def test_robots_of_several_worlds_can_be_numbered_on() -> None:
     assert [*World(2, 1, first=5).robots] == ["robot_5", "robot_6"]
 
 
-def off_road(world: World, robot: Robot) -> float:
+def off_road(world: World, robot: SimRobot) -> float:
     """Metres between a robot and the nearest edge of the floor it says it is on."""
     vertices = robot.floor.graph.vertices
     distances = []
@@ -60,24 +60,24 @@ def world() -> World:
 
 
 @pytest.fixture
-def robot(world: World) -> Robot:
+def robot(world: World) -> SimRobot:
     return world.robots["robot_0"]
 
 
-def run_until_idle(world: World, robot: Robot, seconds: float = 400.0) -> None:
+def run_until_idle(world: World, robot: SimRobot, seconds: float = 400.0) -> None:
     end = world.time + seconds
     while robot.orders:
         assert world.time < end, f"{robot.name} still has {robot.orders}"
         world.step(0.5)
 
 
-def test_a_quiet_robot_does_nothing_on_its_own(world: World, robot: Robot) -> None:
+def test_a_quiet_robot_does_nothing_on_its_own(world: World, robot: SimRobot) -> None:
     before = robot.pose
     world.step(600.0)
     assert (robot.pose, robot.orders, robot.obstacle, robot.silence) == (before, [], 0.0, 0.0)
 
 
-def test_orders_are_queued_worked_on_and_gone(world: World, robot: Robot) -> None:
+def test_orders_are_queued_worked_on_and_gone(world: World, robot: SimRobot) -> None:
     assert order(world, 2, 5) == {"request_id": 5, "status": "ACCEPTED"}
     order(world, 5, 0)
     assert (statuses(robot), robot.current_order_id) == ([(1, "Q"), (2, "Q")], -1)
@@ -91,7 +91,7 @@ def test_orders_are_queued_worked_on_and_gone(world: World, robot: Robot) -> Non
     assert (robot.vertex, robot.cargo, robot.last_order_id, robot.current_order_id) == (0, False, 2, -1)
 
 
-def test_the_cargo_is_on_board_between_start_and_end(world: World, robot: Robot) -> None:
+def test_the_cargo_is_on_board_between_start_and_end(world: World, robot: SimRobot) -> None:
     changes: list[tuple[int, bool]] = []
     order(world, 2, 5)
     while robot.orders:
@@ -102,7 +102,7 @@ def test_the_cargo_is_on_board_between_start_and_end(world: World, robot: Robot)
     assert changes == [(2, True), (5, False)]
 
 
-def test_it_drives_at_its_speed_and_turns_in_place(world: World, robot: Robot) -> None:
+def test_it_drives_at_its_speed_and_turns_in_place(world: World, robot: SimRobot) -> None:
     order(world, 4, 15)
     for _ in range(2000):
         before = robot.pose
@@ -115,7 +115,7 @@ def test_it_drives_at_its_speed_and_turns_in_place(world: World, robot: Robot) -
             assert moved < 0.11 - 1e-9
 
 
-def test_another_floor_is_reached_by_the_elevator(world: World, robot: Robot) -> None:
+def test_another_floor_is_reached_by_the_elevator(world: World, robot: SimRobot) -> None:
     order(world, 0, 110)
     stood = longest = 0.0
     while robot.floor.name == "floor_0":
@@ -134,19 +134,19 @@ def test_another_floor_is_reached_by_the_elevator(world: World, robot: Robot) ->
     ("start", "end", "missing"), [(0, 77, 77), (77, 0, 77), (0, 9999, 9999), (-1, 0, -1)]
 )
 def test_an_unknown_vertex_is_refused_in_text(
-    world: World, robot: Robot, start: int, end: int, missing: int
+    world: World, robot: SimRobot, start: int, end: int, missing: int
 ) -> None:
     assert order(world, start, end) == {"request_id": 5, "status": f"REJECTED: no vertex {missing}"}
     assert (robot.orders, robot.last_order_id) == ([], 0)
 
 
-def test_an_order_to_where_it_starts_is_accepted_as_on_the_real_bridge(world: World, robot: Robot) -> None:
+def test_an_order_to_where_it_starts_is_accepted_as_on_the_real_bridge(world: World, robot: SimRobot) -> None:
     assert order(world, 0, 0)["status"] == "ACCEPTED"
     run_until_idle(world, robot)
     assert robot.vertex == 0
 
 
-def test_with_cargo_needs_cargo_and_drives_straight_to_the_end(world: World, robot: Robot) -> None:
+def test_with_cargo_needs_cargo_and_drives_straight_to_the_end(world: World, robot: SimRobot) -> None:
     assert carry(world, 12)["status"] == "REJECTED: no cargo on board"
     order(world, 2, 5)
     while not robot.cargo:
@@ -160,14 +160,14 @@ def test_with_cargo_needs_cargo_and_drives_straight_to_the_end(world: World, rob
 
 
 @pytest.mark.parametrize("ind", [0, -1])
-def test_cancelling_zero_means_all(world: World, robot: Robot, ind: int) -> None:
+def test_cancelling_zero_means_all(world: World, robot: SimRobot, ind: int) -> None:
     for end in (1, 2, 3):
         order(world, 0, end)
     assert call(world, "Cancel_order", robot="robot_0", ind=ind)["success"]
     assert robot.orders == []
 
 
-def test_cancelling_and_clearing(world: World, robot: Robot) -> None:
+def test_cancelling_and_clearing(world: World, robot: SimRobot) -> None:
     for end in (1, 2, 3):
         order(world, 0, end)
     assert call(world, "Cancel_order", robot="robot_0", ind=2)["status"] == "cancelled 2"
@@ -178,7 +178,7 @@ def test_cancelling_and_clearing(world: World, robot: Robot) -> None:
     assert robot.last_order_id == 4
 
 
-def test_a_cancelled_robot_drives_on_to_the_next_vertex_and_stands(world: World, robot: Robot) -> None:
+def test_a_cancelled_robot_drives_on_to_the_next_vertex_and_stands(world: World, robot: SimRobot) -> None:
     order(world, 19, 12)
     while robot.bound is None or robot.pose.x == robot.floor.graph.vertices[robot.vertex].x:
         world.step(0.1)
@@ -189,7 +189,9 @@ def test_a_cancelled_robot_drives_on_to_the_next_vertex_and_stands(world: World,
     assert (vertex.id, vertex.x, vertex.y) == (bound, robot.pose.x, robot.pose.y)
 
 
-def test_an_order_on_the_way_somewhere_else_is_begun_at_the_next_vertex(world: World, robot: Robot) -> None:
+def test_an_order_on_the_way_somewhere_else_is_begun_at_the_next_vertex(
+    world: World, robot: SimRobot
+) -> None:
     order(world, 19, 12)
     for end in (0, 15, 4, 119, 11):
         world.step(4.3)
@@ -200,7 +202,7 @@ def test_an_order_on_the_way_somewhere_else_is_begun_at_the_next_vertex(world: W
             assert off_road(world, robot) < 1e-6
 
 
-def test_pause_stops_it_where_it_is_and_resume_goes_on(world: World, robot: Robot) -> None:
+def test_pause_stops_it_where_it_is_and_resume_goes_on(world: World, robot: SimRobot) -> None:
     order(world, 19, 12)
     world.step(8.0)
     assert call(world, "Pause") == {"success": True, "message": "paused"}

@@ -15,20 +15,20 @@ from rich.segment import Segment
 from rich.style import Style
 
 from fleet_tui.terminal.cell_strip import CellStrip
-from fleet_tui.terminal.glass import ONE_CELL_EACH, REMEMBERED, Glass
-from fleet_tui.terminal.looks import PLAIN, Look, look_of, nearest, sixteen, turn
+from fleet_tui.terminal.glass import ONE_CELL_EACH, REMEMBERED, ScreenBuffer
+from fleet_tui.terminal.looks import PLAIN, Sgr, look_of, nearest, sixteen, turn
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 
-def glass(width: int, height: int = 1, colours: ColorSystem | None = None) -> Glass:
-    made = Glass(colours)
+def glass(width: int, height: int = 1, colours: ColorSystem | None = None) -> ScreenBuffer:
+    made = ScreenBuffer(colours)
     made.fit(width, height)
     return made
 
 
-def put(onto: Glass, x: int, text: str, style: str = "", y: int = 0, end: int | None = None) -> str:
+def put(onto: ScreenBuffer, x: int, text: str, style: str = "", y: int = 0, end: int | None = None) -> str:
     """Want a text, and what goes out for it."""
     onto.put(x, y, x + 99 if end is None else end, [Segment(text, Style.parse(style))])
     return onto.take()
@@ -115,16 +115,16 @@ def test_what_is_taken_for_one_cell_takes_one_cell() -> None:
 
 
 def test_turns_are_as_short_as_can_be() -> None:
-    bold_red, red = Look("1", "31", "40"), Look("", "31", "40")
+    bold_red, red = Sgr("1", "31", "40"), Sgr("", "31", "40")
     assert turn(PLAIN, bold_red) == "\x1b[1;31;40m"
     assert turn(red, bold_red) == "\x1b[1m"
     assert turn(bold_red, red) == "\x1b[0;31;40m"
-    assert turn(red, Look("", "31", "")) == "\x1b[49m"
+    assert turn(red, Sgr("", "31", "")) == "\x1b[49m"
     assert turn(red, red) == ""
 
 
 def test_without_colours_only_weight_is_left() -> None:
-    assert look_of(Style.parse("bold reverse underline #ff0000 on #00ff00"), None) == Look("1;4;7")
+    assert look_of(Style.parse("bold reverse underline #ff0000 on #00ff00"), None) == Sgr("1;4;7")
 
 
 def test_dark_grounds_stay_apart_in_256_colours() -> None:
@@ -164,10 +164,10 @@ def test_with_16_colours_a_hue_stays_that_hue(triple: tuple[int, int, int], numb
 def test_no_ink_vanishes_in_its_ground_however_few_colours_there_are(name: str, colours: ColorSystem) -> None:
     looks = {ink: look_of(style, colours) for ink, style in load_themes()[0][name].styles().items()}
     assert [ink for ink, look in looks.items() if _as_ground(look.color) == look.on] == []
-    assert looks[Ink.ROBOT].on != looks[Ink.FLOOR].on
-    assert looks[Ink.ROBOT_SELECTED] != looks[Ink.ROBOT]
+    assert looks[StyleRole.ROBOT].on != looks[StyleRole.FLOOR].on
+    assert looks[StyleRole.ROBOT_SELECTED] != looks[StyleRole.ROBOT]
     if colours is not ColorSystem.STANDARD and name != "contrast":
-        assert looks[Ink.FLOOR].on != looks[Ink.UNKNOWN].on
+        assert looks[StyleRole.FLOOR].on != looks[StyleRole.UNKNOWN].on
 
 
 def _as_ground(color: str) -> str:
@@ -175,15 +175,15 @@ def _as_ground(color: str) -> str:
     return ";".join([str(int(first) + 10), *rest])
 
 
-STYLES = [Style.parse(f"color({ink.value})") for ink in Ink]
-texts_at = st.tuples(st.integers(-2, 12), st.text("ab→漢●", max_size=5), st.sampled_from(Ink))
+STYLES = [Style.parse(f"color({ink.value})") for ink in StyleRole]
+texts_at = st.tuples(st.integers(-2, 12), st.text("ab→漢●", max_size=5), st.sampled_from(StyleRole))
 
 
 @given(st.lists(texts_at, max_size=6), st.integers(0, 3), st.integers(5, 14))
 def test_a_row_of_cells_is_put_as_its_segments_would_be(
-    texts: list[tuple[int, str, Ink]], x: int, end: int
+    texts: list[tuple[int, str, StyleRole]], x: int, end: int
 ) -> None:
-    cells = Cells.blank(12, 1, Ink.FLOOR)
+    cells = Cells.blank(12, 1, StyleRole.FLOOR)
     for at, text, ink in texts:
         cells.write(at, 0, text, ink)
     strip = CellStrip(cells, 0, STYLES)
@@ -197,8 +197,8 @@ def test_a_row_of_cells_is_put_as_its_segments_would_be(
 
 
 def test_a_row_of_cells_is_a_strip_to_whoever_cuts_it() -> None:
-    cells = Cells.blank(6, 1, Ink.FLOOR)
-    cells.write(1, 0, "漢ab", Ink.TEXT)
+    cells = Cells.blank(6, 1, StyleRole.FLOOR)
+    cells.write(1, 0, "漢ab", StyleRole.TEXT)
     strip = CellStrip(cells, 0, STYLES)
     assert strip.divide([6]) == [strip]
     assert [part.text for part in strip.divide([2, 6])] == ["  ", " ab "]
@@ -207,7 +207,7 @@ def test_a_row_of_cells_is_a_strip_to_whoever_cuts_it() -> None:
 
 
 def test_a_row_of_cells_changes_its_looks_with_the_theme() -> None:
-    cells, pane = Cells.blank(2, 1, Ink.FLOOR), glass(2)
+    cells, pane = Cells.blank(2, 1, StyleRole.FLOOR), glass(2)
     for styles, sent in (([Style()], "\x1b[1;1H  "), ([Style(bold=True)], "\x1b[1;1H\x1b[1m  \x1b[m")):
         pane.put(0, 0, 2, CellStrip(cells, 0, styles))
         assert pane.take() == sent

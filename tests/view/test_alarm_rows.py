@@ -2,7 +2,7 @@
 
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from tests.fleets import LINK, R0, T0, WALL, battery, fleet, link_lost, link_up, text_of, tick, told
 
@@ -30,8 +30,8 @@ def test_a_new_alarm_says_who_what_and_since_when() -> None:
     assert row.key == (R0, "battery")
     assert text_of(row.runs) == f"▲ new  low  robot_0 battery 15 % {state.wall:.0f}"
     assert text_of(alarm_table(state, clock).title) == "Alarms 1 new"
-    assert row.runs[0][1] is Ink.WARN
-    assert alarm_table(low(percent=5.0), clock).rows[0].runs[0][1] is Ink.ALARM
+    assert row.runs[0][1] is StyleRole.WARN
+    assert alarm_table(low(percent=5.0), clock).rows[0].runs[0][1] is StyleRole.ALARM
 
 
 def test_seen_over_and_come_again() -> None:

@@ -13,7 +13,7 @@ from fleet_tui.model.occupancy import build_grid
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.places import pixels
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
@@ -82,7 +82,7 @@ def cameras(draw: st.DrawFn, frame: MapFrame) -> Camera:
 
 
 looks = st.builds(
-    Look,
+    MapOptions,
     drawing=st.sampled_from(Drawing),
     edges=st.booleans(),
     labels=st.booleans(),
@@ -94,7 +94,9 @@ looks = st.builds(
 
 @settings(max_examples=200, deadline=None)
 @given(st.data(), scenes(), looks)
-def test_every_view_is_a_picture_that_fills_its_canvas(data: st.DataObject, scene: Scene, look: Look) -> None:
+def test_every_view_is_a_picture_that_fills_its_canvas(
+    data: st.DataObject, scene: Scene, look: MapOptions
+) -> None:
     camera = data.draw(cameras(scene.frame))
     cells = picture(backdrop(scene, camera, look), scene, camera, look)
     assert cells.codes.shape == cells.inks.shape == (camera.height, camera.width)

@@ -13,7 +13,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.lines.commands import command_text, message_line
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, text_of, tick, told
 
 WIDE = 300
@@ -37,16 +37,16 @@ def test_commands_in_the_operators_words(command: Command, text: str) -> None:
 @pytest.mark.parametrize(
     ("stages", "words", "said", "ink"),
     [
-        ([], "", ": sending", Ink.DIM),
-        ([Stage.SENT], "", ": sent 3 s ago", Ink.DIM),
-        ([Stage.SENT, Stage.ACCEPTED], "paused", ": accepted 3 s ago", Ink.GOOD),
-        ([Stage.SENT, Stage.REFUSED], "REJECTED: no", ": refused (REJECTED: no)", Ink.ALARM),
-        ([Stage.SENT, Stage.NO_ANSWER], "within 5 s", ": no answer (within 5 s)", Ink.ALARM),
-        ([Stage.SENT, Stage.UNKNOWN], "link lost", ": outcome unknown (link lost)", Ink.ALARM),
-        ([Stage.NOT_SENT], "", ": not sent", Ink.ALARM),
+        ([], "", ": sending", StyleRole.DIM),
+        ([Stage.SENT], "", ": sent 3 s ago", StyleRole.DIM),
+        ([Stage.SENT, Stage.ACCEPTED], "paused", ": accepted 3 s ago", StyleRole.GOOD),
+        ([Stage.SENT, Stage.REFUSED], "REJECTED: no", ": refused (REJECTED: no)", StyleRole.ALARM),
+        ([Stage.SENT, Stage.NO_ANSWER], "within 5 s", ": no answer (within 5 s)", StyleRole.ALARM),
+        ([Stage.SENT, Stage.UNKNOWN], "link lost", ": outcome unknown (link lost)", StyleRole.ALARM),
+        ([Stage.NOT_SENT], "", ": not sent", StyleRole.ALARM),
     ],
 )
-def test_where_a_command_stands(stages: list[Stage], words: str, said: str, ink: Ink) -> None:
+def test_where_a_command_stands(stages: list[Stage], words: str, said: str, ink: StyleRole) -> None:
     order = place_order(R0, 1, 2)
     state = told(fleet(), *commanded(1, order, *stages, words=words), tick(T0 + 3))
     runs = message_line(state, "", 0.0, WIDE)

@@ -8,7 +8,7 @@ from hypothesis import given
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
-from fleet_tui.model.ros_logs import Diagnosis, LogLine, Severity
+from fleet_tui.model.ros_logs import LogLine, PartDiagnosis, Severity
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
 from fleet_tui.view.tables.console import OwnFacts, console_table
 from fleet_tui.view.tables.health import health_table
@@ -207,10 +207,10 @@ def test_health_by_name_with_values_where_a_row_is_opened() -> None:
     link = counter()
     link.take_health(
         [
-            Diagnosis(NOW, "robot_1: laser", 1, "something is close", "l1", (("distance", "0.2"),)),
-            Diagnosis(NOW, "robot_0: drive", 0, "ready"),
-            Diagnosis(T0, "robot_0: battery", 2, "empty"),
-            Diagnosis(NOW, "robot_2: odd", 9, "?"),
+            PartDiagnosis(NOW, "robot_1: laser", 1, "something is close", "l1", (("distance", "0.2"),)),
+            PartDiagnosis(NOW, "robot_0: drive", 0, "ready"),
+            PartDiagnosis(T0, "robot_0: battery", 2, "empty"),
+            PartDiagnosis(NOW, "robot_2: odd", 9, "?"),
         ]
     )
     _, links = seen(link)
@@ -250,7 +250,7 @@ def tables(words: str) -> Iterable[Table]:
     link.opened()
     link.lost(words, T0)
     link.take_log(LogLine(T0, 4, words, words))
-    link.take_health([Diagnosis(T0, words, 1, words, words, ((words, words),))])
+    link.take_health([PartDiagnosis(T0, words, 1, words, words, ((words, words),))])
     state, links = seen(link, told(fleet(2), link_lost(T0, words)))
     yield link_table(links, NOW)
     yield topic_table(state, links, words, NOW)

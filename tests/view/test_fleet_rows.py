@@ -5,7 +5,7 @@ import pytest
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import CARGO, fleet_table, mission
 from fleet_tui.view.tables.table import Run
 from tests.fleets import (
@@ -35,7 +35,7 @@ def row(state: FleetState) -> str:
     return text_of(runs(state))
 
 
-def ink_of(state: FleetState, part: str) -> Ink:
+def ink_of(state: FleetState, part: str) -> StyleRole:
     (found,) = {ink for text, ink in runs(state) if part in text}
     return found
 
@@ -69,7 +69,7 @@ def test_offline_with_its_age_after_the_limit() -> None:
     state = heard(at=T0)
     assert "offline" not in row(told(state, tick(T0 + 5.0)))
     silent = told(state, tick(T0 + 7.2))
-    assert "offline 7 s" in row(silent) and ink_of(silent, "offline") is Ink.ALARM
+    assert "offline 7 s" in row(silent) and ink_of(silent, "offline") is StyleRole.ALARM
     assert "idle" not in row(silent)
     assert "offline" not in row(told(silent, battery(T0 + 8), tick(T0 + 8)))
 
@@ -86,7 +86,7 @@ def test_obstacle_above_three_seconds(seconds: float, said: bool) -> None:
 def test_an_obstacle_of_an_offline_robot_was_then() -> None:
     state = told(heard(events.ObstacleReported(R0, T0 + 1, 4.2)), tick(T0 + 30))
     assert "obstacle" not in row(state)
-    assert "contact for 4.2 s, 29 s ago" in row(state) and ink_of(state, "contact") is Ink.DIM
+    assert "contact for 4.2 s, 29 s ago" in row(state) and ink_of(state, "contact") is StyleRole.DIM
 
 
 def test_paused_by_its_own_word_or_by_ours() -> None:
@@ -101,16 +101,18 @@ def test_paused_by_its_own_word_or_by_ours() -> None:
 @pytest.mark.parametrize(
     ("percent", "text", "ink"),
     [
-        (100.0, "100 %", Ink.GOOD),
-        (20.0, " 20 %", Ink.GOOD),
-        (19.9, " 19 %", Ink.ALARM),
-        (0.4, "  0 %", Ink.ALARM),
+        (100.0, "100 %", StyleRole.GOOD),
+        (20.0, " 20 %", StyleRole.GOOD),
+        (19.9, " 19 %", StyleRole.ALARM),
+        (0.4, "  0 %", StyleRole.ALARM),
     ],
 )
-def test_a_battery_below_twenty_is_red_and_reads_below_twenty(percent: float, text: str, ink: Ink) -> None:
+def test_a_battery_below_twenty_is_red_and_reads_below_twenty(
+    percent: float, text: str, ink: StyleRole
+) -> None:
     state = heard(battery(T0 + 1, percent))
     assert text in row(state) and ink_of(state, "%") is ink
-    assert ink_of(told(state, tick(T0 + 60)), "%") is Ink.DIM
+    assert ink_of(told(state, tick(T0 + 60)), "%") is StyleRole.DIM
 
 
 def test_the_alarm_of_a_battery_reads_below_the_limit_too() -> None:
@@ -149,7 +151,7 @@ def test_every_robot_has_its_row_in_the_order_of_the_config() -> None:
     table = fleet_table(state, "robot_3", WIDTH)
     assert [line.key for line in table.rows] == [f"robot_{n}" for n in range(12)]
     assert text_of(table.title) == "Fleet 2 of 12 online"
-    marked = [line.key for line in table.rows if Ink.ACCENT in {ink for _, ink in line.runs}]
+    marked = [line.key for line in table.rows if StyleRole.ACCENT in {ink for _, ink in line.runs}]
     assert marked == ["robot_3"]
     starts = {text_of(line.runs).index("robot_") for line in table.rows}
     assert len(starts) == 1

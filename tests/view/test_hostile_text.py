@@ -16,7 +16,7 @@ from fleet_tui.model.order import Order, OrderQueue, Stop, at_vertices
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.status import status_line
 from fleet_tui.view.map.floor_scene import floor_scene
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.selection import Selection
 from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
@@ -154,7 +154,9 @@ def test_the_map_gets_only_harmless_labels_and_notes(text: str) -> None:
 
 
 RUNS = st.lists(
-    st.tuples(st.text(st.characters(categories=["L", "N", "Mn", "So"]), max_size=9), st.sampled_from(Ink))
+    st.tuples(
+        st.text(st.characters(categories=["L", "N", "Mn", "So"]), max_size=9), st.sampled_from(StyleRole)
+    )
 )
 
 
@@ -170,4 +172,4 @@ def test_cut_takes_exactly_its_cells_and_keeps_the_beginning(runs: list[Run], ce
 def test_a_column_holds_its_texts_within_its_limits(texts: list[str], least: int, most: int) -> None:
     width = column(texts, least, most)
     assert least <= width <= most
-    assert width == most or all(width_of([(text, Ink.TEXT)]) <= width for text in texts)
+    assert width == most or all(width_of([(text, StyleRole.TEXT)]) <= width for text in texts)

@@ -10,10 +10,10 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.labels import LONGEST, Room
-from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 WIDTH, HEIGHT = 24, 9
 places = st.tuples(st.integers(0, WIDTH - 1), st.integers(0, HEIGHT - 1))
@@ -91,9 +91,9 @@ def test_the_start_of_a_row_is_not_beside_the_end_of_another() -> None:
 def test_a_tag_covers_a_label_only_where_nothing_else_is_free(
     texts: set[tuple[int, int]], at: tuple[int, int]
 ) -> None:
-    below = np.full((HEIGHT, WIDTH), Ink.FLOOR, np.uint8)
+    below = np.full((HEIGHT, WIDTH), StyleRole.FLOOR, np.uint8)
     for x, y in texts:
-        below[y, x] = Ink.LABEL
+        below[y, x] = StyleRole.LABEL
     room, before = Room(WIDTH, HEIGHT, below), Room(WIDTH, HEIGHT, below)
     for one in (room, before):
         one.take(*at, 1)
@@ -105,14 +105,14 @@ def test_a_tag_covers_a_label_only_where_nothing_else_is_free(
 
 
 def test_a_label_at_the_rim_ends_above_its_vertex_not_beside_the_neighbours() -> None:
-    room, ground = Room(WIDTH, HEIGHT), np.full((HEIGHT, WIDTH), Ink.FLOOR, np.uint8)
+    room, ground = Room(WIDTH, HEIGHT), np.full((HEIGHT, WIDTH), StyleRole.FLOOR, np.uint8)
     for x in (WIDTH - 6, WIDTH - 2):
         room.take(x, 4, 1)
     assert room.label_spot(WIDTH - 2, 4, "Consumidores", ground) == (WIDTH - 13, 3)
 
 
 def test_where_all_is_labels_a_number_covers_one() -> None:
-    assert Room(WIDTH, HEIGHT, np.full((HEIGHT, WIDTH), Ink.LABEL, np.uint8)).tag_spot(9, 4, 1, 2)
+    assert Room(WIDTH, HEIGHT, np.full((HEIGHT, WIDTH), StyleRole.LABEL, np.uint8)).tag_spot(9, 4, 1, 2)
 
 
 FRAME = MapFrame(0.05, 400, 200)
@@ -124,8 +124,8 @@ near_middle = st.tuples(st.floats(9.7, 10.3), st.floats(4.8, 5.2), ROLES)
 
 def names(scene: Scene, camera: Camera) -> set[int]:
     """The ids of the vertices whose labels stand; a label is its vertex' id."""
-    cells = backdrop(scene, camera, Look(pointed="1"))
-    texts = np.where(np.isin(cells.inks, (Ink.LABEL, Ink.TARGET)), cells.codes, ord(" "))
+    cells = backdrop(scene, camera, MapOptions(pointed="1"))
+    texts = np.where(np.isin(cells.inks, (StyleRole.LABEL, StyleRole.TARGET)), cells.codes, ord(" "))
     return {int(word) - 10**9 for row in texts for word in "".join(map(chr, row)).split() if word.isdigit()}
 
 
@@ -173,16 +173,16 @@ def test_a_robot_at_a_station_leaves_the_stations_name_readable() -> None:
     scene = replace(EMPTY, vertices=(station,), robots=robots)
     for zoom in (0.5, 1.0, 2.0, 4.0):
         camera = CAMERA.zoomed(zoom, (200, 100))
-        text = picture(backdrop(scene, camera, Look()), scene, camera, Look()).text()
+        text = picture(backdrop(scene, camera, MapOptions()), scene, camera, MapOptions()).text()
         assert "Dock" in text
         assert "1" in text
         alone = replace(scene, robots=robots[:1])
-        assert "1→ Dock" in picture(backdrop(alone, camera, Look()), alone, camera, Look()).text()
+        assert "1→ Dock" in picture(backdrop(alone, camera, MapOptions()), alone, camera, MapOptions()).text()
 
 
 def test_a_number_rather_touches_a_label_than_that_it_goes_far_from_its_robot() -> None:
-    below = np.full((HEIGHT, WIDTH), Ink.FLOOR, np.uint8)
-    below[4, :9] = below[4, 11:] = Ink.LABEL
+    below = np.full((HEIGHT, WIDTH), StyleRole.FLOOR, np.uint8)
+    below[4, :9] = below[4, 11:] = StyleRole.LABEL
     assert Room(WIDTH, HEIGHT, below).tag_spot(9, 4, 1, 1) == (10, 4)
 
 
@@ -225,7 +225,7 @@ def test_a_number_stays_beside_its_robot_while_there_is_room_though_a_better_pla
     camera, tags = CAMERA.zoomed(1.0, (200, 100)), dict[int, tuple[int, int]]()
 
     def drawn(scene: Scene, remembered: dict[int, tuple[int, int]]) -> str:
-        return picture(backdrop(scene, camera, Look()), scene, camera, Look(), remembered).text()
+        return picture(backdrop(scene, camera, MapOptions()), scene, camera, MapOptions(), remembered).text()
 
     drawn(crowded, tags)
     stood = tags[2]

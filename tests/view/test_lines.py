@@ -12,14 +12,14 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 FRAME = MapFrame(0.05, 400, 200)
 CAMERA = Camera.fit((400, 200), 80, 22)
-WALLS = (Ink.WALL, Ink.WALL_BEYOND)
+WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND)
 
 
 def hall() -> Scene:
@@ -33,8 +33,8 @@ SCENE = hall()
 ACROSS: tuple[Line, ...] = ((2.0, 5.0, 18.0, 5.0),)
 
 
-def drawn(scene: Scene, look: Look | None = None, camera: Camera = CAMERA) -> Cells:
-    look = look or Look()
+def drawn(scene: Scene, look: MapOptions | None = None, camera: Camera = CAMERA) -> Cells:
+    look = look or MapOptions()
     return picture(backdrop(scene, camera, look), scene, camera, look)
 
 
@@ -47,13 +47,13 @@ def dots(cells: Cells, y: int) -> int:
 def test_current_next_and_edge_are_three_kinds_of_line_without_colour_too() -> None:
     y = CAMERA.to_cell(*FRAME.to_pixel(5.0, 5.0))[1]
     empty = dots(drawn(SCENE), y)
-    edge = dots(drawn(replace(SCENE, edges=ACROSS), Look(edges=True)), y) - empty
+    edge = dots(drawn(replace(SCENE, edges=ACROSS), MapOptions(edges=True)), y) - empty
     following = dots(drawn(replace(SCENE, mission=Mission((), ACROSS))), y) - empty
     current = dots(drawn(replace(SCENE, mission=Mission(ACROSS))), y) - empty
     assert following < 0.7 * edge
     assert current > 1.5 * edge
     rows = [
-        drawn(scene, Look(Drawing.ASCII, edges=True)).text().split("\n")[y]
+        drawn(scene, MapOptions(Drawing.ASCII, edges=True)).text().split("\n")[y]
         for scene in (
             replace(SCENE, edges=ACROSS),
             replace(SCENE, mission=Mission(ACROSS)),
@@ -74,7 +74,7 @@ lines = st.tuples(st.floats(-5, 25), st.floats(-5, 15), st.floats(-5, 25), st.fl
 def test_no_mission_takes_a_wall_away(
     current: list[Line], following: list[Line], zoom: float, drawing: Drawing
 ) -> None:
-    camera, look = CAMERA.zoomed(zoom), Look(drawing)
+    camera, look = CAMERA.zoomed(zoom), MapOptions(drawing)
     robot = SceneRobot("r", 1, Pose(-9.0, -9.0), selected=True)
     mission = Mission(tuple(current), tuple(following), (8.0, 8.0, 5.0, 5.0))
     before = drawn(SCENE, look, camera)
@@ -92,7 +92,9 @@ def test_the_current_way_is_one_line_through_walls_and_over_the_next_ways(
     current: Line, following: Line, zoom: float, drawing: Drawing
 ) -> None:
     camera = CAMERA.zoomed(zoom)
-    cells = drawn(replace(SCENE, mission=Mission((current,), (following, current))), Look(drawing), camera)
+    cells = drawn(
+        replace(SCENE, mission=Mission((current,), (following, current))), MapOptions(drawing), camera
+    )
     x, y, to_x, to_y = current
     for share in np.linspace(0.0, 1.0, 400):
         column, row = FRAME.to_pixel(x + (to_x - x) * share, y + (to_y - y) * share)
@@ -100,8 +102,8 @@ def test_the_current_way_is_one_line_through_walls_and_over_the_next_ways(
         around = {camera.to_cell(column + dx, row + dy) for dx in (-half, half) for dy in (-half, half)}
         # A point half a dot inside its cell: one at the rim may have its dot in the cell beside it.
         if len(around) == 1 and camera.shows(*(at := around.pop())):
-            assert cells.inks[at[1], at[0]] == Ink.MISSION
-    line = cells.inks == Ink.MISSION
+            assert cells.inks[at[1], at[0]] == StyleRole.MISSION
+    line = cells.inks == StyleRole.MISSION
     marks = {chr(code) for code in cells.codes[line]}
     if drawing is Drawing.ASCII:
         assert marks <= {"*", "#"}
@@ -113,8 +115,8 @@ def test_a_way_through_a_wall_goes_on_in_it() -> None:
     y = CAMERA.to_cell(*FRAME.to_pixel(5.0, 5.0))[1]
     left, right = (CAMERA.to_cell(*FRAME.to_pixel(x, 5.0))[0] for x in (2.0, 18.0))
     for drawing in Drawing:
-        inks = drawn(replace(SCENE, mission=Mission(ACROSS)), Look(drawing)).inks[y, left : right + 1]
-        assert set(inks.tolist()) == {Ink.MISSION}, drawing
+        inks = drawn(replace(SCENE, mission=Mission(ACROSS)), MapOptions(drawing)).inks[y, left : right + 1]
+        assert set(inks.tolist()) == {StyleRole.MISSION}, drawing
 
 
 def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
@@ -123,33 +125,33 @@ def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
     scene = replace(
         SCENE, vertices=vertices, robots=(robot,), mission=Mission((), (), ACROSS[0]), edges=ACROSS
     )
-    cells = drawn(scene, Look(edges=True))
+    cells = drawn(scene, MapOptions(edges=True))
     for part in ("Base", "Store", "→1", "o"):
         assert part in cells.text()
     x, y = CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))
-    assert Ink.MISSION not in cells.inks[y, :x]
-    assert Ink.MISSION in cells.inks[y, x:]
+    assert StyleRole.MISSION not in cells.inks[y, :x]
+    assert StyleRole.MISSION in cells.inks[y, x:]
 
 
 def test_a_plain_vertex_on_the_current_way_is_part_of_the_line() -> None:
     scene = replace(SCENE, vertices=(SceneVertex("1", 6.0, 5.0),))
     x, y = CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))
     for drawing, alone, on_way in ((Drawing.BRAILLE, "·", "•"), (Drawing.ASCII, "'", "*")):
-        cells = drawn(scene, Look(drawing))
-        assert (chr(cells.codes[y, x]), cells.inks[y, x]) == (alone, Ink.VERTEX)
-        cells = drawn(replace(scene, mission=Mission(ACROSS)), Look(drawing))
-        assert (chr(cells.codes[y, x]), cells.inks[y, x]) == (on_way, Ink.MISSION)
+        cells = drawn(scene, MapOptions(drawing))
+        assert (chr(cells.codes[y, x]), cells.inks[y, x]) == (alone, StyleRole.VERTEX)
+        cells = drawn(replace(scene, mission=Mission(ACROSS)), MapOptions(drawing))
+        assert (chr(cells.codes[y, x]), cells.inks[y, x]) == (on_way, StyleRole.MISSION)
 
 
 def test_the_way_to_the_entry_moves_with_the_robot_over_the_same_backdrop() -> None:
     scene = replace(SCENE, mission=Mission(ACROSS, (), (2.0, 9.5, 2.0, 5.0)))
-    behind = backdrop(scene, CAMERA, Look())
+    behind = backdrop(scene, CAMERA, MapOptions())
     x, y = CAMERA.to_cell(*FRAME.to_pixel(2.0, 7.0))
     for top, there in ((9.0, True), (6.0, False)):
         robot = SceneRobot("r", 1, Pose(2.0, top), selected=True)
-        cells = picture(behind, replace(scene, robots=(robot,)), CAMERA, Look())
-        assert (cells.inks[y, x] == Ink.MISSION) == there
-    assert behind.inks[y, x] != Ink.MISSION
+        cells = picture(behind, replace(scene, robots=(robot,)), CAMERA, MapOptions())
+        assert (cells.inks[y, x] == StyleRole.MISSION) == there
+    assert behind.inks[y, x] != StyleRole.MISSION
 
 
 @pytest.mark.parametrize(
@@ -165,16 +167,16 @@ def test_a_one_way_edge_has_an_arrow_in_its_middle(line: Line, arrow: str, plain
     scene = replace(SCENE, edges=(line,), one_way=(line,))
     x, y = CAMERA.to_cell(*FRAME.to_pixel((line[0] + line[2]) / 2, (line[1] + line[3]) / 2))
     for drawing, mark in ((Drawing.BRAILLE, arrow), (Drawing.HALF_BLOCK, arrow), (Drawing.ASCII, plain)):
-        row = drawn(scene, Look(drawing, edges=True)).text().split("\n")[y]
+        row = drawn(scene, MapOptions(drawing, edges=True)).text().split("\n")[y]
         assert mark in row[x - 1 : x + 2]
     assert arrow not in drawn(scene).text()
-    assert arrow not in drawn(replace(scene, one_way=()), Look(edges=True)).text()
+    assert arrow not in drawn(replace(scene, one_way=()), MapOptions(edges=True)).text()
 
 
 def test_an_edge_seen_in_part_has_its_arrow_where_it_is_seen_and_a_short_one_none() -> None:
     long, short = (-500.0, 9.0, 50.0, 9.0), (5.0, 2.0, 5.2, 2.0)
     scene = replace(SCENE, edges=(long, short), one_way=(long, short))
-    assert drawn(scene, Look(edges=True)).text().count("▸") == 1
+    assert drawn(scene, MapOptions(edges=True)).text().count("▸") == 1
 
 
 def trail(*points: tuple[float, float, float]) -> np.ndarray:
@@ -187,8 +189,8 @@ def test_trails_pale_and_thin_out_with_age_and_hide_nothing() -> None:
     walls = trail(*((n / 10, 0.02, 1.0) for n in range(200)))
     before, after = drawn(SCENE), drawn(replace(SCENE, trail=np.concatenate((young, old, walls))))
     young_row, old_row = (CAMERA.to_cell(*FRAME.to_pixel(2.0, y))[1] for y in (3.0, 7.0))
-    assert Ink.TRAIL in after.inks[young_row]
-    assert Ink.TRAIL_OLD in after.inks[old_row]
+    assert StyleRole.TRAIL in after.inks[young_row]
+    assert StyleRole.TRAIL_OLD in after.inks[old_row]
     assert dots(after, old_row) < dots(after, young_row)
     hidden = np.isin(before.inks, WALLS)
     assert np.array_equal(before.codes[hidden], after.codes[hidden])
@@ -211,7 +213,7 @@ def test_a_robot_beside_its_edge_is_led_back_to_it() -> None:
     scene = replace(SCENE, mission=Mission((), (), (2.0, 2.0, 8.0, 2.0)))
     cells = drawn(replace(scene, robots=(SceneRobot("r", 1, Pose(8.0, 8.0), selected=True),)))
     x, y = CAMERA.to_cell(*FRAME.to_pixel(8.0, 5.0))
-    assert cells.inks[y, x] == Ink.MISSION
+    assert cells.inks[y, x] == StyleRole.MISSION
 
 
 @pytest.mark.parametrize("far", [1e300, -1e300, float("inf"), float("nan")])

@@ -21,10 +21,10 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 GOLDEN = Path(__file__).parent / "golden"
 WIDTH, HEIGHT = 64, 20
@@ -62,8 +62,8 @@ SCENE = Scene("floor_0", HALL.frame, HALL, VERTICES, EDGES, ROBOTS, ("1", "2"))
 FIT = Camera.fit((240, 152), WIDTH, HEIGHT)
 
 
-def drawn(scene: Scene = SCENE, camera: Camera = FIT, look: Look | None = None) -> Cells:
-    look = look or Look()
+def drawn(scene: Scene = SCENE, camera: Camera = FIT, look: MapOptions | None = None) -> Cells:
+    look = look or MapOptions()
     return picture(backdrop(scene, camera, look), scene, camera, look)
 
 
@@ -78,7 +78,7 @@ def is_golden(text: str, name: str) -> None:
 @pytest.mark.parametrize("zoomed", [False, True])
 def test_golden(drawing: Drawing, zoomed: bool) -> None:
     camera = FIT.zoomed(2, SCENE.frame.to_pixel(6.0, 2.3)) if zoomed else FIT
-    cells = drawn(camera=camera, look=Look(drawing, edges=zoomed))
+    cells = drawn(camera=camera, look=MapOptions(drawing, edges=zoomed))
     is_golden(cells.text(), f"{drawing.value}{'_zoomed_edges' if zoomed else ''}")
 
 
@@ -92,18 +92,23 @@ def test_golden_mission_and_trails(drawing: Drawing) -> None:
     following = ((9.5, 5.2, 9.5, 2.2), (9.5, 2.2, 5.2, 2.2))
     way = Mission(current, following, (1.5, 6.2, 3.0, 2.2))
     scene = replace(SCENE, mission=way, trail=np.concatenate((fresh, old)))
-    cells = drawn(scene, look=Look(drawing, trails=True))
+    cells = drawn(scene, look=MapOptions(drawing, trails=True))
     is_golden(f"{cells.text()}\n\n{_ways(cells)}", f"{drawing.value}_mission_trails")
 
 
 def _ways(cells: Cells) -> str:
     """Which cells have the inks of ways and trails: a wall under a way has the way's."""
-    marks = {Ink.MISSION: "*", Ink.MISSION_NEXT: ":", Ink.TRAIL: ",", Ink.TRAIL_OLD: "'"}
-    return "\n".join("".join(marks.get(Ink(ink), "-") for ink in row) for row in cells.inks.tolist())
+    marks = {
+        StyleRole.MISSION: "*",
+        StyleRole.MISSION_NEXT: ":",
+        StyleRole.TRAIL: ",",
+        StyleRole.TRAIL_OLD: "'",
+    }
+    return "\n".join("".join(marks.get(StyleRole(ink), "-") for ink in row) for row in cells.inks.tolist())
 
 
 def test_ascii_is_ascii_whatever_the_labels_say() -> None:
-    assert drawn(look=Look(Drawing.ASCII, edges=True)).text().isascii()
+    assert drawn(look=MapOptions(Drawing.ASCII, edges=True)).text().isascii()
 
 
 @pytest.mark.parametrize("eighth", range(8))
@@ -132,7 +137,7 @@ def test_the_selected_robot_lies_on_top() -> None:
     robots = tuple(SceneRobot(f"r{n}", n, structs.replace(pose, yaw=n), selected=n == 2) for n in (1, 2, 3))
     cells = drawn(replace(SCENE, robots=robots))
     x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 2.3))
-    assert cells.inks[y, x] == Ink.ROBOT_SELECTED
+    assert cells.inks[y, x] == StyleRole.ROBOT_SELECTED
     rows = cells.text().split("\n")
     assert all(str(n) in "".join(rows[y - 2 : y + 3]) for n in (1, 2, 3))
 
@@ -150,20 +155,20 @@ def test_robots_that_are_nowhere_are_not_drawn_and_break_nothing() -> None:
         (-1e9, 1.0, 1e9, 1.0),
     )
     scene = replace(SCENE, robots=robots, vertices=vertices, edges=edges)
-    assert "Base" in drawn(scene, look=Look(edges=True)).text()
+    assert "Base" in drawn(scene, look=MapOptions(edges=True)).text()
 
 
 def test_edges_hide_no_wall() -> None:
-    without, with_edges = (backdrop(SCENE, FIT, Look(edges=on, labels=False)) for on in (False, True))
-    walls = (without.inks == Ink.WALL) | (without.inks == Ink.WALL_BEYOND)
+    without, with_edges = (backdrop(SCENE, FIT, MapOptions(edges=on, labels=False)) for on in (False, True))
+    walls = (without.inks == StyleRole.WALL) | (without.inks == StyleRole.WALL_BEYOND)
     assert np.array_equal(without.codes[walls], with_edges.codes[walls])
-    assert (with_edges.inks == Ink.EDGE).sum() > 40
+    assert (with_edges.inks == StyleRole.EDGE).sum() > 40
 
 
 def test_a_long_edge_far_outside_costs_no_more_than_its_visible_part() -> None:
     scene = replace(SCENE, edges=((-1e7, 3.0, 1e7, 3.0),))
     y = FIT.to_cell(*SCENE.frame.to_pixel(6, 3.0))[1]
-    assert (backdrop(scene, FIT, Look(edges=True)).inks[y] == Ink.EDGE).sum() > 40
+    assert (backdrop(scene, FIT, MapOptions(edges=True)).inks[y] == StyleRole.EDGE).sum() > 40
 
 
 labels = st.text(st.sampled_from("abcXYZ 仓é\x1b\u202e\n"), min_size=1, max_size=14)
@@ -178,13 +183,13 @@ def test_labels_are_whole_or_absent_and_never_overlap(
 ) -> None:
     vertices = tuple(SceneVertex(str(n), x, y, label=label) for n, (x, y, label) in enumerate(at))
     scene = replace(SCENE, vertices=vertices, robots=(), target_vertices=("0",))
-    cells = backdrop(scene, FIT.zoomed(zoom), Look())
+    cells = backdrop(scene, FIT.zoomed(zoom), MapOptions())
     shown = {run for runs in cells.all_runs() for run in runs}
     wanted = [vertex.label for vertex in vertices]
     for text, ink in shown:
         assert "\x1b" not in text
         assert "\u202e" not in text
-        if ink in (Ink.LABEL, Ink.TARGET) and text not in ("o", "·"):
+        if ink in (StyleRole.LABEL, StyleRole.TARGET) and text not in ("o", "·"):
             assert text in {_safe(label) for label in wanted}
 
 
@@ -194,24 +199,24 @@ def _safe(label: str) -> str:
 
 def test_the_missions_ends_get_their_labels_first() -> None:
     crowd = tuple(SceneVertex(str(n), 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
-    cells = backdrop(replace(SCENE, vertices=crowd, target_vertices=("29",)), FIT, Look())
+    cells = backdrop(replace(SCENE, vertices=crowd, target_vertices=("29",)), FIT, MapOptions())
     assert "place 29" in cells.text()
     assert "place 28" not in cells.text()
 
 
 def test_the_cursor_marks_its_cell() -> None:
-    look = Look(cursor=(6.0, 3.0))
+    look = MapOptions(cursor=(6.0, 3.0))
     x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 3.0))
-    assert drawn(look=look).inks[y, x] == Ink.CURSOR
+    assert drawn(look=look).inks[y, x] == StyleRole.CURSOR
 
 
 def test_the_label_under_the_cursor_goes_before_the_others_but_not_before_the_missions() -> None:
     crowd = tuple(SceneVertex(str(n), 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
     scene = replace(SCENE, vertices=crowd, target_vertices=("29",))
-    text = backdrop(scene, FIT, Look(pointed="17")).text()
+    text = backdrop(scene, FIT, MapOptions(pointed="17")).text()
     assert "place 29" in text
     assert "place 17" in text
-    assert "place 17" not in backdrop(scene, FIT, Look()).text()
+    assert "place 17" not in backdrop(scene, FIT, MapOptions()).text()
 
 
 @settings(max_examples=60, deadline=None)
@@ -222,7 +227,7 @@ def test_of_a_hundred_robots_each_has_its_number_where_there_is_room(seed: int, 
     robots = tuple(SceneRobot(f"r{n}", n + 1, Pose(x, y - 2.0, n)) for n, (x, y) in enumerate(at))
     camera = Camera.fit((240, 152), 120, 40)
     cells = drawn(replace(SCENE, vertices=(), robots=robots), camera)
-    tags = np.where(np.isin(cells.inks, (Ink.ROBOT, Ink.ROBOT_SELECTED)), cells.codes, ord(" "))
+    tags = np.where(np.isin(cells.inks, (StyleRole.ROBOT, StyleRole.ROBOT_SELECTED)), cells.codes, ord(" "))
     numbers = "".join(map(chr, tags.ravel())).translate({ord(arrow): " " for arrow in "→↗↑↖←↙↓↘"}).split()
     # Where it is this crowded two of them may touch: no digit is missing all the same.
     assert sorted("".join(numbers)) == sorted("".join(map(str, range(1, 101))))

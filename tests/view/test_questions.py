@@ -4,7 +4,7 @@ import pytest
 
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, Stage
 from fleet_tui.model.problem import Problem
-from fleet_tui.model.request import Wish, chain
+from fleet_tui.model.request import Request, chain
 from fleet_tui.view.lines.questions import losses, question, wish_text
 from fleet_tui.view.tables.order_story import origin
 from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, queue, tick, told
@@ -24,7 +24,7 @@ STATE = told(
     ],
 )
 def test_what_will_be_lost_is_named(commands: tuple[Command, ...], asked: str) -> None:
-    assert question(STATE, Wish(commands), []) == asked
+    assert question(STATE, Request(commands), []) == asked
 
 
 def test_warnings_stand_in_the_question() -> None:
@@ -32,20 +32,20 @@ def test_warnings_stand_in_the_question() -> None:
         Problem("offline", "robot_0 is offline 41 s", False),
         Problem("paused", "it is \x1bpaused", False),
     ]
-    asked = question(STATE, Wish((place_order(R0, 1, 2),)), found)
+    asked = question(STATE, Request((place_order(R0, 1, 2),)), found)
     assert asked == "robot_0 is offline 41 s, it is ␛paused: send anyway?\nrobot_0 order Base -> Store"
-    assert question(STATE, Wish((CancelOrder(R0, "4"),)), found[:1]).endswith("\nrobot_0 is offline 41 s")
+    assert question(STATE, Request((CancelOrder(R0, "4"),)), found[:1]).endswith("\nrobot_0 is offline 41 s")
 
 
 def test_a_long_queue_is_cut_in_the_question_with_how_much_more_there_is() -> None:
     state = told(STATE, queue(T0, *((n, 1, 2, "Q") for n in range(1, 10))))
-    lines = list(losses(state, Wish((ClearOrders(R0),))))
+    lines = list(losses(state, Request((ClearOrders(R0),))))
     assert len(lines) == 8 and lines[-1] == "  and 3 more"
 
 
 def test_a_wish_in_one_line() -> None:
-    assert wish_text(STATE, Wish(chain(R0, ["1", "2", "3"]))) == "robot_0 order Base -> Store, Store -> 3"
-    assert wish_text(STATE, Wish((PauseRobot(R0), PauseRobot("robot_1")))) == "pause all"
+    assert wish_text(STATE, Request(chain(R0, ["1", "2", "3"]))) == "robot_0 order Base -> Store, Store -> 3"
+    assert wish_text(STATE, Request((PauseRobot(R0), PauseRobot("robot_1")))) == "pause all"
 
 
 def at(wall: float) -> str:

@@ -9,7 +9,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop, at_vertices
 from fleet_tui.text.sanitize import cells_of
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.queue import CANCEL, CLEAR, queue_table
 from fleet_tui.view.tables.table import Button, Run, width_of
 from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, queue, text_of, tick, told
@@ -133,7 +133,7 @@ def test_nothing_to_do_is_not_nothing_heard() -> None:
 
 def test_an_order_to_nowhere_is_marked_by_ink_too() -> None:
     odd = queue_table(state(), R0, False, 100).rows[2]
-    assert {ink for text, ink in odd.runs if "99?" in text} == {Ink.WARN}
+    assert {ink for text, ink in odd.runs if "99?" in text} == {StyleRole.WARN}
 
 
 def test_what_is_under_way_stands_at_its_order_or_in_the_title() -> None:

@@ -13,7 +13,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.raster import COARSE, ground, sample
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 
 def grid_of(classes: np.ndarray) -> OccupancyGrid:
@@ -80,8 +80,8 @@ def test_no_wall_is_lost(side: int, place: float, zoom: float, pan: int, upright
         inks = ground(grid_of(classes), camera, drawing).inks
         if not upright:
             inks = inks.T
-        walls = (inks == Ink.WALL) | (inks == Ink.WALL_BEYOND)
-        inside = (walls | (inks == Ink.FLOOR)).any(axis=1)
+        walls = (inks == StyleRole.WALL) | (inks == StyleRole.WALL_BEYOND)
+        inside = (walls | (inks == StyleRole.FLOOR)).any(axis=1)
         assert inside.any()
         assert walls[inside].any(axis=1).all()
 
@@ -127,7 +127,7 @@ def test_in_a_coarse_view_every_wall_has_a_dot_beside_it(seed: int, share: float
     left, top = camera.origin
     walls = sample(grid_of(classes), scale, left * 2, top * 4, (24, 24)) == OCCUPIED
     cells = ground(grid_of(classes), camera, Drawing.BRAILLE)
-    bits = np.where((cells.inks == Ink.UNKNOWN) | (cells.codes < 0x2800), 0, cells.codes & 0xFF)
+    bits = np.where((cells.inks == StyleRole.UNKNOWN) | (cells.codes < 0x2800), 0, cells.codes & 0xFF)
     drawn = np.zeros((26, 26), bool)
     for dot, (y, x) in enumerate(((0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1), (3, 0), (3, 1))):
         drawn[1 + y : 25 : 4, 1 + x : 25 : 2] = bits & (1 << dot)
@@ -144,7 +144,7 @@ def test_unknown_free_and_wall_have_glyphs_of_their_own(drawing: Drawing, row: s
     classes = np.repeat(np.repeat([[UNKNOWN, FREE, OCCUPIED]], 4, axis=0), 2, axis=1)
     cells = ground(grid_of(classes), Camera(3.0, 2.0, 1.0, 3, 1, (6, 4)), drawing)
     assert cells.text() == row
-    assert cells.inks[0].tolist() == [Ink.UNKNOWN, Ink.FLOOR, Ink.WALL]
+    assert cells.inks[0].tolist() == [StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL]
 
 
 @pytest.mark.parametrize("drawing", list(Drawing))
@@ -159,6 +159,6 @@ def test_panning_by_a_cell_moves_every_cell_and_changes_none(drawing: Drawing, s
 
 def test_without_a_map_the_extent_is_empty_floor() -> None:
     cells = ground(None, Camera.fit((100, 100), 30, 10), Drawing.BRAILLE)
-    assert (cells.inks == Ink.FLOOR).sum() > 100
-    assert (cells.inks == Ink.WALL).sum() == 0
-    assert cells.inks[5, 0] == Ink.UNKNOWN
+    assert (cells.inks == StyleRole.FLOOR).sum() > 100
+    assert (cells.inks == StyleRole.WALL).sum() == 0
+    assert cells.inks[5, 0] == StyleRole.UNKNOWN

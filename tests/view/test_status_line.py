@@ -11,7 +11,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.view.lines.hints import hints
 from fleet_tui.view.lines.status import status_line
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from tests.fleets import (
     LINK,
     R0,
@@ -34,7 +34,7 @@ def line(state: FleetState, *notes: str) -> str:
 def test_no_link_says_why_since_when_and_when_it_is_tried_next() -> None:
     state = told(fleet(), link_up(T0), link_lost(T0 + 10, "nothing listens there", T0 + 14), tick(T0 + 12))
     assert "○ no link nothing listens there, next try 2 s, since 2 s ws://site:9090" in line(state)
-    assert {ink for text, ink in status_line(state, R0) if "no link" in text} == {Ink.ALARM}
+    assert {ink for text, ink in status_line(state, R0) if "no link" in text} == {StyleRole.ALARM}
     assert "next try 0 s" in line(told(state, tick(T0 + 20)))
     trying = told(state, events.LinkChanged(LINK, T0 + 14, Phase.CONNECTING), tick(T0 + 15))
     assert "nothing listens there, trying now, since 5 s" in line(trying)

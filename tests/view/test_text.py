@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.cells import cell_len
 
-from fleet_tui.text.sanitize import cell_width, fit, visible
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
 
 
 @pytest.mark.parametrize(
@@ -29,18 +29,18 @@ from fleet_tui.text.sanitize import cell_width, fit, visible
     ],
 )
 def test_visible(text: str, shown: str) -> None:
-    assert visible(text) == shown
+    assert sanitize(text) == shown
 
 
 def test_a_tower_of_marks_is_cut_down() -> None:
-    assert len(visible("a" + "\u0301" * 500)) <= 3
+    assert len(sanitize("a" + "\u0301" * 500)) <= 3
 
 
 @given(st.text())
 def test_nothing_unseen_is_left(text: str) -> None:
-    shown = visible(text)
+    shown = sanitize(text)
     assert not {unicodedata.category(letter) for letter in shown} & {"Cc", "Cf", "Cs", "Zl", "Zp"}
-    assert visible(shown) == shown
+    assert sanitize(shown) == shown
 
 
 @given(st.text(), st.integers(0, 30), st.booleans())
@@ -56,5 +56,5 @@ def test_fit_cuts_with_an_ellipsis_and_pads() -> None:
 
 @given(st.text(st.characters(categories=["Lu", "Ll", "Nd", "Lo", "Sm"], max_codepoint=0xFFFF)))
 def test_widths_agree_with_the_painter_where_it_matters(text: str) -> None:
-    shown = "".join(letter for letter in visible(text) if cell_len(letter) in (1, 2))
+    shown = "".join(letter for letter in sanitize(text) if cell_len(letter) in (1, 2))
     assert cell_width(shown) >= cell_len(shown)

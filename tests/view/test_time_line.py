@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.view.lines.time import MarkKind, Moment, TimeMark, bar, span, time_at, time_line, told
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.lines.time import MarkKind, ReplayPosition, TimeMark, bar, span, time_at, time_line, told
+from fleet_tui.view.roles import StyleRole
 from tests.fleets import text_of
 
 ALARM = TimeMark(150.0, MarkKind.ALARM, "robot_0 offline")
@@ -15,8 +15,8 @@ COMMAND = TimeMark(150.0, MarkKind.COMMAND, "robot_0 pause")
 GAP = TimeMark(180.0, MarkKind.GAP, "0:30 are missing before this")
 
 
-def moment(at: float = 150.0, **more: Any) -> Moment:
-    return Moment(began=100.0, ended=200.0, at=at, wall=1.7e9, **more)
+def moment(at: float = 150.0, **more: Any) -> ReplayPosition:
+    return ReplayPosition(began=100.0, ended=200.0, at=at, wall=1.7e9, **more)
 
 
 def clock(_wall: float) -> str:
@@ -46,7 +46,7 @@ def test_the_cursor_stands_where_it_is() -> None:
 
 def test_of_marks_in_one_cell_the_alarm_is_seen() -> None:
     runs = bar(moment(100.0, marks=[ALARM, COMMAND, GAP]), 52)
-    assert ("▲", Ink.ALARM) in runs and ("╳", Ink.WARN) in runs
+    assert ("▲", StyleRole.ALARM) in runs and ("╳", StyleRole.WARN) in runs
     assert "◆" not in text_of(runs)
 
 

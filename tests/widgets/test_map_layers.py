@@ -14,7 +14,7 @@ from textual.pilot import Pilot
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, build_grid
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets import map_view
 from fleet_tui.widgets.map_view import MapView
 
@@ -62,13 +62,13 @@ async def test_trails_are_off_until_asked_for_and_then_tell_of_the_last_minute()
         view = await started(pilot)
         for step in range(100):
             view.show(driven(step / 10))
-        assert not inks(view) & {Ink.TRAIL, Ink.TRAIL_OLD}
+        assert not inks(view) & {StyleRole.TRAIL, StyleRole.TRAIL_OLD}
         view.action_trails()
-        assert Ink.TRAIL in inks(view)
+        assert StyleRole.TRAIL in inks(view)
         view.show(replace(driven(9.9), at=50.0))
-        assert Ink.TRAIL_OLD in inks(view)
+        assert StyleRole.TRAIL_OLD in inks(view)
         view.show(replace(driven(9.9), at=200.0))
-        assert not inks(view) & {Ink.TRAIL, Ink.TRAIL_OLD}
+        assert not inks(view) & {StyleRole.TRAIL, StyleRole.TRAIL_OLD}
         view.action_trails()
         assert not view.look.trails
 

@@ -15,7 +15,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.map_view import MapView
 
 FRAME = MapFrame(0.05, 400, 200)
@@ -209,7 +209,7 @@ async def test_the_focused_caption_is_bright_and_inks_change_live() -> None:
         bright = next(s.style for s in view.render_line(0) if "floor_0" in s.text)
         assert bright is not None
         assert bright.bold
-        view.set_inks({ink: Style(bold=True) for ink in Ink})
+        view.set_inks({ink: Style(bold=True) for ink in StyleRole})
         assert all(s.style == Style(bold=True) for y in range(30) for s in view.render_line(y))
 
 

@@ -7,11 +7,18 @@ from textual.color import Color
 from textual.theme import Theme
 
 from fleet_tui.themes import load_themes, shipped_folder
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 SHIPPED = ("colourblind", "contrast", "dark", "light")
 
-QUIET = {Ink.FLOOR, Ink.UNKNOWN, Ink.RULE, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD}
+QUIET = {
+    StyleRole.FLOOR,
+    StyleRole.UNKNOWN,
+    StyleRole.RULE,
+    StyleRole.EDGE,
+    StyleRole.TRAIL,
+    StyleRole.TRAIL_OLD,
+}
 
 
 def test_the_shipped_themes_are_there_and_fault_free() -> None:
@@ -23,18 +30,18 @@ def test_the_shipped_themes_are_there_and_fault_free() -> None:
 def test_a_shipped_theme_names_every_ink_itself_and_makes_a_textual_theme(name: str) -> None:
     theme = load_themes()[0][name]
     text = (shipped_folder() / f"{name}.toml").read_text(encoding="utf-8")
-    assert not [ink.name for ink in Ink if f"\n{ink.name.lower()} = " not in text]
+    assert not [ink.name for ink in StyleRole if f"\n{ink.name.lower()} = " not in text]
     assert Theme(**theme.textual()).dark == (name != "light")
 
 
 @pytest.mark.parametrize("name", SHIPPED)
-@pytest.mark.parametrize("ink", [ink for ink in Ink if ink not in QUIET])
-def test_what_must_be_read_stands_out(name: str, ink: Ink) -> None:
+@pytest.mark.parametrize("ink", [ink for ink in StyleRole if ink not in QUIET])
+def test_what_must_be_read_stands_out(name: str, ink: StyleRole) -> None:
     style = load_themes()[0][name].styles()[ink]
     assert style.color
     assert style.bgcolor
     assert _contrast(Color.from_rich_color(style.color), Color.from_rich_color(style.bgcolor)) >= (
-        2.4 if ink in (Ink.VERTEX, Ink.MISSION_NEXT) else 4.0
+        2.4 if ink in (StyleRole.VERTEX, StyleRole.MISSION_NEXT) else 4.0
     )
 
 
@@ -56,10 +63,10 @@ def _luminance(colour: Color) -> float:
 def test_without_colour_the_selected_robot_still_stands_out(name: str) -> None:
     styles = load_themes()[0][name].styles(colour=False)
     assert all(style.color is None and style.bgcolor is None for style in styles.values())
-    assert styles[Ink.ROBOT_SELECTED].reverse
-    assert not styles[Ink.ROBOT].reverse
-    assert styles[Ink.EDGE].dim and not styles[Ink.WALL].dim
-    assert styles[Ink.MISSION].bold and styles[Ink.MISSION_NEXT].dim
+    assert styles[StyleRole.ROBOT_SELECTED].reverse
+    assert not styles[StyleRole.ROBOT].reverse
+    assert styles[StyleRole.EDGE].dim and not styles[StyleRole.WALL].dim
+    assert styles[StyleRole.MISSION].bold and styles[StyleRole.MISSION_NEXT].dim
 
 
 @pytest.mark.parametrize(
@@ -84,8 +91,8 @@ def test_a_broken_theme_is_named_and_the_rest_work(tmp_path: Path, content: str,
     assert "mine.toml" in problems[0]
     assert problem in problems[0]
     assert set(themes) == {*SHIPPED, "good"}
-    assert themes["good"].inks[Ink.WALL].color == "#112233"
-    assert themes["good"].inks[Ink.ROBOT] == themes["light"].inks[Ink.ROBOT]
+    assert themes["good"].inks[StyleRole.WALL].color == "#112233"
+    assert themes["good"].inks[StyleRole.ROBOT] == themes["light"].inks[StyleRole.ROBOT]
 
 
 def test_no_folder_of_ones_own_is_no_problem(tmp_path: Path) -> None:

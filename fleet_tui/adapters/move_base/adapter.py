@@ -6,12 +6,12 @@ from typing import assert_never
 
 import msgspec
 
-from fleet_tui.adapters.adapter import Call, Feed, Outgoing, Site
+from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
 from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.move_base import reading
 from fleet_tui.adapters.move_base.goals import cancel, cancel_all, cancel_own, order
 from fleet_tui.adapters.move_base.probes import probes
-from fleet_tui.adapters.move_base.settings import Settings
+from fleet_tui.adapters.move_base.settings import MoveBaseSettings
 from fleet_tui.adapters.move_base.vocabulary import VOCABULARY
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
@@ -40,7 +40,7 @@ class MoveBase:
     def __init__(self, profile: Profile, site: Site) -> None:
         self.names = names = Names(VOCABULARY, profile, site.table)
         self._site = site
-        settings = msgspec.convert(profile.settings.get("move_base", {}), Settings)
+        settings = msgspec.convert(profile.settings.get("move_base", {}), MoveBaseSettings)
         self._pauses = Pauses(names, settings)
         self._read_map = read_map(names)
         self._readers = {
@@ -119,7 +119,7 @@ class MoveBase:
         return judge(command, values, result, ())
 
     def learned(
-        self, call: Call, values: object, robot: Robot, sent_at: float, at: float
+        self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
     ) -> Iterable[events.Event]:
         """Topics tell everything."""
         return ()

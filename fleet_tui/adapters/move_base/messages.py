@@ -7,22 +7,22 @@ import msgspec
 from fleet_tui.adapters.ros.messages import Header, RosPose, Stamp
 
 
-class GoalId(msgspec.Struct, frozen=True):
+class ActionlibGoalId(msgspec.Struct, frozen=True):
     """actionlib_msgs/GoalID. An empty id stands for all goals."""
 
     id: str
     stamp: Stamp = Stamp()
 
 
-class GoalStatus(msgspec.Struct, frozen=True):
+class ActionlibGoalStatus(msgspec.Struct, frozen=True):
     """actionlib_msgs/GoalStatus."""
 
-    goal_id: GoalId
+    goal_id: ActionlibGoalId
     status: int
     text: str = ""
 
 
-class GoalStatusArray(msgspec.Struct, frozen=True):
+class ActionlibStatusArray(msgspec.Struct, frozen=True):
     """actionlib_msgs/GoalStatusArray, its goals unread: one bad one must not cost the others."""
 
     status_list: list[Any]
@@ -35,7 +35,7 @@ class Posed(msgspec.Struct, frozen=True):
     pose: RosPose
 
 
-class Feedback(msgspec.Struct, frozen=True):
+class MoveBaseFeedback(msgspec.Struct, frozen=True):
     """move_base_msgs/MoveBaseFeedback: where the robot is."""
 
     base_position: Posed
@@ -44,4 +44,4 @@ class Feedback(msgspec.Struct, frozen=True):
 class ActionFeedback(msgspec.Struct, frozen=True):
     """move_base_msgs/MoveBaseActionFeedback."""
 
-    feedback: Feedback
+    feedback: MoveBaseFeedback

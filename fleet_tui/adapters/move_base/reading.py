@@ -15,7 +15,7 @@ from fleet_tui.model import events
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, TargetReported
 from fleet_tui.model.order import OrderState
-from fleet_tui.text.limits import MOST_ORDERS, brief
+from fleet_tui.text.limits import MOST_ORDERS, truncate
 
 ACTION = "move_base"
 """The one action that such robots have."""
@@ -48,8 +48,8 @@ REPLACED = re.compile(r"because another goal was rec(?:ie|ei)ved")
 def read_status(names: Names) -> Read:
     """Read an actionlib_msgs/GoalStatusArray, which comes five times a second."""
     read, read_one = (
-        ros.reader(messages.GoalStatusArray, names.paths("status")),
-        ros.reader(messages.GoalStatus),
+        ros.reader(messages.ActionlibStatusArray, names.paths("status")),
+        ros.reader(messages.ActionlibGoalStatus),
     )
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
@@ -66,7 +66,7 @@ def read_status(names: Names) -> Read:
     return facts
 
 
-def _goal(one: messages.GoalStatus) -> Goal:
+def _goal(one: messages.ActionlibGoalStatus) -> Goal:
     state, id_ = STATES.get(one.status), one.goal_id.id
     if state is OrderState.CANCELLED and REPLACED.search(one.text):
         state = OrderState.REPLACED
@@ -79,7 +79,7 @@ def _goal(one: messages.GoalStatus) -> Goal:
         word,
         one.goal_id.stamp.seconds,
         is_ending=one.status == PREEMPTING,
-        said=brief(one.text),
+        said=truncate(one.text),
     )
 
 

@@ -3,5 +3,8 @@
 from fleet_tui.adapters.ros_navigation.pauses import PauseSettings
 
 
-class Settings(PauseSettings, frozen=True):
+class MoveBaseSettings(PauseSettings, frozen=True):
     """Settings of robots with move_base."""
+
+
+SETTINGS = MoveBaseSettings

@@ -6,13 +6,13 @@ from typing import assert_never
 
 import msgspec
 
-from fleet_tui.adapters.adapter import Call, Feed, Outgoing, Site
+from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
 from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.nav2 import reading
 from fleet_tui.adapters.nav2.answers import judge_cancel, judge_goal
 from fleet_tui.adapters.nav2.goals import cancel_all, cancel_call, cancel_own, order_goal, unknown_goals
 from fleet_tui.adapters.nav2.probes import probes
-from fleet_tui.adapters.nav2.settings import Settings
+from fleet_tui.adapters.nav2.settings import Nav2Settings
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
@@ -50,7 +50,7 @@ class Nav2:
     def __init__(self, profile: Profile, site: Site) -> None:
         self.names = names = Names(VOCABULARY, profile, site.table)
         self._site = site
-        settings = msgspec.convert(profile.settings.get("nav2", {}), Settings)
+        settings = msgspec.convert(profile.settings.get("nav2", {}), Nav2Settings)
         self._pauses = Pauses(names, settings)
         self._read_map = read_map(names)
         self._readers = {
@@ -134,7 +134,7 @@ class Nav2:
         return judge_cancel(command, values, result)
 
     def learned(
-        self, call: Call, values: object, robot: Robot, sent_at: float, at: float
+        self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
     ) -> Iterable[events.Event]:
         """Return which goals an action server does not know: it tells that no other way once it was started
         anew."""

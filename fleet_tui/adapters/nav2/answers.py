@@ -6,7 +6,7 @@ from typing import Any
 from fleet_tui.adapters.answers import judge, said
 from fleet_tui.adapters.nav2.codes import in_words
 from fleet_tui.model.commands import Command, PauseRobot, Stage
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 
 RETURN_CODES = {
     1: "the robot rejected it",
@@ -26,7 +26,7 @@ def judge_cancel(command: Command, values: object, result: bool) -> tuple[Stage,
         return (Stage.ACCEPTED, "no such action server") if all_meant and absent else (stage, words)
     code = values.get("return_code") if isinstance(values, Mapping) else None
     if not isinstance(code, int):
-        return Stage.UNKNOWN, f"an answer that says nothing: {brief(said(values))}"
+        return Stage.UNKNOWN, f"an answer that says nothing: {truncate(said(values))}"
     if code == 0:
         return Stage.ACCEPTED, ""
     words = RETURN_CODES.get(code, f"return code {code}")
@@ -37,10 +37,10 @@ def judge_cancel(command: Command, values: object, result: bool) -> tuple[Stage,
 def judge_goal(values: object, status: int, result: bool) -> tuple[Stage, str]:
     """Tell what the end of a goal that this console gave means, as far as its own answer tells."""
     if not result:
-        return Stage.REFUSED, brief(said(values))
+        return Stage.REFUSED, truncate(said(values))
     fields: Mapping[str, Any] = values if isinstance(values, Mapping) else {}
     code, message = fields.get("error_code"), fields.get("error_msg")
-    words = in_words(code, brief(message) if isinstance(message, str) else "") if code else ""
+    words = in_words(code, truncate(message) if isinstance(message, str) else "") if code else ""
     missed = fields.get("missed_waypoints")
     if isinstance(missed, list) and missed:
         return Stage.FAILED, f"{len(missed)} of its stops were missed{f': {words}' if words else ''}"

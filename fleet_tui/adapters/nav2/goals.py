@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from fleet_tui.adapters.adapter import Call, Goal
+from fleet_tui.adapters.adapter import ActionGoal, ServiceCall
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.places import pose_of_stop, stamped
@@ -20,7 +20,7 @@ NO_ERROR, UNKNOWN_GOAL = 0, 2
 """Return codes of a cancellation. One of all goals finds no error where there is none."""
 
 
-def order_goal(names: Names, robot: Robot, stops: Sequence[Stop]) -> Goal:
+def order_goal(names: Names, robot: Robot, stops: Sequence[Stop]) -> ActionGoal:
     """Return the goal that leads to the stops one after the other. Raises CommandError."""
     poses, here = list[Pose](), robot.pose.value if robot.pose else None
     if not stops:
@@ -30,9 +30,11 @@ def order_goal(names: Names, robot: Robot, stops: Sequence[Stop]) -> Goal:
         poses.append(here)
     if len(poses) == 1:
         args: dict[str, object] = {"pose": stamped(poses[0]), "behavior_tree": ""}
-        return Goal(_action(names, "navigate_to_pose", robot), names.action_type("navigate_to_pose"), args)
+        return ActionGoal(
+            _action(names, "navigate_to_pose", robot), names.action_type("navigate_to_pose"), args
+        )
     args = {"poses": [stamped(pose) for pose in poses]}
-    return Goal(_action(names, "follow_waypoints", robot), names.action_type("follow_waypoints"), args)
+    return ActionGoal(_action(names, "follow_waypoints", robot), names.action_type("follow_waypoints"), args)
 
 
 def _action(names: Names, key: str, robot: Robot) -> str:
@@ -42,7 +44,7 @@ def _action(names: Names, key: str, robot: Robot) -> str:
     return name
 
 
-def cancel_call(names: Names, robot: Robot, order_id: str) -> Call:
+def cancel_call(names: Names, robot: Robot, order_id: str) -> ServiceCall:
     """Return the call that cancels one goal, whoever gave it. Raises CommandError for an unknown one."""
     found = [goal for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
@@ -51,13 +53,13 @@ def cancel_call(names: Names, robot: Robot, order_id: str) -> Call:
     return _cancel(names, robot, found[0].action, found[0].uuid)
 
 
-def cancel_own(names: Names, robot: Robot) -> list[Call]:
+def cancel_own(names: Names, robot: Robot) -> list[ServiceCall]:
     """Return the calls that cancel each goal of this console, those that drive by others first."""
     under_way = sorted(active(robot.goals), key=lambda goal: ACTIONS.index(goal.action))
     return [_cancel(names, robot, goal.action, goal.uuid) for goal in under_way if goal.is_ours]
 
 
-def cancel_all(names: Names, robot: Robot) -> list[Call]:
+def cancel_all(names: Names, robot: Robot) -> list[ServiceCall]:
     """Return the calls that cancel all goals of all clients, of each action that ever had one, and of those
     that orders use."""
     used = {"follow_waypoints", "navigate_to_pose", *robot.goals}
@@ -65,7 +67,9 @@ def cancel_all(names: Names, robot: Robot) -> list[Call]:
     return [_cancel(names, robot, key, ALL) for key in keys]
 
 
-def unknown_goals(names: Names, call: Call, values: object, robot: Robot, sent_at: float) -> tuple[str, ...]:
+def unknown_goals(
+    names: Names, call: ServiceCall, values: object, robot: Robot, sent_at: float
+) -> tuple[str, ...]:
     """Return the ids of goals that should be under way, as far as was heard before a cancellation left, and
     that its answer says are not."""
     if not isinstance(values, Mapping) or values.get("goals_canceling"):
@@ -80,8 +84,8 @@ def unknown_goals(names: Names, call: Call, values: object, robot: Robot, sent_a
     )
 
 
-def _cancel(names: Names, robot: Robot, action: str, uuid: str) -> Call:
+def _cancel(names: Names, robot: Robot, action: str, uuid: str) -> ServiceCall:
     # Complete: the bridge fills gaps with zeros, and zeros stand for all goals.
     info = {"goal_id": {"uuid": uuid}, "stamp": NO_STAMP}
     service = f"{names.action(action, robot.name)}/_action/cancel_goal"
-    return Call(service, CANCEL_TYPE, {"goal_info": info})
+    return ServiceCall(service, CANCEL_TYPE, {"goal_info": info})

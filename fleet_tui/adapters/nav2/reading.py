@@ -13,7 +13,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.order import OrderState
-from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, brief
+from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 STATES = {
     1: OrderState.QUEUED,
@@ -43,7 +43,9 @@ def read_blocked(names: Names) -> Read:
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         message = read(msg)
         action = MONITOR.get(message.action_type, f"action {message.action_type}")
-        yield navigation_events.BlockedReported(robot, at, action, brief(message.polygon_name, LONGEST_NAME))
+        yield navigation_events.BlockedReported(
+            robot, at, action, truncate(message.polygon_name, LONGEST_NAME)
+        )
 
     return facts
 
@@ -92,7 +94,7 @@ def short_id(uuid: str) -> str:
     except (binascii.Error, ValueError):
         found = b""
     if len(found) != 16:
-        raise WireError(f"goal_id.uuid: {brief(uuid, LONGEST_NAME)!r} is no id of 16 bytes")
+        raise WireError(f"goal_id.uuid: {truncate(uuid, LONGEST_NAME)!r} is no id of 16 bytes")
     if not any(found):
         # To cancel a goal of this id would cancel all goals.
         raise WireError("goal_id.uuid is all zeros, which stands for all goals")

@@ -3,5 +3,8 @@
 from fleet_tui.adapters.ros_navigation.pauses import PauseSettings
 
 
-class Settings(PauseSettings, frozen=True):
+class Nav2Settings(PauseSettings, frozen=True):
     """Settings of robots with Nav2."""
+
+
+SETTINGS = Nav2Settings

@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Literal
 
-from fleet_tui.adapters.adapter import Call, Feed, Site
+from fleet_tui.adapters.adapter import Feed, ServiceCall, Site
 from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.oh_ressources.calls import call_of
 from fleet_tui.adapters.oh_ressources.reading import read_graph, read_labels, read_queue
@@ -98,7 +98,9 @@ class OhRessources:
         """Topics and services tell everything."""
         return ()
 
-    def outgoing(self, command: Command, command_id: int, robot: Robot, unique: str = "") -> Sequence[Call]:
+    def outgoing(
+        self, command: Command, command_id: int, robot: Robot, unique: str = ""
+    ) -> Sequence[ServiceCall]:
         """Return the call of a command. Raises CommandError for one that must not leave."""
         return (call_of(self.names, command, command_id),)
 
@@ -109,7 +111,7 @@ class OhRessources:
         return judge(command, values, result, self._refusals)
 
     def learned(
-        self, call: Call, values: object, robot: Robot, sent_at: float, at: float
+        self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
     ) -> Iterable[events.Event]:
         """Topics tell everything."""
         return ()

@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 from typing import assert_never
 
-from fleet_tui.adapters.adapter import Call
+from fleet_tui.adapters.adapter import ServiceCall
 from fleet_tui.adapters.ros.fields import put
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.errors import CommandError
@@ -21,12 +21,12 @@ from fleet_tui.model.order import Stop
 INT32_MAX = 2**31 - 1
 
 
-def call_of(names: Names, command: Command, request_id: int) -> Call:
+def call_of(names: Names, command: Command, request_id: int) -> ServiceCall:
     """The service call of a command. Raises CommandError for one that must not leave."""
     args: dict[str, object]
 
-    def call(key: str, given: Mapping[str, object]) -> Call:
-        return Call(names.service(key, command.robot), names.service_type(key), given)
+    def call(key: str, given: Mapping[str, object]) -> ServiceCall:
+        return ServiceCall(names.service(key, command.robot), names.service_type(key), given)
 
     match command:
         case PlaceOrder(robot, (end,)):

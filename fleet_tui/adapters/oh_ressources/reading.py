@@ -13,8 +13,8 @@ from fleet_tui.text.limits import (
     MOST_LABELS,
     MOST_ORDERS,
     MOST_VERTICES,
-    beyond,
-    brief,
+    too_many,
+    truncate,
 )
 
 STATES = {
@@ -28,7 +28,7 @@ STATES = {
 
 def _order(order: ros.QueuedOrder) -> Order:
     stops = at_vertices(str(order.start), str(order.end))
-    state, word = STATES.get(order.status), brief(order.status, LONGEST_NAME)
+    state, word = STATES.get(order.status), truncate(order.status, LONGEST_NAME)
     return Order(str(order.id), stops, state, word, order.id)
 
 
@@ -43,7 +43,7 @@ def read_queue(names: Names) -> Translate:
         current = queue.current_order_id
         parts = map(read_order, first_orders(queue.orders, current, id_name))
         orders = tuple(map(_order, parts))
-        fault = beyond(len(queue.orders), MOST_ORDERS, "orders")
+        fault = too_many(len(queue.orders), MOST_ORDERS, "orders")
         echo = queue.request_id if isinstance(queue.request_id, int) else 0
         # None: no order of the list has that id.
         is_listed = any(order.serial == current for order in orders)
@@ -55,7 +55,7 @@ def read_queue(names: Names) -> Translate:
 
 def read_graph(names: Names) -> Translate:
     """Read a Graph."""
-    read = ros.reader(ros.Graph, names.paths("graph"))
+    read = ros.reader(ros.GraphMessage, names.paths("graph"))
     read_vertex = ros.reader(ros.GraphVertex, names.paths("vertex"))
     read_edge = ros.reader(ros.GraphEdge, names.paths("edge"))
     scale = names.scale("vertex")
@@ -69,7 +69,7 @@ def read_graph(names: Names) -> Translate:
                 faults.append(f"vertex {vertex.id} has no finite place")
                 continue
             id_, role = str(vertex.id), Role(names.role(vertex.type))
-            vertices[id_] = Vertex(id_, x, y, role, brief(vertex.type, LONGEST_NAME))
+            vertices[id_] = Vertex(id_, x, y, role, truncate(vertex.type, LONGEST_NAME))
         edges = []
         for edge in read_all(read_edge, graph.edges, "edges", MOST_EDGES, faults):
             start, end = str(edge.start), str(edge.end)
@@ -93,8 +93,8 @@ def read_labels(names: Names) -> Translate:
     def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
         parts = read(msg).vertices
         found = map(read_label, parts[:MOST_LABELS])
-        labels = {str(one.vertex_id): brief(one.label, LONGEST_NAME) for one in found}
-        fault = f"labels of {floor}: {beyond(len(parts), MOST_LABELS, 'labels')}"
+        labels = {str(one.vertex_id): truncate(one.label, LONGEST_NAME) for one in found}
+        fault = f"labels of {floor}: {too_many(len(parts), MOST_LABELS, 'labels')}"
         return events.LabelsReceived(robot, floor, labels, *((1, fault) if len(parts) > MOST_LABELS else ()))
 
     return translate

@@ -120,7 +120,7 @@ class GraphEdge(msgspec.Struct, frozen=True):
     end: Int32
 
 
-class Graph(msgspec.Struct, frozen=True):
+class GraphMessage(msgspec.Struct, frozen=True):
     """OH_ressources/Graph, its parts unread: one bad vertex must not cost the others."""
 
     vertices: list[Any]

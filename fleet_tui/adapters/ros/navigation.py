@@ -41,7 +41,7 @@ class CollisionMonitorState(msgspec.Struct, frozen=True):
     polygon_name: str = ""
 
 
-class PoseStamped(msgspec.Struct, frozen=True):
+class PathPose(msgspec.Struct, frozen=True):
     """One pose of a path."""
 
     pose: RosPose

@@ -13,7 +13,7 @@ from fleet_tui.adapters.ros.operations import topic_of
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
-from fleet_tui.text.limits import brief
+from fleet_tui.text.limits import truncate
 
 ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
 WORTH_A_PROCESS = 4 * 2**20
@@ -29,7 +29,7 @@ _CBOR_TOPIC = re.compile(rb"\x65topic(?:([\x60-\x77])|\x78(.))", re.DOTALL)
 _IN_PARTS = events.QueueReported, events.GraphReceived, events.LabelsReceived
 
 
-class Reading:
+class FrameReader:
     """Reads the frames of one bridge."""
 
     def __init__(
@@ -79,7 +79,7 @@ class Reading:
                 counter.heard(payload, is_binary, at)
                 return self._translate(counter, msg, at)
             case operations.Status(level, text):
-                self._warn(f"the bridge says ({brief(level)}): {brief(text)}")
+                self._warn(f"the bridge says ({truncate(level)}): {truncate(text)}")
                 return (events.FrameRejected(self._link, f"the bridge says: {text}"),)
             case operations.GoalResult() | None:
                 return ()
@@ -121,7 +121,7 @@ class Reading:
             line = robot_words.log_line(msg, at)
             self.counter.take_log(line)
             if (about := robot_words.complaint(line)) and about[0] in self.counter.topics:
-                self._warn(f"the bridge did not subscribe {brief(about[0])}: {about[1]}")
+                self._warn(f"the bridge did not subscribe {truncate(about[0])}: {about[1]}")
                 self.counter.topics[about[0]].not_subscribed = f"the bridge says: {about[1]}"
         else:
             self.counter.take_health(robot_words.diagnoses(msg, at))

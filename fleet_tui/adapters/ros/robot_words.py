@@ -8,8 +8,8 @@ import msgspec
 
 from fleet_tui.adapters.ros.messages import Stamp, reader
 from fleet_tui.errors import WireError
-from fleet_tui.model.ros_logs import Diagnosis, LogLine, Severity
-from fleet_tui.text.limits import LONGEST_NAME, brief
+from fleet_tui.model.ros_logs import LogLine, PartDiagnosis, Severity
+from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 LONGEST_TEXT = 2000
 """Characters of a line of the log."""
@@ -69,7 +69,7 @@ def log_line(msg: object, at: float) -> LogLine:
     """A message of /rosout that came at `at`. Raises WireError."""
     log = _read_log(msg)
     stamp = log.header.stamp.seconds or log.stamp.seconds
-    return LogLine(at, log.level, brief(log.name, LONGEST_NAME), brief(log.msg, LONGEST_TEXT), stamp)
+    return LogLine(at, log.level, truncate(log.name, LONGEST_NAME), truncate(log.msg, LONGEST_TEXT), stamp)
 
 
 # With the id of the operation, which for us names the topic.
@@ -102,21 +102,21 @@ def _byte_of_text(value: str) -> int:
     try:
         (found,) = base64.b64decode(value, validate=True)
     except (binascii.Error, ValueError):
-        raise WireError(f"level: {brief(value, 20)!r} is no byte") from None
+        raise WireError(f"level: {truncate(value, 20)!r} is no byte") from None
     return found
 
 
-def diagnoses(msg: object, at: float) -> list[Diagnosis]:
+def diagnoses(msg: object, at: float) -> list[PartDiagnosis]:
     """A message of /diagnostics that came at `at`, part by part. Raises WireError."""
     return [_diagnosis(status, at) for status in _read_array(msg).status[:MOST_PARTS]]
 
 
-def _diagnosis(status: DiagnosticStatus, at: float) -> Diagnosis:
-    return Diagnosis(
+def _diagnosis(status: DiagnosticStatus, at: float) -> PartDiagnosis:
+    return PartDiagnosis(
         at,
-        brief(status.name, LONGEST_NAME),
+        truncate(status.name, LONGEST_NAME),
         byte(status.level),
-        brief(status.message),
-        brief(status.hardware_id, LONGEST_NAME),
-        tuple((brief(one.key, LONGEST_NAME), brief(one.value)) for one in status.values[:MOST_VALUES]),
+        truncate(status.message),
+        truncate(status.hardware_id, LONGEST_NAME),
+        tuple((truncate(one.key, LONGEST_NAME), truncate(one.value)) for one in status.values[:MOST_VALUES]),
     )

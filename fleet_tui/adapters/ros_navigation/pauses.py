@@ -5,7 +5,7 @@ from typing import Literal
 
 from msgspec import Struct
 
-from fleet_tui.adapters.adapter import Call, Outgoing, Publication
+from fleet_tui.adapters.adapter import Outgoing, Publication, ServiceCall
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model.kind import PAUSE, RESUME
 
@@ -45,7 +45,7 @@ class Pauses:
         """Return what pauses or resumes a robot, by the `key` of the service; nothing where it is held."""
         names = self._names
         if self._has_services:
-            return (Call(names.service(key, robot), names.service_type(key), {}),)
+            return (ServiceCall(names.service(key, robot), names.service_type(key), {}),)
         if self._locks:
             topic, type_ = names.topic("pause_navigation", robot), names.type("pause_navigation")
             return (Publication(topic, type_, {"data": key == "pause"}),)

@@ -9,7 +9,7 @@ from fleet_tui.adapters.ros.facts import pose_of
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.errors import WireError
 from fleet_tui.model import events, navigation_events
-from fleet_tui.text.limits import LONGEST_NAME, brief
+from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 # (robot, message still encoded, monotonic seconds of arrival) -> the facts; raises WireError.
 Read = Callable[[str, object, float], Iterable[events.Event]]
@@ -72,7 +72,7 @@ def read_floor(names: Names) -> Read:
     read = ros.reader(nav.Text, names.paths("floor"))
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
-        yield navigation_events.FloorReported(robot, at, brief(read(msg).data.lstrip("/"), LONGEST_NAME))
+        yield navigation_events.FloorReported(robot, at, truncate(read(msg).data.lstrip("/"), LONGEST_NAME))
 
     return facts
 
@@ -80,7 +80,7 @@ def read_floor(names: Names) -> Read:
 def read_plan(names: Names) -> Read:
     """Read a nav_msgs/Path."""
     read = ros.reader(nav.Path, names.paths("plan"))
-    read_pose = ros.reader(nav.PoseStamped)
+    read_pose = ros.reader(nav.PathPose)
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         poses = read(msg).poses

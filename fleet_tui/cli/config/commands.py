@@ -7,7 +7,7 @@ import click
 from fleet_tui.cli.options import NearestGroup, common, merged, screen, timeout
 from fleet_tui.config.load import find, load, user_folder
 from fleet_tui.config.schema import Config
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 
 @click.group(cls=NearestGroup)
@@ -48,7 +48,7 @@ def show(
     found = load(find(config_file))
     options = {"operator.read_only": read_only, "ui.drawing": drawing}
     for line in lines(found, _why(config_file), with_origin, options):
-        click.echo(visible(line))
+        click.echo(sanitize(line))
 
 
 def _why(given: str | None) -> str:

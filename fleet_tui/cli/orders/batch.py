@@ -10,9 +10,9 @@ from fleet_tui.cli.orders.sending import How, Sending, divide
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 from fleet_tui.rules.language.grammar import find_robot, parse, tokens
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 
 Line = tuple[int, str]
 WOULD = "would be sent"
@@ -35,14 +35,14 @@ def _robots(line: str, state: FleetState) -> Iterator[str]:
             continue
 
 
-def _wishes(lines: Iterable[Line], state: FleetState) -> list[tuple[int, Wish]]:
+def _wishes(lines: Iterable[Line], state: FleetState) -> list[tuple[int, Request]]:
     """What each line asks. Raises click's UsageError with every line that asks nothing."""
-    found, wrong = list[tuple[int, Wish]](), list[str]()
+    found, wrong = list[tuple[int, Request]](), list[str]()
     for number, line in lines:
         try:
             found.append((number, parse(line, state)))
         except CommandError as problem:
-            wrong.append(visible(f"line {number}: {problem}"))
+            wrong.append(sanitize(f"line {number}: {problem}"))
     if wrong:
         raise click.UsageError("nothing was sent\n" + "\n".join(wrong))
     return found
@@ -61,7 +61,7 @@ def run_batch(
         named = [name for line in busy for name in _robots(line, given.state)]
         await_reports(given, list(dict.fromkeys(named)) or list(given.state.robots), bool(named))
         if reason := unreachable(given.state, named):
-            say(f"fleet-tui: nothing was sent: {visible(reason)}", err=True)
+            say(f"fleet-tui: nothing was sent: {sanitize(reason)}", err=True)
             return NO_LINK
         wishes = _wishes(lines, given.state)
         if dry_run:
@@ -70,7 +70,7 @@ def run_batch(
 
 
 def _give_all(
-    given: Sending, wishes: list[tuple[int, Wish]], keep_going: bool, as_json: bool, say: Say
+    given: Sending, wishes: list[tuple[int, Request]], keep_going: bool, as_json: bool, say: Say
 ) -> int:
     codes = list[int]()
     for done, (number, wish) in enumerate(wishes, 1):
@@ -83,7 +83,7 @@ def _give_all(
     return exit_code(codes)
 
 
-def _tried(given: Sending, wish: Wish) -> list[Outcome]:
+def _tried(given: Sending, wish: Request) -> list[Outcome]:
     """What would become of a line, as the fleet is now."""
     wish, unable = divide(given.state, wish)
     held = given.check(wish)

@@ -17,13 +17,13 @@ from fleet_tui.errors import CommandError
 from fleet_tui.log_file import state_folder
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.problem import Rights
-from fleet_tui.model.request import Wish
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import summary
 from fleet_tui.rules.commands.checks import no_link
 from fleet_tui.rules.language.grammar import ALL, find_robot, parse_words
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 from fleet_tui.view.lines.questions import question
 
@@ -49,7 +49,7 @@ def _end(number: int, _frame: object) -> None:
 
 def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> How:
     """How the config and the options let commands be given."""
-    rights = Rights(config.operator.read_only, config.operator.armed)
+    rights = Permissions(config.operator.read_only, config.operator.armed)
     return How(rights, timeout, yes, until_done)
 
 
@@ -66,7 +66,7 @@ def robots_of(config: Config, word: str) -> list[str]:
     try:
         return list(state.robots) if word.casefold() == ALL else [find_robot(word, state).name]
     except CommandError as problem:
-        raise click.UsageError(visible(str(problem))) from None
+        raise click.UsageError(sanitize(str(problem))) from None
 
 
 @contextmanager
@@ -157,7 +157,7 @@ def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say
     robots = robots_of(config, words[1])
 
     def unsent(reason: str, code: int) -> int:
-        typed = visible(" ".join(words))
+        typed = sanitize(" ".join(words))
         return said([Outcome(robots[0], typed, typed, NOT_SENT, reason, code)], as_json, say)
 
     if reason := forbidden(config):
@@ -173,13 +173,13 @@ def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say
             absent = unreported(state.robots[robots[0]])
             if absent:
                 return unsent(f"{wrong}; never came: {', '.join(absent)}", NOT_DONE)
-            raise click.UsageError(visible(str(wrong))) from None
+            raise click.UsageError(sanitize(str(wrong))) from None
         if not as_json and sys.stdin.isatty():
             _ask(given, wish)
         return said(given.give(wish), as_json, say, given)
 
 
-def _ask(given: Sending, wish: Wish) -> None:
+def _ask(given: Sending, wish: Request) -> None:
     """Ask a person at a terminal what others answer with --yes."""
     found = given.warnings(wish)
     shown = [problem for problem in found if problem.check != "losses"]
@@ -204,5 +204,5 @@ def said(outcomes: Iterable[Outcome], as_json: bool, say: Say, given: Sending | 
     batch = given.records[before:] if given and not as_json else []
     if given and len(batch) > 1 and all(isinstance(one.command, PauseRobot | ResumeRobot) for one in batch):
         what, words = summary(given.state, batch)
-        say(visible(f"{what}: {words}"), err=exit_code(codes) != DONE)
+        say(sanitize(f"{what}: {words}"), err=exit_code(codes) != DONE)
     return exit_code(codes)

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from fleet_tui.model.commands import Command, CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.language.grammar import written
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 
 VERSION = 2
@@ -32,7 +32,7 @@ class Outcome:
 
     def line(self) -> str:
         """The outcome in one line, harmless to a terminal."""
-        return visible(f"{self.text}: {self.outcome}" + (f" ({self.words})" if self.words else ""))
+        return sanitize(f"{self.text}: {self.outcome}" + (f" ({self.words})" if self.words else ""))
 
 
 def unsent(state: FleetState, command: Command, words: str, code: int, outcome: str = NOT_SENT) -> Outcome:

@@ -20,8 +20,8 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.model.problem import Problem, Rights
-from fleet_tui.model.request import Wish
+from fleet_tui.model.problem import Permissions, Problem
+from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
 
@@ -39,7 +39,7 @@ class How:
     """How commands are to be given. `timeout`: seconds to wait at most for all that a line asks; `yes`:
     warnings don't hold it back; `until_done`: an order is done when it was driven."""
 
-    rights: Rights
+    rights: Permissions
     timeout: float
     yes: bool = False
     until_done: bool = False
@@ -64,7 +64,7 @@ def reaches(state: FleetState, robot: Robot) -> bool:
     return link.phase is Phase.UP and link.command_path in (CommandPath.ALIVE, CommandPath.UNREGISTERED)
 
 
-def _losses(state: FleetState, wish: Wish) -> Iterator[Problem]:
+def _losses(state: FleetState, wish: Request) -> Iterator[Problem]:
     """Warn of a clear: whoever types it sees no queue."""
     for command in wish.commands:
         robot = state.robots.get(command.robot)
@@ -74,7 +74,7 @@ def _losses(state: FleetState, wish: Wish) -> Iterator[Problem]:
             yield Problem("losses", text, blocks=False)
 
 
-def _unattended(state: FleetState, wish: Wish) -> Iterator[Problem]:
+def _unattended(state: FleetState, wish: Request) -> Iterator[Problem]:
     """Name the orders whose later stops nobody would give once this command has ended."""
     for command in wish.commands:
         robot = state.robots.get(command.robot)
@@ -83,7 +83,7 @@ def _unattended(state: FleetState, wish: Wish) -> Iterator[Problem]:
             yield Problem("unattended", f"{stays}, and gives the next one")
 
 
-def divide(state: FleetState, wish: Wish) -> tuple[Wish, list[Outcome]]:
+def divide(state: FleetState, wish: Request) -> tuple[Request, list[Outcome]]:
     """Of a wish for several robots what their kinds accept, and what becomes of the rest."""
     able = acceptable(state, wish)[0]
     return able, _unable(state, (one for one in wish.commands if one not in able.commands))
@@ -134,7 +134,7 @@ class Sending:
             record for id_, record in self._records.items() if not record.is_decided or id_ in self._driven
         ]
 
-    def give(self, wish: Wish) -> Iterator[Outcome]:
+    def give(self, wish: Request) -> Iterator[Outcome]:
         """Check a wish, send it, and wait for the outcome of each command. To one robot they are sent one
         after the other, none after one that went wrong; to several, all at once."""
         wish, unable = divide(self.state, wish)
@@ -147,12 +147,12 @@ class Sending:
         else:
             yield from self._one_after_the_other(wish.commands)
 
-    def check(self, wish: Wish) -> list[Outcome]:
+    def check(self, wish: Request) -> list[Outcome]:
         """What would hold a wish back now, nothing where it would be sent."""
         wrong = self._problems(wish)
         return list(self._hold_back(wish.commands, wrong)) if wrong else []
 
-    def warnings(self, wish: Wish) -> list[Problem]:
+    def warnings(self, wish: Request) -> list[Problem]:
         """What a person may override, nothing where the wish is never sent."""
         found = self._problems(wish)
         return [] if any(problem.blocks for problem in found) else found
@@ -162,7 +162,7 @@ class Sending:
         self._how = replace(self._how, yes=True)
         self.begin()
 
-    def _problems(self, wish: Wish) -> list[Problem]:
+    def _problems(self, wish: Request) -> list[Problem]:
         found = [*problems(self.state, wish, self._how.rights), *_losses(self.state, wish)]
         if not self._how.until_done:
             found += _unattended(self.state, wish)

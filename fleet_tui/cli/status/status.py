@@ -9,7 +9,7 @@ from fleet_tui.cli.session import WaitingStore, has_link, is_known, session
 from fleet_tui.cli.status.report import attention, changes, report
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.status import status_line
 from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
@@ -36,7 +36,7 @@ def table(state: FleetState) -> str:
     alarms = alarm_table(state, lambda wall: time.strftime("%H:%M:%S", time.localtime(wall)))
     lines += [_text(row.runs) for row in alarms.rows]
     wrong = attention(state)
-    lines += [f"! {visible(line)}" for line in wrong] if wrong else ["all well"]
+    lines += [f"! {sanitize(line)}" for line in wrong] if wrong else ["all well"]
     return "\n".join(line.strip() for line in lines)
 
 
@@ -48,7 +48,7 @@ def one_line(state: FleetState) -> str:
     if wrong:
         more = f" +{len(wrong) - 1}" if len(wrong) > 1 else ""
         room = ONE_LINE - len(text) - len(more) - 3
-        first = visible(wrong[0])
+        first = sanitize(wrong[0])
         text += f" ! {first if len(first) <= room else first[: room - 3] + '...'}{more}"
     return text
 

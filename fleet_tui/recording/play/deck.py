@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.play.marks import time_marks
-from fleet_tui.recording.play.playhead import Playhead
+from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recording import LAST_SECOND, Recording
-from fleet_tui.view.lines.time import MarkKind, Moment, TimeMark, span
+from fleet_tui.view.lines.time import MarkKind, ReplayPosition, TimeMark, span
 
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
 """Recorded seconds for each of ours."""
@@ -20,11 +20,11 @@ LONG = 0.5
 """Seconds after which a jump tells how far it is."""
 
 
-class Deck:
+class Playback:
     """Moves a playhead. What takes long asks `goes_on` again and again whether it may."""
 
     def __init__(self, recording: Recording, speed: float) -> None:
-        self.head, self.marks = Playhead(recording), time_marks(recording)
+        self.head, self.marks = RecordingCursor(recording), time_marks(recording)
         self.paused = False
         self._recording, self._speed = recording, speed
         self._reached: float | None = None
@@ -34,7 +34,7 @@ class Deck:
         self.go_on()
 
     @property
-    def shown(self) -> tuple[FleetState, Moment]:
+    def shown(self) -> tuple[FleetState, ReplayPosition]:
         """What is to be seen, and where in the recording that is. Any thread may look."""
         return self._shown
 
@@ -43,9 +43,9 @@ class Deck:
         state = self.head.state if self._busy is None else self._shown[0]
         self._shown = state, self._moment()
 
-    def _moment(self) -> Moment:
+    def _moment(self) -> ReplayPosition:
         recording = self._recording
-        return Moment(
+        return ReplayPosition(
             began=recording.begin.at,
             ended=recording.end.at,
             at=self.head.at,

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import reduce
 
 from fleet_tui.adapters.ros.operations import Fragment, ServiceResponse
-from fleet_tui.adapters.ros.reading import Reading
+from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
 from fleet_tui.maps.map_process import decode_apart
@@ -20,7 +20,7 @@ class Frames:
     def __init__(self, config: Config) -> None:
         adapters = adapters_of(config)
         self._readings = {
-            name: Reading(
+            name: FrameReader(
                 name, limit_of(config, name), adapters, feeds_of(config, adapters, name), decode_apart
             )
             for name in config.bridges

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
-from fleet_tui.recording.recording import Moment, Recording
+from fleet_tui.recording.recording import Instant, Recording
 from fleet_tui.recording.records import Mark
 from fleet_tui.view.lines.time import MarkKind, TimeMark, span
 
@@ -47,7 +47,7 @@ def _command(record: AuditRecord) -> str:
 def _gaps(recording: Recording) -> Iterator[TimeMark]:
     for lost in recording.lost:
         yield TimeMark(lost.at, MarkKind.GAP, f"{lost.records} records are missing here: {lost.why}")
-    before: Moment | None = None
+    before: Instant | None = None
     for moment in recording.keyframes:
         if before is not None:
             missing = (moment.wall - before.wall) - (moment.at - before.at)

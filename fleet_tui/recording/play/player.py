@@ -9,11 +9,11 @@ from functools import partial
 
 from fleet_tui.errors import FleetError
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.recording.play.deck import Deck
+from fleet_tui.recording.play.deck import Playback
 from fleet_tui.recording.play.times import moment_of
 from fleet_tui.recording.recording import Recording
 from fleet_tui.state.store import Store
-from fleet_tui.view.lines.time import Moment
+from fleet_tui.view.lines.time import ReplayPosition
 
 LOG = logging.getLogger(__name__)
 
@@ -35,7 +35,7 @@ class Player:
         self._changed = threading.Condition()
         self._closing = False
         self._target: float | None = None
-        self._deck = Deck(recording, speed)
+        self._deck = Playback(recording, speed)
         self.frames = self._deck.head.frames
         """Reads what is played, and counts it."""
 
@@ -62,7 +62,7 @@ class Player:
         return self._deck.shown[0]
 
     @property
-    def moment(self) -> Moment:
+    def moment(self) -> ReplayPosition:
         """Where in the recording what is seen was."""
         return self._deck.shown[1]
 

@@ -35,7 +35,7 @@ def _always() -> bool:
     return True
 
 
-class Playhead:
+class RecordingCursor:
     """Moves by records; `at` is the monotonic second of the last one. Whatever moves raises
     RecordingError where the recording can't be read."""
 

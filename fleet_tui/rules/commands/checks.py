@@ -15,8 +15,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
-from fleet_tui.model.problem import Problem, Rights
-from fleet_tui.model.request import Wish
+from fleet_tui.model.problem import Permissions, Problem
+from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.keeping import all_orders, clearable
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -39,7 +39,7 @@ SAME_WITHIN = 1.0
 Check = Callable[[FleetState, Robot, Command], Iterator[Problem]]
 
 
-def rights(allowed: Rights) -> Iterator[Problem]:
+def rights(allowed: Permissions) -> Iterator[Problem]:
     """This console may send commands."""
     if allowed.read_only:
         yield Problem("read-only", "this console is read-only")
@@ -190,7 +190,7 @@ def not_accepted(state: FleetState, commands: Sequence[Command]) -> list[Problem
     ]
 
 
-def acceptable(state: FleetState, wish: Wish) -> tuple[Wish, list[Problem]]:
+def acceptable(state: FleetState, wish: Request) -> tuple[Request, list[Problem]]:
     """Of a wish for several robots what their kinds accept, and what is left out: the others don't wait for a
     robot that can't. A wish that none can carry out is as it was: `problems` says why."""
     able = tuple(command for command in wish.commands if not unaccepted(state, command))
@@ -200,7 +200,7 @@ def acceptable(state: FleetState, wish: Wish) -> tuple[Wish, list[Problem]]:
     return replace(wish, commands=able), not_accepted(state, left_out)
 
 
-def problems(state: FleetState, wish: Wish, allowed: Rights) -> list[Problem]:
+def problems(state: FleetState, wish: Request, allowed: Permissions) -> list[Problem]:
     """All that speaks against a wish, errors first; the only place where it is asked."""
     if impossible := not_accepted(state, wish.commands):
         return impossible
@@ -221,7 +221,7 @@ def problems(state: FleetState, wish: Wish, allowed: Rights) -> list[Problem]:
     return sorted(dict.fromkeys(found), key=lambda problem: not problem.blocks)
 
 
-def repeated(wish: Wish, given: Mapping[tuple[Command, ...], float], now: float) -> list[Problem]:
+def repeated(wish: Request, given: Mapping[tuple[Command, ...], float], now: float) -> list[Problem]:
     """The same orders given again at once are a slip of the finger. `given`: when each was (monotonic)."""
     at = given.get(wish.commands)
     places = any(isinstance(command, PlaceOrder) for command in wish.commands)

@@ -8,7 +8,7 @@ from typing import assert_never
 from fleet_tui.model.commands import (
     NEXT,
     UNANSWERED,
-    Before,
+    Baseline,
     CancelOrder,
     ClearOrders,
     CommandRecord,
@@ -29,14 +29,14 @@ CLOCKS_AGREE = 1.0
 """Seconds by which a robot's clock, as its messages arrive, may differ from ours."""
 
 
-def before(robot: Robot, now: float) -> Before:
+def before(robot: Robot, now: float) -> Baseline:
     """What the robot has reported up to `now`, when a command is given."""
     queue = robot.orders
     known = robot.queue is not None or robot.kind.tells_ends
     last = max([queue.last_serial, *(order.serial for order in queue.orders)]) if known else None
     standing = robot.standing
     moving = standing is not None and now - standing.at < STANDS_AFTER
-    return Before(last, moving, queue.request_id, queue.last_serial, robot.floor or "")
+    return Baseline(last, moving, queue.request_id, queue.last_serial, robot.floor or "")
 
 
 def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:

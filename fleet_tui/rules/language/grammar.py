@@ -19,7 +19,7 @@ from fleet_tui.errors import CommandError, did_you_mean
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import natural, vertices_of
-from fleet_tui.model.request import Wish, chain
+from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.keeping import all_orders
 from fleet_tui.rules.language.lookup import NUMBER, called, no_graphs, places, plain_id
@@ -58,7 +58,7 @@ def tokens(line: str) -> list[Token]:
     return found
 
 
-def parse(line: str, state: FleetState, selected: str = "") -> Wish:
+def parse(line: str, state: FleetState, selected: str = "") -> Request:
     """What a line asks; `selected` is the robot where `cancel` names none. CommandError names the
     word that is wrong, and the nearest right one."""
     found = tokens(line)
@@ -67,7 +67,7 @@ def parse(line: str, state: FleetState, selected: str = "") -> Wish:
     return parse_words([token.text for token in found], state, selected)
 
 
-def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> Wish:
+def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> Request:
     """The same for words that are apart already, as a shell hands them over."""
     if not words:
         raise CommandError("a command is missing: " + "; ".join(USAGE.values()))
@@ -76,16 +76,16 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
         case "order", [name, *named] if named:
             return _order(find_robot(name, state), named)
         case "cancel", [number] if selected in state.robots:
-            return Wish((CancelOrder(selected, _order_id(state, state.robots[selected], number)),))
+            return Request((CancelOrder(selected, _order_id(state, state.robots[selected], number)),))
         case "cancel", [name, number]:
             robot = find_robot(name, state)
-            return Wish((CancelOrder(robot.name, _order_id(state, robot, number)),))
+            return Request((CancelOrder(robot.name, _order_id(state, robot, number)),))
         case "clear", [name]:
-            return Wish((ClearOrders(find_robot(name, state).name),))
+            return Request((ClearOrders(find_robot(name, state).name),))
         case "pause", [name]:
-            return Wish(tuple(map(PauseRobot, _robots(name, state))))
+            return Request(tuple(map(PauseRobot, _robots(name, state))))
         case "resume", [name]:
-            return Wish(tuple(map(ResumeRobot, _robots(name, state))))
+            return Request(tuple(map(ResumeRobot, _robots(name, state))))
     if verb in USAGE:
         raise CommandError(f"{verb} is written: {USAGE[verb]}")
     name = find_robot(words[0], state, [*state.robots, *USAGE]).name
@@ -152,15 +152,15 @@ def _vertex(robot: Robot, word: str) -> tuple[str, str]:
     return vertex, place.floor
 
 
-def _order(robot: Robot, named: Sequence[str], only_to: bool = False) -> Wish:
+def _order(robot: Robot, named: Sequence[str], only_to: bool = False) -> Request:
     """A single place is where the cargo on board goes."""
     found = [_vertex(robot, word) for word in named]
     vertices = [vertex for vertex, _ in found]
     floors = {vertex: floor for vertex, floor in found if floor}
-    return Wish(chain(robot.name, vertices, only_to or len(named) == 1, robot.kind.takes_stops), floors)
+    return Request(chain(robot.name, vertices, only_to or len(named) == 1, robot.kind.takes_stops), floors)
 
 
-def _route(line: str, found: list[Token], state: FleetState) -> Wish:
+def _route(line: str, found: list[Token], state: FleetState) -> Request:
     """`ROBOT FROM > TO > ...`, with or without `order` before it."""
     if found[0].text.casefold() == "order" and not found[0].separates:
         found = found[1:]

@@ -9,7 +9,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import Order, Stop
-from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.model.robot import Robot, RobotMap
 
 AT_VERTEX = 0.5
 """Metres within which a robot stands at a vertex."""
@@ -67,7 +67,7 @@ def next_stop(robot: Robot) -> str | None:
 
 def graph_here(robot: Robot) -> RouteGraph | None:
     """The robot's own graph of the floor it is on."""
-    return robot.charts.get(robot.floor or "", Chart()).graph
+    return robot.charts.get(robot.floor or "", RobotMap()).graph
 
 
 def vertex_here(robot: Robot) -> str | None:
@@ -115,7 +115,7 @@ def _same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
     """Positions are compared only where both are on one floor and their maps lie alike in the world."""
     if other.floor is None or other.floor != one.floor or not state.is_fresh(other, "pose"):
         return False
-    frames = [robot.charts.get(one.floor, Chart()).frame for robot in (one, other)]
+    frames = [robot.charts.get(one.floor, RobotMap()).frame for robot in (one, other)]
     return None in frames or frames[0] == frames[1]
 
 

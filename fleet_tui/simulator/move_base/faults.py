@@ -11,7 +11,7 @@ from fleet_tui.simulator.navigating.faults import AWHILE, BODY, at_once, often
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
-    from fleet_tui.simulator.move_base.navigation import MoveBase
+    from fleet_tui.simulator.move_base.navigation import SimMoveBase
     from fleet_tui.simulator.server import RosbridgeServer
 
 Take = Callable[[dict[str, Any]], None]
@@ -20,26 +20,26 @@ CONNECTS = 0.1  # seconds in which `first-lost` connects a new publisher
 GENERIC = ("frozen-rosapi", "dead-rosapi", "overloaded")
 
 
-def _rejects(navigation: "MoveBase") -> None:
+def _rejects(navigation: "SimMoveBase") -> None:
     navigation.rejects = True
 
 
-def _no_plan(navigation: "MoveBase") -> None:
+def _no_plan(navigation: "SimMoveBase") -> None:
     navigation.plans = False
 
 
-def _no_feedback(navigation: "MoveBase") -> None:
+def _no_feedback(navigation: "SimMoveBase") -> None:
     navigation.tells = False
 
 
-def _aborts(navigation: "MoveBase", age: float) -> float:
+def _aborts(navigation: "SimMoveBase", age: float) -> float:
     if age < AWHILE:
         return age
     navigation.abort()
     return 0.0
 
 
-def _dies(navigation: "MoveBase", age: float) -> float:
+def _dies(navigation: "SimMoveBase", age: float) -> float:
     if age > AWHILE:
         navigation.die()
     return age
@@ -49,7 +49,7 @@ def _restarts(server: "RosbridgeServer", robot: str) -> None:
     """Restart the node once, in the middle of its first goal."""
     done = False
 
-    def change(navigation: "MoveBase", age: float) -> float:
+    def change(navigation: "SimMoveBase", age: float) -> float:
         nonlocal done
         if age > AWHILE and not done:
             done = True

@@ -13,7 +13,7 @@ from fleet_tui.simulator.move_base.world import MoveBaseWorld
 from fleet_tui.simulator.navigating.topics import map_topics
 from fleet_tui.simulator.navigating.words import health
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.goals import ActionServer, Goal
+from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
 
 Message = dict[str, Any]
@@ -64,10 +64,10 @@ class MoveBaseFleet(MoveBaseWorld):
         """Everything that changed since the last look, and statuses again and again."""
         return self._news.take(dialect)
 
-    def feedback(self, server: ActionServer, goal: Goal, dialect: Dialect) -> Message | None:
+    def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
         """Nothing: there are no actions of ROS 2."""
 
-    def result(self, server: ActionServer, goal: Goal) -> Message | None:
+    def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
         """Nothing."""
 
     def lines(self) -> Iterator[Line]:

@@ -30,7 +30,7 @@ INVALID = "Aborting on goal because it was sent with an invalid quaternion"
 REACHED = "Goal reached."
 
 
-class MoveBase:
+class SimMoveBase:
     """Its attributes are for tests and faults to read and change. `clock`: nanoseconds since 1970."""
 
     def __init__(self, robot: NavigatingRobot, clock: Clock) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic, raw_payload
 from fleet_tui.simulator.move_base import messages
-from fleet_tui.simulator.move_base.navigation import MoveBase
+from fleet_tui.simulator.move_base.navigation import SimMoveBase
 from fleet_tui.simulator.navigating.messages import Header, headers
 from fleet_tui.simulator.navigating.news import News
 from fleet_tui.simulator.navigating.topics import body_topics, plan_topic, topic_maker
@@ -36,7 +36,7 @@ BEAT = 0.2  # seconds between two statuses where nothing changes
 EARLY = 0.05  # seconds by which a beat may come too early
 
 
-def steady_topics(navigation: MoveBase, dialect: Dialect) -> Iterator[Topic]:
+def steady_topics(navigation: SimMoveBase, dialect: Dialect) -> Iterator[Topic]:
     """The topics on which one robot speaks all the time, or all the way."""
     robot = navigation.robot
     yield from body_topics(robot, dialect)
@@ -49,21 +49,21 @@ def steady_topics(navigation: MoveBase, dialect: Dialect) -> Iterator[Topic]:
     )
 
 
-def _under_way(navigation: MoveBase) -> bool:
+def _under_way(navigation: SimMoveBase) -> bool:
     current = navigation.server.current
     return current is not None and not current.over
 
 
-def _feedback(navigation: MoveBase, header: Header, at: Header, now: float) -> Message:
+def _feedback(navigation: SimMoveBase, header: Header, at: Header, now: float) -> Message:
     goal = navigation.server.current
     assert goal is not None
     return messages.feedback(goal.told, navigation.robot, header(now), at(now))
 
 
-class MoveBaseNews(News[MoveBase]):
+class MoveBaseNews(News[SimMoveBase]):
     """Where the robots are, how their goals stand, and which begin."""
 
-    def __init__(self, world: NavigatingWorld[MoveBase]) -> None:
+    def __init__(self, world: NavigatingWorld[SimMoveBase]) -> None:
         super().__init__(world)
         self._beat = dict.fromkeys(world.robots, 0.0)
         self._counts: dict[str, count[int]] = defaultdict(lambda: count(1))
@@ -77,7 +77,7 @@ class MoveBaseNews(News[MoveBase]):
                 yield self.topic(name, part, type_, part == STATUS, partial(_alive, navigation))
 
     def of(
-        self, name: str, navigation: MoveBase, dialect: Dialect, now: float
+        self, name: str, navigation: SimMoveBase, dialect: Dialect, now: float
     ) -> Iterator[tuple[str, Payload]]:
         """The goals of one robot, and again and again their list."""
         for part, poses in ((GOAL, navigation.forwarded), (BEGUN, navigation.begun)):
@@ -105,5 +105,5 @@ class MoveBaseNews(News[MoveBase]):
         return f"/{name}/{part}", raw_payload(dialect, TYPES[part], now, value)
 
 
-def _alive(navigation: MoveBase) -> bool:
+def _alive(navigation: SimMoveBase) -> bool:
     return navigation.alive

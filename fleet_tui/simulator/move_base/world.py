@@ -2,14 +2,14 @@
 
 import random
 
-from fleet_tui.simulator.move_base.navigation import MoveBase
+from fleet_tui.simulator.move_base.navigation import SimMoveBase
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.navigating.world import Clock, NavigatingWorld
 
 
-class MoveBaseWorld(NavigatingWorld[MoveBase]):
+class MoveBaseWorld(NavigatingWorld[SimMoveBase]):
     """`robots` robots on `floors` floors, as NavigatingWorld has it."""
 
-    def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> MoveBase:
+    def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> SimMoveBase:
         """Make the navigation stack of a robot."""
-        return MoveBase(robot, clock)
+        return SimMoveBase(robot, clock)

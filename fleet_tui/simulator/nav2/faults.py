@@ -9,7 +9,7 @@ from fleet_tui.simulator.navigating.faults import AWHILE, BODY, at_once, often
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
     from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-    from fleet_tui.simulator.nav2.navigation import Navigation
+    from fleet_tui.simulator.nav2.navigation import SimNavigation
     from fleet_tui.simulator.server import RosbridgeServer
 
 ABORTS = 105  # Nav2's code for no progress
@@ -27,22 +27,22 @@ def _fleet(server: "RosbridgeServer", robot: str) -> "Nav2Fleet":
     return fleet
 
 
-def _inactive(navigation: "Navigation") -> None:
+def _inactive(navigation: "SimNavigation") -> None:
     navigation.active = False
 
 
-def _reject(navigation: "Navigation") -> None:
+def _reject(navigation: "SimNavigation") -> None:
     navigation.reject = 10**9
 
 
-def _aborts(navigation: "Navigation", age: float) -> float:
+def _aborts(navigation: "SimNavigation", age: float) -> float:
     if age < AWHILE:
         return age
     navigation.abort(ABORTS)
     return 0.0
 
 
-def _refuse_cancel(navigation: "Navigation") -> None:
+def _refuse_cancel(navigation: "SimNavigation") -> None:
     for server in navigation.servers.values():
         server.refuses_cancel = True
 
@@ -50,7 +50,7 @@ def _refuse_cancel(navigation: "Navigation") -> None:
 def _dead_server(server: "RosbridgeServer", robot: str) -> None:
     """Let the node of the action servers crash in the middle of the first goal."""
 
-    def change(navigation: "Navigation", age: float) -> float:
+    def change(navigation: "SimNavigation", age: float) -> float:
         if age > AWHILE:
             for one in navigation.servers.values():
                 one.die()
@@ -60,7 +60,7 @@ def _dead_server(server: "RosbridgeServer", robot: str) -> None:
     often(change)(server, robot)
 
 
-def _no_feedback(navigation: "Navigation") -> None:
+def _no_feedback(navigation: "SimNavigation") -> None:
     navigation.tells = False
 
 

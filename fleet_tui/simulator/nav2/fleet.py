@@ -10,15 +10,15 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.nav2 import messages
 from fleet_tui.simulator.nav2.faults import FAULTS
-from fleet_tui.simulator.nav2.navigation import TO_POSE, Navigation
+from fleet_tui.simulator.nav2.navigation import TO_POSE, SimNavigation
 from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
-from fleet_tui.simulator.nav2.words import Changes
+from fleet_tui.simulator.nav2.words import Nav2Changes
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.poses import FRAME
 from fleet_tui.simulator.navigating.topics import map_topics
 from fleet_tui.simulator.navigating.words import health
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.goals import ActionServer, Goal
+from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
 
 Message = dict[str, Any]
@@ -39,7 +39,7 @@ class Nav2Fleet(Nav2World):
         if robots > 1:
             self.robots[next(reversed(self.robots))].percent = float("nan")
         self._news = Nav2News(self)
-        self._changes = Changes(self)
+        self._changes = Nav2Changes(self)
 
     @cached_property
     def actions(self) -> Mapping[str, ActionServer]:
@@ -88,7 +88,7 @@ class Nav2Fleet(Nav2World):
         """Everything that changed since the last look: where robots are, what stops them, how goals stand."""
         return self._news.take(dialect)
 
-    def feedback(self, server: ActionServer, goal: Goal, dialect: Dialect) -> Message | None:
+    def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
         """The feedback of an action on a goal, None where it says nothing."""
         navigation = self._navigation_of(server)
         if navigation.robot.silence or not navigation.tells:
@@ -96,7 +96,7 @@ class Nav2Fleet(Nav2World):
         header = dialect.header(0, time.time(), FRAME)
         return messages.feedback(navigation, server.verb, goal, header)
 
-    def result(self, server: ActionServer, goal: Goal) -> Message | None:
+    def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
         """The result of a goal that is over, None while it can't be heard."""
         navigation = self._navigation_of(server)
         return None if navigation.robot.silence else messages.result(goal, navigation.distro)
@@ -109,9 +109,9 @@ class Nav2Fleet(Nav2World):
         """The batteries and localisations of all robots that can be heard."""
         return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))
 
-    def _navigation_of(self, server: ActionServer) -> Navigation:
+    def _navigation_of(self, server: ActionServer) -> SimNavigation:
         return self.navigation[server.name.split("/")[1]]
 
 
-def _take_pose(navigation: Navigation, message: Message) -> None:
+def _take_pose(navigation: SimNavigation, message: Message) -> None:
     navigation.take(TO_POSE, {"pose": message, "behavior_tree": ""})

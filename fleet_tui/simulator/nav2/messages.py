@@ -3,9 +3,9 @@
 from typing import Any
 
 from fleet_tui.simulator.messages import float32
-from fleet_tui.simulator.nav2.navigation import DOCK, THROUGH, WAYPOINTS, Navigation
+from fleet_tui.simulator.nav2.navigation import DOCK, THROUGH, WAYPOINTS, SimNavigation
 from fleet_tui.simulator.navigating.poses import solid
-from fleet_tui.simulator.ros.goals import Goal, Id, uuid_of
+from fleet_tui.simulator.ros.goals import Id, ServedGoal, uuid_of
 
 Message = dict[str, Any]
 
@@ -36,7 +36,7 @@ def goal_info(id_: Id, stamp: int) -> Message:
     return {"goal_id": {"uuid": uuid_of(id_)}, "stamp": time}
 
 
-def feedback(navigation: Navigation, verb: str, goal: Goal, header: Message) -> Message:
+def feedback(navigation: SimNavigation, verb: str, goal: ServedGoal, header: Message) -> Message:
     """The feedback of an action."""
     robot = navigation.robot
     if verb == WAYPOINTS:
@@ -53,7 +53,7 @@ def feedback(navigation: Navigation, verb: str, goal: Goal, header: Message) -> 
     return told | {"number_of_poses_remaining": robot.stops} if verb == THROUGH else told
 
 
-def result(goal: Goal, distro: str) -> Message:
+def result(goal: ServedGoal, distro: str) -> Message:
     """The result of an action; Humble's says less."""
     if distro != "humble":
         return goal.result

@@ -8,7 +8,7 @@ from typing import Any
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.navigating.poses import FRAME, flat, stamped
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
-from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, CANCELING, SUCCEEDED, ActionServer, Goal
+from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, CANCELING, SUCCEEDED, ActionServer, ServedGoal
 
 Message = dict[str, Any]
 
@@ -27,14 +27,14 @@ NOT_STAGED = 903
 class _Tour:
     """A goal of which each pose is driven to as a goal of navigate_to_pose."""
 
-    goal: Goal
+    goal: ServedGoal
     poses: list[Message]
     at: int = 0
-    leg: Goal | None = None
+    leg: ServedGoal | None = None
     missed: list[Message] = field(default_factory=list)
 
 
-class Navigation:
+class SimNavigation:
     """Its attributes are for tests to read and change. `clock`: nanoseconds since 1970."""
 
     def __init__(self, robot: NavigatingRobot, rng: random.Random, clock: Callable[[], int]) -> None:
@@ -55,14 +55,14 @@ class Navigation:
         """False: nothing is said on the way."""
         self.distro = "jazzy"
         """Whose results are told."""
-        self._current: Goal | None = None
+        self._current: ServedGoal | None = None
         self._tours: dict[str, _Tour] = {}
 
-    def give(self, x: float, y: float, yaw: float = 0.0) -> Goal | None:
+    def give(self, x: float, y: float, yaw: float = 0.0) -> ServedGoal | None:
         """Give a goal of navigate_to_pose as another client would; None where it is rejected."""
         return self.take(TO_POSE, {"pose": stamped(Pose(x, y, yaw)), "behavior_tree": ""})
 
-    def take(self, verb: str, request: Message) -> Goal | None:
+    def take(self, verb: str, request: Message) -> ServedGoal | None:
         """Give any goal, its fields complete, under a new id; None where it is rejected."""
         return self.servers[verb].take(self.new_id(), self._clock(), request)
 
@@ -107,7 +107,7 @@ class Navigation:
         poses = request.get("poses", [request["pose"]] if "pose" in request else [])
         return self.active and all(pose["header"]["frame_id"] == FRAME for pose in poses)
 
-    def _begin(self, goal: Goal) -> None:
+    def _begin(self, goal: ServedGoal) -> None:
         """Drive to a goal's pose or poses. One navigator at a time; its new goal replaces its old one."""
         mine, other = (TO_POSE, THROUGH) if "pose" in goal.request else (THROUGH, TO_POSE)
         if self.servers[other].running:
@@ -134,15 +134,15 @@ class Navigation:
         elif not self.robot.driving:
             self._finish(server, goal, SUCCEEDED, _result())
 
-    def _finish(self, server: ActionServer, goal: Goal, status: int, result: Message) -> None:
+    def _finish(self, server: ActionServer, goal: ServedGoal, status: int, result: Message) -> None:
         self._current = None
         self.robot.halt()
         server.advance(goal, status, result)
 
-    def _tour(self, goal: Goal) -> None:
+    def _tour(self, goal: ServedGoal) -> None:
         self._replace(WAYPOINTS, _Tour(goal, goal.request["poses"]))
 
-    def _dock(self, goal: Goal) -> None:
+    def _dock(self, goal: ServedGoal) -> None:
         floor = self.robot.floor
         dock = floor.graph.vertices[floor.vertex_of("charger")]
         self._replace(DOCK, _Tour(goal, [stamped(Pose(dock.x, dock.y))]))

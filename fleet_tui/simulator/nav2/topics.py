@@ -7,7 +7,7 @@ from typing import Any
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic, raw_payload
 from fleet_tui.simulator.nav2 import messages
-from fleet_tui.simulator.nav2.navigation import Navigation
+from fleet_tui.simulator.nav2.navigation import SimNavigation
 from fleet_tui.simulator.navigating.messages import Header, headers
 from fleet_tui.simulator.navigating.news import News
 from fleet_tui.simulator.navigating.topics import body_topics, plan_topic, topic_maker
@@ -20,7 +20,7 @@ Message = dict[str, Any]
 MONITOR, STATUS = "nav2_msgs/CollisionMonitorState", "action_msgs/GoalStatusArray"
 
 
-def steady_topics(navigation: Navigation, dialect: Dialect) -> Iterator[Topic]:
+def steady_topics(navigation: SimNavigation, dialect: Dialect) -> Iterator[Topic]:
     """The topics on which one robot speaks all the time, or all the way."""
     robot = navigation.robot
     yield from body_topics(robot, dialect)
@@ -34,20 +34,20 @@ def steady_topics(navigation: Navigation, dialect: Dialect) -> Iterator[Topic]:
         )
 
 
-def _on_the_way(navigation: Navigation, server: ActionServer) -> bool:
+def _on_the_way(navigation: SimNavigation, server: ActionServer) -> bool:
     return navigation.tells and bool(server.running)
 
 
-def _feedback(navigation: Navigation, server: ActionServer, header: Header, now: float) -> Message:
+def _feedback(navigation: SimNavigation, server: ActionServer, header: Header, now: float) -> Message:
     goal = server.running[-1]
     told = messages.feedback(navigation, server.verb, goal, header(now))
     return {"goal_id": {"uuid": uuid_of(goal.id)}, "feedback": told}
 
 
-class Nav2News(News[Navigation]):
+class Nav2News(News[SimNavigation]):
     """Where the robots are, what stops them, how their goals stand."""
 
-    def __init__(self, world: NavigatingWorld[Navigation]) -> None:
+    def __init__(self, world: NavigatingWorld[SimNavigation]) -> None:
         super().__init__(world)
         self._blocked = dict.fromkeys(world.robots, False)
 
@@ -61,7 +61,7 @@ class Nav2News(News[Navigation]):
                 yield self.topic(name, f"{server.verb}/_action/status", status, alive=partial(_alive, server))
 
     def of(
-        self, name: str, navigation: Navigation, dialect: Dialect, now: float
+        self, name: str, navigation: SimNavigation, dialect: Dialect, now: float
     ) -> Iterator[tuple[str, Payload]]:
         """The obstacle and the goals of one robot."""
         if (navigation.robot.obstacle > 0.0) != self._blocked[name]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from fleet_tui.simulator.fleets import Line
-from fleet_tui.simulator.nav2.navigation import TO_POSE, Navigation
+from fleet_tui.simulator.nav2.navigation import TO_POSE, SimNavigation
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, EXECUTING, SUCCEEDED
@@ -16,7 +16,7 @@ _ENDS = {
 }
 
 
-class Changes:
+class Nav2Changes:
     """Notices what happens to robots from one look to the next."""
 
     def __init__(self, world: Nav2World) -> None:
@@ -33,7 +33,7 @@ class Changes:
                 yield from said
         self._statuses = statuses
 
-    def _goals(self, name: str, navigation: Navigation, statuses: dict[bytes, int]) -> Iterator[Line]:
+    def _goals(self, name: str, navigation: SimNavigation, statuses: dict[bytes, int]) -> Iterator[Line]:
         for goal in navigation.servers[TO_POSE].goals.values():
             before, statuses[goal.id] = self._statuses.get(goal.id), goal.status
             if before == goal.status:

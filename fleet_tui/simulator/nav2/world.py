@@ -3,24 +3,24 @@
 import random
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.nav2.navigation import DOCK, TO_POSE, WAYPOINTS, Navigation
+from fleet_tui.simulator.nav2.navigation import DOCK, TO_POSE, WAYPOINTS, SimNavigation
 from fleet_tui.simulator.navigating.poses import stamped
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.navigating.world import Clock, NavigatingWorld
 
 
-class Nav2World(NavigatingWorld[Navigation]):
+class Nav2World(NavigatingWorld[SimNavigation]):
     """`robots` robots on `floors` floors, as NavigatingWorld has it."""
 
-    def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> Navigation:
+    def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> SimNavigation:
         """Make the navigation stack of a robot."""
-        return Navigation(robot, ids, clock)
+        return SimNavigation(robot, ids, clock)
 
-    def _dock(self, navigation: Navigation) -> None:
+    def _dock(self, navigation: SimNavigation) -> None:
         """Let a robot dock."""
         navigation.take(DOCK, {"use_dock_id": True, "dock_id": "charger"})
 
-    def _send(self, navigation: Navigation) -> None:
+    def _send(self, navigation: SimNavigation) -> None:
         """Send a robot to a labelled vertex, every third time by way of another."""
         floor, rng = navigation.robot.floor, self._rng
         spots = [floor.graph.vertices[id_] for id_ in rng.sample(tuple(floor.labels), 2)]

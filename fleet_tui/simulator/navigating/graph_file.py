@@ -8,7 +8,7 @@ from typing import Any
 
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.navigating.poses import FRAME
-from fleet_tui.simulator.warehouse import Floor, build_building
+from fleet_tui.simulator.warehouse import SimFloor, build_building
 
 Feature = dict[str, Any]
 
@@ -27,7 +27,7 @@ def write_graphs(path: Path, floors: int) -> list[Path]:
     return files
 
 
-def route_graph(floor: Floor) -> Feature:
+def route_graph(floor: SimFloor) -> Feature:
     """A floor's graph; every edge stands there twice, since each goes one way."""
     return {
         "type": "FeatureCollection",
@@ -37,7 +37,7 @@ def route_graph(floor: Floor) -> Feature:
     }
 
 
-def _nodes(floor: Floor) -> Iterator[Feature]:
+def _nodes(floor: SimFloor) -> Iterator[Feature]:
     for vertex in floor.graph.vertices.values():
         metadata = {"class": floor.types[vertex.id]}
         if vertex.id in floor.labels:
@@ -47,7 +47,7 @@ def _nodes(floor: Floor) -> Iterator[Feature]:
         yield _feature(properties, "Point", [float(vertex.x), float(vertex.y)])
 
 
-def _edges(floor: Floor) -> Iterator[Feature]:
+def _edges(floor: SimFloor) -> Iterator[Feature]:
     """Nodes and edges have their ids from one count."""
     spots = floor.graph.vertices
     id_ = max(spots)

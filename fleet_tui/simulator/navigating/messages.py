@@ -14,7 +14,7 @@ from fleet_tui.simulator.navigating.poses import FRAME, solid
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.robot import SPEED
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.warehouse import Floor
+from fleet_tui.simulator.warehouse import SimFloor
 
 Message = dict[str, Any]
 Header = Callable[[float], Message]
@@ -73,7 +73,7 @@ def path(robot: NavigatingRobot, header: Message) -> Message:
     return {"header": header, "poses": [{"header": header, "pose": solid(Pose(*spot))} for spot in spots]}
 
 
-def grid(floor: Floor, header: Message, loaded: Message) -> Message:
+def grid(floor: SimFloor, header: Message, loaded: Message) -> Message:
     """nav_msgs/OccupancyGrid."""
     info = {
         "map_load_time": loaded,

@@ -7,7 +7,7 @@ import numpy as np
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.floorplan import FREE, HEIGHT, ORIGIN, RESOLUTION, WIDTH
-from fleet_tui.simulator.warehouse import Floor
+from fleet_tui.simulator.warehouse import SimFloor
 
 Spot = tuple[float, float]
 
@@ -22,7 +22,7 @@ class NoPathError(Exception):
         self.code = code
 
 
-def plan(floor: Floor, start: Pose, goal: Pose) -> list[Spot]:
+def plan(floor: SimFloor, start: Pose, goal: Pose) -> list[Spot]:
     """The corners of the way, both ends included. Raises NoPathError."""
     here, there = (start.x, start.y), (goal.x, goal.y)
     words = (
@@ -55,12 +55,12 @@ def _on_map(spot: Spot) -> bool:
     return 0.0 <= x < WIDTH * RESOLUTION and 0.0 <= y < HEIGHT * RESOLUTION
 
 
-def _cell(floor: Floor, spot: Spot) -> int:
+def _cell(floor: SimFloor, spot: Spot) -> int:
     column, row = (int((value - origin) / RESOLUTION) for value, origin in zip(spot, ORIGIN, strict=True))
     return int(floor.cells[row, column])
 
 
-def _clear(floor: Floor, start: Spot, end: Spot) -> bool:
+def _clear(floor: SimFloor, start: Spot, end: Spot) -> bool:
     """Tell whether every cell on the line is free."""
     steps = max(2, math.ceil(math.dist(start, end) / RESOLUTION) + 1)
     columns = ((np.linspace(start[0], end[0], steps) - ORIGIN[0]) / RESOLUTION).astype(int)
@@ -68,7 +68,7 @@ def _clear(floor: Floor, start: Spot, end: Spot) -> bool:
     return bool((floor.cells[rows, columns] == FREE).all())
 
 
-def _nearest(floor: Floor, spot: Spot) -> int | None:
+def _nearest(floor: SimFloor, spot: Spot) -> int | None:
     """The nearest vertex that is reached in a straight line."""
     near = sorted(floor.graph.vertices.values(), key=lambda vertex: math.dist(spot, (vertex.x, vertex.y)))
     return next((vertex.id for vertex in near if _clear(floor, spot, (vertex.x, vertex.y))), None)

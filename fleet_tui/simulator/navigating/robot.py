@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.navigating.paths import NoPathError, Spot, length, plan
 from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN
-from fleet_tui.simulator.warehouse import Floor
+from fleet_tui.simulator.warehouse import SimFloor
 
 SLIP, SKID = 1.01, 1.004  # what the wheels count for a metre, for a radian
 SURE, LOST = 0.0025, 4.0  # variance of x and of y in square metres
@@ -38,7 +38,7 @@ class NavigatingRobot:
     stuck = False
     """True: its wheels stand still whatever it is told."""
 
-    def __init__(self, index: int, floor: Floor, pose: Pose, rng: random.Random, quiet: bool) -> None:
+    def __init__(self, index: int, floor: SimFloor, pose: Pose, rng: random.Random, quiet: bool) -> None:
         self.name, self.index, self.floor = f"robot_{index}", index, floor
         self._rng, self._quiet = rng, quiet
         self.pose = pose

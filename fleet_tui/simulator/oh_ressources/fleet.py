@@ -8,9 +8,9 @@ from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Message, Topic, topics_of
 from fleet_tui.simulator.oh_ressources.words import Changes, health
-from fleet_tui.simulator.robot import Robot
+from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.goals import ActionServer, Goal
+from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, robot_services
 from fleet_tui.simulator.world import World
 
@@ -28,7 +28,7 @@ class OhFleet:
         self._changes = Changes(world.robots)
 
     @property
-    def robots(self) -> Mapping[str, Robot]:
+    def robots(self) -> Mapping[str, SimRobot]:
         """The world's robots."""
         return self.world.robots
 
@@ -53,10 +53,10 @@ class OhFleet:
         """The world's answer."""
         return self.world.answer(service, args)
 
-    def feedback(self, server: ActionServer, goal: Goal, dialect: Dialect) -> Message | None:
+    def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
         """Nothing."""
 
-    def result(self, server: ActionServer, goal: Goal) -> Message | None:
+    def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
         """Nothing."""
 
     def news(self, dialect: Dialect) -> Iterable[tuple[str, Payload]]:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from fleet_tui.simulator.fleets import Line
-from fleet_tui.simulator.robot import EMPTY, LOW, Robot
+from fleet_tui.simulator.robot import EMPTY, LOW, SimRobot
 from fleet_tui.simulator.words import BROKEN, DEBUG, DOUBTFUL, ERROR, HEALTHY, INFO, WARN, entry
 
 Message = dict[str, Any]
@@ -26,7 +26,7 @@ class _Seen:
     vertex: int
 
 
-def _seen(robot: Robot) -> _Seen:
+def _seen(robot: SimRobot) -> _Seen:
     return _Seen(
         robot.last_order_id,
         robot.current_order_id,
@@ -43,7 +43,7 @@ def _seen(robot: Robot) -> _Seen:
 class Changes:
     """Notices what happens to robots from one look to the next."""
 
-    def __init__(self, robots: Mapping[str, Robot]) -> None:
+    def __init__(self, robots: Mapping[str, SimRobot]) -> None:
         self._robots = robots
         self._seen: dict[str, _Seen] = {}
 
@@ -57,7 +57,7 @@ class Changes:
                     yield level, f"/{name}/{node}", words
 
 
-def _changes(before: _Seen, now: _Seen, robot: Robot) -> Iterator[Line]:
+def _changes(before: _Seen, now: _Seen, robot: SimRobot) -> Iterator[Line]:
     if now.last_order > before.last_order:
         order = next((one for one in robot.orders if one.id == now.last_order), None)
         way = f": {order.start} -> {order.end}" if order else ""
@@ -81,14 +81,14 @@ def _changes(before: _Seen, now: _Seen, robot: Robot) -> Iterator[Line]:
         yield WARN, "battery", f"{robot.battery:.1f} %, charging soon"
 
 
-def _order_changes(before: _Seen, now: _Seen, robot: Robot) -> Iterator[Line]:
+def _order_changes(before: _Seen, now: _Seen, robot: SimRobot) -> Iterator[Line]:
     if before.current != -1 and all(order.id != before.current for order in robot.orders):
         yield INFO, "planner", f"order {before.current} has left the queue"
     if now.current != -1:
         yield DEBUG, "planner", f"working on order {now.current}"
 
 
-def health(robot: Robot) -> Iterator[Message]:
+def health(robot: SimRobot) -> Iterator[Message]:
     """The entries of /diagnostics about one robot."""
     empty, low = robot.battery < EMPTY, robot.battery < LOW
     level = BROKEN if empty else DOUBTFUL if low else HEALTHY

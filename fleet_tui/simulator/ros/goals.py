@@ -25,7 +25,7 @@ def uuid_of(id_: Id) -> NDArray[np.uint8]:
 
 
 @dataclass(eq=False)
-class Goal:
+class ServedGoal:
     """A goal that a server has accepted; `stamp` is when, in nanoseconds since 1970."""
 
     id: Id
@@ -53,12 +53,12 @@ class ActionServer:
         name: str,
         type_: str,
         decide: Callable[[Message], bool],
-        begin: Callable[[Goal], None],
+        begin: Callable[[ServedGoal], None],
     ) -> None:
         self.name, self.type = name, type_
         self.verb = name.rpartition("/")[2]
         self._decide, self._begin = decide, begin
-        self.goals: dict[Id, Goal] = {}
+        self.goals: dict[Id, ServedGoal] = {}
         self.reports: deque[list[tuple[Id, int, int]]] = deque(maxlen=LISTED)
         """The statuses that are still to be published: id, stamp and status of each goal."""
         self.alive = True
@@ -67,15 +67,15 @@ class ActionServer:
         """True: no goal is let go."""
 
     @property
-    def running(self) -> list[Goal]:
+    def running(self) -> list[ServedGoal]:
         """The goals that have not ended, the oldest first."""
         return [goal for goal in self.goals.values() if not goal.over]
 
-    def take(self, id_: Id, stamp: int, request: Message) -> Goal | None:
+    def take(self, id_: Id, stamp: int, request: Message) -> ServedGoal | None:
         """Accept a goal and begin with it, or reject it: None."""
         if not self._decide(request):
             return None
-        goal = self.goals[id_] = Goal(id_, stamp, request)
+        goal = self.goals[id_] = ServedGoal(id_, stamp, request)
         for old in [one for one in self.goals.values() if one.over][: max(0, len(self.goals) - LISTED)]:
             del self.goals[old.id]
         self._report()
@@ -83,7 +83,7 @@ class ActionServer:
         self._begin(goal)
         return goal
 
-    def advance(self, goal: Goal, status: int, result: Message | None = None) -> None:
+    def advance(self, goal: ServedGoal, status: int, result: Message | None = None) -> None:
         """Bring a goal on to another status. What has ended stays as it ended."""
         if goal.over:
             return
@@ -127,5 +127,5 @@ class ActionServer:
         self.reports.append([(goal.id, goal.stamp, goal.status) for goal in self.goals.values()])
 
 
-def _answer(code: int, goals: list[Goal]) -> Message:
+def _answer(code: int, goals: list[ServedGoal]) -> Message:
     return {"return_code": code, "goals_canceling": goals}

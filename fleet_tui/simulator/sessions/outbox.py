@@ -13,7 +13,7 @@ SLACK = 0.005  # seconds a throttled message may come early, so that a 10 Hz top
 
 
 @dataclass
-class Wish:
+class SubscribeRequest:
     """What one subscribe asked for: throttle in seconds, queue length in messages."""
 
     throttle: float = 0.0
@@ -22,10 +22,10 @@ class Wish:
 
 
 @dataclass
-class Subscription:
+class ClientSubscription:
     """A client's interest in one topic: all its subscribes together, by id, make one stream of frames."""
 
-    wishes: dict[str | None, Wish] = field(default_factory=dict)
+    wishes: dict[str | None, SubscribeRequest] = field(default_factory=dict)
     waiting: deque[Frame] = field(default_factory=deque)
     due: float = 0.0
     throttle: float = 0.0
@@ -50,14 +50,14 @@ class Outbox:
     """Frames for one client in the order in which they fall due. `now` is monotonic, in seconds."""
 
     def __init__(self) -> None:
-        self._due: list[tuple[float, int, Subscription]] = []
+        self._due: list[tuple[float, int, ClientSubscription]] = []
         self._number = count()
 
     def reply(self, frame: Frame, now: float) -> None:
         """Queue a frame that nothing may replace or hold back."""
-        self.offer(Subscription(), frame, now)
+        self.offer(ClientSubscription(), frame, now)
 
-    def offer(self, subscription: Subscription, frame: Frame, now: float) -> None:
+    def offer(self, subscription: ClientSubscription, frame: Frame, now: float) -> None:
         """Queue a topic's frame; throttled and without a queue it is lost, with one the newest stay."""
         early = subscription.due > now + SLACK
         if early and subscription.queue_length == 0:
@@ -87,6 +87,6 @@ class Outbox:
         """When `take` will have something, if nothing new comes."""
         return self._due[0][0] if self._due else None
 
-    def _plan(self, subscription: Subscription, now: float) -> None:
+    def _plan(self, subscription: ClientSubscription, now: float) -> None:
         at = max(now, subscription.due) if subscription.queue_length else now
         heapq.heappush(self._due, (at, next(self._number), subscription))

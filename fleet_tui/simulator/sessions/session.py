@@ -15,12 +15,12 @@ import msgspec
 from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.simulator.frames import Frame, Publication
+from fleet_tui.simulator.frames import Frame, OutgoingFrame
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.errors import BridgeError
 from fleet_tui.simulator.sessions.fragments import Assembler, split
 from fleet_tui.simulator.sessions.operations import Operation, problem_of
-from fleet_tui.simulator.sessions.outbox import COMPRESSIONS, Outbox, Subscription, Wish
+from fleet_tui.simulator.sessions.outbox import COMPRESSIONS, ClientSubscription, Outbox, SubscribeRequest
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.actions import ActionDesk
@@ -72,7 +72,7 @@ class Session:
     bridge: Bridge
 
     def __post_init__(self) -> None:
-        self.subscriptions: dict[str, Subscription] = {}
+        self.subscriptions: dict[str, ClientSubscription] = {}
         self.id = uuid.uuid4()
         self.address = self.connection.remote_address[0]
         self._outbox = Outbox()
@@ -91,7 +91,7 @@ class Session:
         finally:
             writer.cancel()
 
-    def offer(self, topic: str, publication: Publication) -> None:
+    def offer(self, topic: str, publication: OutgoingFrame) -> None:
         """Send a publication as this client subscribed to it: throttled, the newest kept."""
         subscription = self.subscriptions[topic]
         frame = publication.frame(subscription.compression)
@@ -184,9 +184,9 @@ class Session:
     def _subscribe(self, operation: Operation) -> None:
         topic = operation["topic"]
         self.bridge.join(self, operation)
-        subscription = self.subscriptions.setdefault(topic, Subscription())
+        subscription = self.subscriptions.setdefault(topic, ClientSubscription())
         asked = operation.get("compression")
-        subscription.wishes[operation.get("id")] = Wish(
+        subscription.wishes[operation.get("id")] = SubscribeRequest(
             (operation.get("throttle_rate") or 0) / 1000.0,
             operation.get("queue_length") or 0,
             next((one for one in COMPRESSIONS if one == asked), "none"),

@@ -17,8 +17,8 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import visible
-from fleet_tui.view.roles import Ink
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import way
 from fleet_tui.view.tables.table import Run, cut, width_of
 
@@ -30,7 +30,9 @@ REMEMBERED = 30.0
 ENDED_WELL = 5.0
 
 TROUBLE = FAILURES | {Stage.NO_ANSWER, Stage.UNKNOWN}
-_INKS = dict.fromkeys((Stage.CONFIRMED, Stage.ACCEPTED, Stage.TAKEN, Stage.DONE, Stage.CANCELLED), Ink.GOOD)
+_INKS = dict.fromkeys(
+    (Stage.CONFIRMED, Stage.ACCEPTED, Stage.TAKEN, Stage.DONE, Stage.CANCELLED), StyleRole.GOOD
+)
 
 
 def command_text(state: FleetState, command: Command) -> str:
@@ -40,7 +42,7 @@ def command_text(state: FleetState, command: Command) -> str:
         case PlaceOrder(name, stops):
             return f"{name} {command.text(robot.kind, way(robot, stops))}"
         case CancelOrder(name, order_id):
-            return f"{name} cancel order {visible(order_id)}"
+            return f"{name} cancel order {sanitize(order_id)}"
         case ClearOrders(name):
             return f"{name} clear all orders"
         case PauseRobot(name):
@@ -66,10 +68,10 @@ def _group_runs(state: FleetState, records: list[CommandRecord], brief: bool = F
         text = f"{first.command.robot} order"
     if len(records) > 1:
         text += f" and {len(records) - 1} more like it"
-    ink = Ink.ALARM if first.stage in TROUBLE else _INKS.get(first.stage, Ink.DIM)
+    ink = StyleRole.ALARM if first.stage in TROUBLE else _INKS.get(first.stage, StyleRole.DIM)
     # What a robot says on accepting ("paused") is true for that moment only.
-    words = "" if first.stage is Stage.ACCEPTED or not first.words else f" ({visible(first.words)})"
-    return (text, Ink.TEXT), (f": {stage_text(first, state.now)}", ink), (words, Ink.DIM)
+    words = "" if first.stage is Stage.ACCEPTED or not first.words else f" ({sanitize(first.words)})"
+    return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", ink), (words, StyleRole.DIM)
 
 
 def _worth_saying(state: FleetState) -> list[CommandRecord]:
@@ -114,10 +116,10 @@ def _is_trouble(records: Sequence[CommandRecord]) -> bool:
 def _batch_runs(state: FleetState, batch: Sequence[CommandRecord]) -> Part:
     what, words = summary(state, batch)
     if _is_trouble(batch):
-        ink = Ink.ALARM
+        ink = StyleRole.ALARM
     else:
-        ink = Ink.GOOD if all(record.is_decided for record in batch) else Ink.DIM
-    return (what, Ink.TEXT), (f": {words}", ink)
+        ink = StyleRole.GOOD if all(record.is_decided for record in batch) else StyleRole.DIM
+    return (what, StyleRole.TEXT), (f": {words}", ink)
 
 
 def message_line(state: FleetState, said: str, said_at: float, width: int) -> Part:
@@ -126,15 +128,17 @@ def message_line(state: FleetState, said: str, said_at: float, width: int) -> Pa
     found = sorted(_parts(state), key=lambda part: (part[0], -part[1]))
     parts, briefs = [part[2] for part in found], [part[3] for part in found]
     if said and _is_news(state, said_at):
-        parts.insert(0, ((said, Ink.WARN),))
-        briefs.insert(0, ((said, Ink.WARN),))
+        parts.insert(0, ((said, StyleRole.WARN),))
+        briefs.insert(0, ((said, StyleRole.WARN),))
     runs = _in_line(parts)
     return runs if width_of(runs) <= width else _squeezed(parts, briefs, width)
 
 
 def _in_line(parts: list[tuple[Run, ...]]) -> tuple[Run, ...]:
     gaps = [" ", *["   "] * len(parts)]
-    return tuple(run for gap, part in zip(gaps, parts, strict=False) for run in ((gap, Ink.TEXT), *part))
+    return tuple(
+        run for gap, part in zip(gaps, parts, strict=False) for run in ((gap, StyleRole.TEXT), *part)
+    )
 
 
 def _squeezed(parts: list[tuple[Run, ...]], briefs: list[tuple[Run, ...]], width: int) -> tuple[Run, ...]:

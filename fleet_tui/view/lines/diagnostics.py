@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
-from fleet_tui.text.sanitize import visible
-from fleet_tui.view.roles import Ink
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
 _KEYS = {
@@ -25,14 +25,14 @@ def page_runs(names: Sequence[str], shown: int, frozen: str) -> tuple[list[Run],
     for number, name in enumerate(names, 1):
         is_shown = number == shown
         text = f"[{number} {name}]" if is_shown else f" {number} {name} "
-        runs.append((text, Ink.TITLE_FOCUSED if is_shown else Ink.DIM))
-    return runs, [(frozen, Ink.WARN)] if frozen else []
+        runs.append((text, StyleRole.TITLE_FOCUSED if is_shown else StyleRole.DIM))
+    return runs, [(frozen, StyleRole.WARN)] if frozen else []
 
 
 def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: str) -> tuple[list[Run], list[Run]]:
     """What came of the last key, else the keys at the right."""
     if said:
-        return [(visible(said), Ink.WARN)], []
+        return [(sanitize(said), StyleRole.WARN)], []
     hints: list[tuple[str, str]] = []
     if page in _ENTER:
         hints.append((keys["menu"][0], _ENTER[page]))
@@ -40,5 +40,5 @@ def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: str) -> tupl
     hints += [(keys[id_][0], word) for id_, word in (("next_page", "page"), ("leave", "back")) if keys[id_]]
     runs: list[Run] = []
     for key, word in hints:
-        runs += [(f" {key} ", Ink.KEY), (f"{word} ", Ink.DIM)]
+        runs += [(f" {key} ", StyleRole.KEY), (f"{word} ", StyleRole.DIM)]
     return [], runs

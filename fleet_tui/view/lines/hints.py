@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping
 
 from fleet_tui.keys import KEYS, Key
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
 ALWAYS = ("palette", "help")
@@ -31,7 +31,7 @@ def hidden_keys(state: FleetState, selected: str) -> set[str]:
 
 def _runs(key: Key, keys: Mapping[str, tuple[str, ...]]) -> list[Run]:
     shown = keys[key.id][0]
-    return [(f" {shown} ", Ink.KEY), (f"{key.hint} ", Ink.DIM)]
+    return [(f" {shown} ", StyleRole.KEY), (f"{key.hint} ", StyleRole.DIM)]
 
 
 def hints(

@@ -6,29 +6,29 @@ from typing import assert_never
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Problem
-from fleet_tui.model.request import Wish
+from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.batches import batch_name
 from fleet_tui.rules.commands.keeping import all_orders, clearable
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 from fleet_tui.view.tables.fleet import mission
 
 SHOWN = 6
 
 
-def losses(state: FleetState, wish: Wish) -> Iterator[str]:
+def losses(state: FleetState, wish: Request) -> Iterator[str]:
     """What will be lost, one line each; none where nothing is."""
     for command in wish.commands:
         robot = state.robots[command.robot]
         match command:
             case CancelOrder(name, order_id):
-                yield f"Cancel order {visible(order_id)} of {name}?"
+                yield f"Cancel order {sanitize(order_id)} of {name}?"
                 orders = all_orders(state, robot)
                 yield from (mission(robot, order) for order in orders if order.id == order_id)
             case ClearOrders(name):
                 orders = clearable(state, robot)
                 yield f"Clear all {len(orders)} order{'s' * (len(orders) != 1)} of {name}?"
-                yield from (f"  {visible(order.id)}  {mission(robot, order)}" for order in orders[:SHOWN])
+                yield from (f"  {sanitize(order.id)}  {mission(robot, order)}" for order in orders[:SHOWN])
                 if len(orders) > SHOWN:
                     yield f"  and {len(orders) - SHOWN} more"
             case PlaceOrder() | PauseRobot() | ResumeRobot():
@@ -37,7 +37,7 @@ def losses(state: FleetState, wish: Wish) -> Iterator[str]:
                 assert_never(command)
 
 
-def wish_text(state: FleetState, wish: Wish) -> str:
+def wish_text(state: FleetState, wish: Request) -> str:
     """A wish in one line."""
     first = command_text(state, wish.commands[0])
     if len({command.robot for command in wish.commands}) > 1:
@@ -47,9 +47,9 @@ def wish_text(state: FleetState, wish: Wish) -> str:
     return ", ".join([first, *rest])
 
 
-def question(state: FleetState, wish: Wish, found: Sequence[Problem]) -> str:
+def question(state: FleetState, wish: Request, found: Sequence[Problem]) -> str:
     """What is asked, with what speaks against it."""
-    against = [visible(problem.text) for problem in found]
+    against = [sanitize(problem.text) for problem in found]
     lost = list(losses(state, wish))
     if lost:
         return "\n".join([*lost, *against])

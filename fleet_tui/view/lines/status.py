@@ -6,8 +6,8 @@ from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import visible
-from fleet_tui.view.roles import Ink
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
 # A link on which something came within so many seconds is well.
@@ -30,33 +30,33 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
 
 def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.phase is not Phase.UP:
-        yield "○ no link ", Ink.ALARM
+        yield "○ no link ", StyleRole.ALARM
         if link.reason:
-            yield f"{visible(link.reason)}, ", Ink.WARN
+            yield f"{sanitize(link.reason)}, ", StyleRole.WARN
         if link.phase is Phase.CONNECTING or link.next_try is None:
-            yield "trying now", Ink.TEXT
+            yield "trying now", StyleRole.TEXT
         else:
-            yield f"next try {max(0.0, link.next_try - now):.0f} s", Ink.TEXT
+            yield f"next try {max(0.0, link.next_try - now):.0f} s", StyleRole.TEXT
         heard = "" if link.heard is None else f", last message {age(now - link.heard)} ago"
-        yield f", since {age(now - link.since)}{heard} {address}", Ink.DIM
+        yield f", since {age(now - link.since)}{heard} {address}", StyleRole.DIM
         return
-    yield "● ", Ink.GOOD
-    yield f"{address} ", Ink.TEXT
+    yield "● ", StyleRole.GOOD
+    yield f"{address} ", StyleRole.TEXT
     if link.heard is None:
-        yield "nothing heard yet", Ink.DIM
+        yield "nothing heard yet", StyleRole.DIM
     else:
         silent = max(0.0, now - link.heard)
-        yield f"{silent:.1f} s", Ink.DIM if silent < SILENT_AFTER else Ink.WARN
+        yield f"{silent:.1f} s", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
     if link.command_path is CommandPath.DEAD:
-        yield f" commands dead: {visible(link.command_reason)}", Ink.ALARM
+        yield f" commands dead: {sanitize(link.command_reason)}", StyleRole.ALARM
     elif link.command_path is CommandPath.UNREGISTERED:
-        yield f" {visible(link.command_reason)}", Ink.ALARM
+        yield f" {sanitize(link.command_reason)}", StyleRole.ALARM
     if link.unsourced:
-        yield f" {visible(link.unsourced_text)}", Ink.ALARM
+        yield f" {sanitize(link.unsourced_text)}", StyleRole.ALARM
     if link.late >= BEHIND:
-        yield f" {link.late:.1f} s late: the bridge is overloaded", Ink.WARN
+        yield f" {link.late:.1f} s late: the bridge is overloaded", StyleRole.WARN
     if link.faults:
-        yield f" {link.faults} bad frames", Ink.WARN
+        yield f" {link.faults} bad frames", StyleRole.WARN
 
 
 def _worst(state: FleetState) -> LinkState:
@@ -79,20 +79,20 @@ def status_line(
     """What stands first is what must not be cut: alarms, the selected robot, the link, by its address or
     only by its name; what is no bridge always by its address."""
     fresh, alarms = state.unacknowledged, len(state.alarms) - state.shelved
-    runs: list[Run] = [(f" {visible(selected)}  ", Ink.ACCENT)]
-    sign, ink = ("▲", Ink.ALARM) if fresh else ("△", Ink.TEXT if alarms else Ink.DIM)
+    runs: list[Run] = [(f" {sanitize(selected)}  ", StyleRole.ACCENT)]
+    sign, ink = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
     runs.append((f"{sign} {alarms} alarm{'s' * (alarms != 1)}" + (f" ({fresh} new)" if fresh else ""), ink))
-    runs.append(("  ", Ink.TEXT))
-    runs.extend((note + "  ", Ink.WARN) for note in notes)
+    runs.append(("  ", StyleRole.TEXT))
+    runs.extend((note + "  ", StyleRole.WARN) for note in notes)
     others = len(state.links) - 1
     link = _worst(state)
-    runs.extend(_link_runs(link, state.now, visible(link.url if addressed or link.is_bag else link.name)))
+    runs.extend(_link_runs(link, state.now, sanitize(link.url if addressed or link.is_bag else link.name)))
     if others > 0:
         up = sum(link.phase is Phase.UP for link in state.links.values())
-        runs.append((f"  {up} of {others + 1} links up", Ink.DIM))
+        runs.append((f"  {up} of {others + 1} links up", StyleRole.DIM))
     return tuple(runs)
 
 
 def status_right(clock: str, operator: str = "") -> tuple[Run, ...]:
     """What fills the right end where there is room: the program or who commands, and the time."""
-    return ((f"{visible(operator) or 'fleet-tui'}  ", Ink.DIM), (f"{clock} ", Ink.DIM))
+    return ((f"{sanitize(operator) or 'fleet-tui'}  ", StyleRole.DIM), (f"{clock} ", StyleRole.DIM))

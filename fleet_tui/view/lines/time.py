@@ -5,8 +5,8 @@ from enum import IntEnum
 
 from msgspec import Struct
 
-from fleet_tui.text.sanitize import visible
-from fleet_tui.view.roles import Ink
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, cut, width_of
 
 SAID_FOR = 5.0
@@ -22,9 +22,9 @@ class MarkKind(IntEnum):
 
 
 _SIGNS = {
-    MarkKind.COMMAND: ("◆", Ink.ACCENT),
-    MarkKind.GAP: ("╳", Ink.WARN),
-    MarkKind.ALARM: ("▲", Ink.ALARM),
+    MarkKind.COMMAND: ("◆", StyleRole.ACCENT),
+    MarkKind.GAP: ("╳", StyleRole.WARN),
+    MarkKind.ALARM: ("▲", StyleRole.ALARM),
 }
 
 
@@ -36,7 +36,7 @@ class TimeMark(Struct, frozen=True):
     text: str
 
 
-class Moment(Struct, frozen=True):
+class ReplayPosition(Struct, frozen=True):
     """Where a recording stands. `began`, `ended` and `at` are its monotonic seconds, `wall` is Unix time;
     `reached` is the speed where `speed` is too much for this machine, `is_over` at the end, `busy` how
     much of a long jump is done (0 to 1), `note` what is wrong with the recording; `jumps` counts them."""
@@ -62,34 +62,34 @@ def span(seconds: float) -> str:
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
 
 
-def bar(moment: Moment, width: int) -> tuple[Run, ...]:
+def bar(moment: ReplayPosition, width: int) -> tuple[Run, ...]:
     """The time line itself, from the first to the last second, as wide as it may be."""
     before, after = _ends(moment)
     cells = width - len(before) - len(after)
     if cells < 3:
-        return cut([(before + after, Ink.TEXT)], width)
+        return cut([(before + after, StyleRole.TEXT)], width)
     here = _cell(moment, moment.at, cells)
-    signs = [("━", Ink.ACCENT) if n < here else ("─", Ink.DIM) for n in range(cells)]
+    signs = [("━", StyleRole.ACCENT) if n < here else ("─", StyleRole.DIM) for n in range(cells)]
     for mark in sorted(moment.marks, key=lambda mark: mark.kind):
         signs[_cell(moment, mark.at, cells)] = _SIGNS[mark.kind]
-    signs[here] = "●", Ink.TITLE_FOCUSED
-    return ((before, Ink.TEXT), *signs, (after, Ink.DIM))
+    signs[here] = "●", StyleRole.TITLE_FOCUSED
+    return ((before, StyleRole.TEXT), *signs, (after, StyleRole.DIM))
 
 
-def _ends(moment: Moment) -> tuple[str, str]:
+def _ends(moment: ReplayPosition) -> tuple[str, str]:
     """What stands before and after the bar; it does not move while it is played."""
     total = span(moment.ended - moment.began)
     return f" {span(moment.at - moment.began):>{len(total)}} ", f" {total} "
 
 
-def time_at(moment: Moment, x: int, width: int) -> float:
+def time_at(moment: ReplayPosition, x: int, width: int) -> float:
     """The second that a cell of the time line stands for."""
     before, after = _ends(moment)
     share = (x - len(before)) / max(1, width - len(before) - len(after))
     return moment.began + max(0.0, min(1.0, share)) * (moment.ended - moment.began)
 
 
-def _cell(moment: Moment, at: float, cells: int) -> int:
+def _cell(moment: ReplayPosition, at: float, cells: int) -> int:
     share = (at - moment.began) / max(moment.ended - moment.began, 1e-9)
     return max(0, min(int(share * cells), cells - 1))
 
@@ -99,7 +99,7 @@ def factor(speed: float) -> str:
     return f"x{speed:g}"
 
 
-def _pace(moment: Moment) -> str:
+def _pace(moment: ReplayPosition) -> str:
     if moment.busy is not None:
         return f"going there: {moment.busy:.0%}"
     if moment.is_over:
@@ -108,29 +108,29 @@ def _pace(moment: Moment) -> str:
     return f"{'stopped' if moment.paused else 'playing'} {factor(moment.speed)}{reached}"
 
 
-def passed(moment: Moment) -> TimeMark | None:
+def passed(moment: ReplayPosition) -> TimeMark | None:
     """The mark to be told: the last one that was passed, if that was a short while ago."""
     seconds = SAID_FOR * (1.0 if moment.paused else max(1.0, moment.speed))
     recent = [mark for mark in moment.marks if 0.0 <= moment.at - mark.at < seconds]
     return recent[-1] if recent else None
 
 
-def told(moment: Moment, clock: Callable[[float], str], width: int) -> tuple[Run, ...]:
+def told(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> tuple[Run, ...]:
     """The line below: how it is played, and what happened just now."""
     sign = "‖" if moment.paused else "▸"
     runs: list[Run] = [
-        (f" {sign} {clock(moment.wall)} ", Ink.TEXT),
-        (f"{_pace(moment)}  read-only  ", Ink.DIM),
+        (f" {sign} {clock(moment.wall)} ", StyleRole.TEXT),
+        (f"{_pace(moment)}  read-only  ", StyleRole.DIM),
     ]
     mark = passed(moment)
     if mark is not None:
         sign, ink = _SIGNS[mark.kind]
-        runs += [(f"{sign} ", ink), (f"{visible(mark.text)}  ", Ink.TEXT)]
+        runs += [(f"{sign} ", ink), (f"{sanitize(mark.text)}  ", StyleRole.TEXT)]
     if moment.note:
-        runs.append((visible(moment.note), Ink.WARN))
+        runs.append((sanitize(moment.note), StyleRole.WARN))
     return cut(runs, width) if width_of(runs) > width else tuple(runs)
 
 
-def time_line(moment: Moment, clock: Callable[[float], str], width: int) -> list[tuple[Run, ...]]:
+def time_line(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> list[tuple[Run, ...]]:
     """Both lines, each exactly as wide as it may be."""
     return [bar(moment, width), cut(told(moment, clock, width), width)]

@@ -9,7 +9,7 @@ from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.hints import hidden_keys
 
 SHOWN = 5
@@ -24,8 +24,8 @@ def why_lines(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):
         likeliest = "▶ likeliest: " if number == 1 else f"  {number}. "
-        lines += ["", f"{likeliest}{visible(reason.name)}  ({reason.strength.name.lower()})"]
-        lines.append(f"    {visible(reason.evidence)}")
+        lines += ["", f"{likeliest}{sanitize(reason.name)}  ({reason.strength.name.lower()})"]
+        lines.append(f"    {sanitize(reason.evidence)}")
         lines += [f"    {line}" for line in (_age(state, reason), *_helps(reason, keys, hidden)) if line]
     return lines
 

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from fleet_tui.model.geometry import MapFrame
-from fleet_tui.text.sanitize import cell_width, fit, visible
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.map.camera import Camera, scale_bar
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
-Piece = tuple[str, Ink]
+Piece = tuple[str, StyleRole]
 LEAST = 8  # cells that a note must have
 _BAR = 14  # cells that the scale bar may take
 
@@ -35,13 +35,13 @@ class Caption:
 def caption_row(facts: Caption) -> Cells:
     """One row of cells, not to be drawn on; where it is narrow a note is cut and what is less important left
     out."""
-    row = Cells.blank(facts.camera.width, 1, Ink.RULE)
+    row = Cells.blank(facts.camera.width, 1, StyleRole.RULE)
     row.codes[:] = ord("-" if facts.drawing is Drawing.ASCII else "─")
     x = 1
     for piece, ink in _pieces(facts):
         room = facts.camera.width - x - 2
         # A note says what is wrong: of a long one the beginning is worth more than the rest of the row.
-        is_cut = ink is Ink.WARN and LEAST < room < cell_width(piece)
+        is_cut = ink is StyleRole.WARN and LEAST < room < cell_width(piece)
         text = f" {fit(piece, room) if is_cut else piece} "
         if x + cell_width(text) <= facts.camera.width:
             row.write(x, 0, text, ink)
@@ -51,20 +51,22 @@ def caption_row(facts: Caption) -> Cells:
 
 def _pieces(facts: Caption) -> list[Piece]:
     """The pieces from left to right, which is also the order of their importance."""
-    pieces: list[Piece] = [(visible(facts.floor), Ink.TITLE_FOCUSED if facts.focused else Ink.TITLE)]
+    pieces: list[Piece] = [
+        (sanitize(facts.floor), StyleRole.TITLE_FOCUSED if facts.focused else StyleRole.TITLE)
+    ]
     if facts.note:
-        pieces.append((visible(facts.note), Ink.WARN))
+        pieces.append((sanitize(facts.note), StyleRole.WARN))
     if facts.cursor:
         # Adding 0 turns -0.0 into 0.0.
         x, y = (round(metres, 1) + 0.0 for metres in facts.cursor)
-        pieces.append((f"x {x:.1f} y {y:.1f} m", Ink.TEXT))
+        pieces.append((f"x {x:.1f} y {y:.1f} m", StyleRole.TEXT))
     return [
         *pieces,
-        (_bar(facts), Ink.DIM),
+        (_bar(facts), StyleRole.DIM),
         *_turn(facts),
-        (f"follow {'on' if facts.follow else 'off'}", Ink.TEXT if facts.follow else Ink.DIM),
-        (f"zoom {'robot' if facts.zoom_robot else 'centre'}", Ink.DIM),
-        (facts.drawing.value, Ink.DIM),
+        (f"follow {'on' if facts.follow else 'off'}", StyleRole.TEXT if facts.follow else StyleRole.DIM),
+        (f"zoom {'robot' if facts.zoom_robot else 'centre'}", StyleRole.DIM),
+        (facts.drawing.value, StyleRole.DIM),
     ]
 
 
@@ -73,7 +75,7 @@ def _turn(facts: Caption) -> list[Piece]:
     yaw = facts.frame.origin.yaw
     degrees = round(math.degrees(yaw)) if math.isfinite(yaw) else 0
     unit = " deg" if facts.drawing is Drawing.ASCII else "°"
-    return [(f"yaw {degrees}{unit}", Ink.DIM)] if degrees else []
+    return [(f"yaw {degrees}{unit}", StyleRole.DIM)] if degrees else []
 
 
 def _bar(facts: Caption) -> str:

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fleet_tui.text.sanitize import cells_of
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 Codes = NDArray[np.uint32]
 Inks = NDArray[np.uint8]
 Run = tuple[str, int]
-"""Text and the ink (an `Ink`'s number) that all of it has."""
+"""Text and the ink (an `StyleRole`'s number) that all of it has."""
 
 _TAIL = 0  # the code in the second cell of a wide character
 _BLANK = 0x20
@@ -23,13 +23,13 @@ _FEW = 40  # texts that are written sooner one by one than all at once
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cells:
-    """codes: uint32 code points, inks: uint8 `Ink`s, both of shape (height, width)."""
+    """codes: uint32 code points, inks: uint8 `StyleRole`s, both of shape (height, width)."""
 
     codes: Codes
     inks: Inks
 
     @classmethod
-    def blank(cls, width: int, height: int, ink: Ink) -> Self:
+    def blank(cls, width: int, height: int, ink: StyleRole) -> Self:
         """Spaces in one ink."""
         shape = (height, width)
         return cls(np.full(shape, _BLANK, np.uint32), np.full(shape, ink, np.uint8))
@@ -38,7 +38,7 @@ class Cells:
         """Planes of their own, to draw on."""
         return Cells(self.codes.copy(), self.inks.copy())
 
-    def write(self, x: int, y: int, text: str, ink: Ink) -> None:
+    def write(self, x: int, y: int, text: str, ink: StyleRole) -> None:
         """Put safe `text` at cell (x, y) in place; what does not fit in the row is left out."""
         height, width = self.codes.shape
         codes = _codes_of(text)
@@ -55,7 +55,7 @@ class Cells:
         row[x:after] = codes
         self.inks[y, x:after] = ink
 
-    def write_all(self, texts: Sequence[tuple[int, int, str, Ink]]) -> None:
+    def write_all(self, texts: Sequence[tuple[int, int, str, StyleRole]]) -> None:
         """`write` for many texts (x, y, text, ink) at once, of letters that take one cell each."""
         if len(texts) < _FEW:
             for text in texts:

@@ -10,8 +10,8 @@ from functools import lru_cache
 from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
-from fleet_tui.model.robot import Chart, Robot
-from fleet_tui.text.sanitize import visible
+from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.mission import mission, targets
 from fleet_tui.view.map.scene import Line, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
@@ -25,11 +25,11 @@ Drawn = tuple[tuple[SceneVertex, ...], tuple[Line, ...], tuple[Line, ...]]
 
 
 @lru_cache(maxsize=2)
-def _drawn(chart: Chart) -> Drawn:
+def _drawn(chart: RobotMap) -> Drawn:
     """Vertices, edges and the one-way ones of them; the same objects as long as the chart is the same."""
     graph, labels = chart.graph or RouteGraph(), chart.labels
     vertices = tuple(
-        SceneVertex(vertex.id, vertex.x, vertex.y, vertex.role, visible(labels.get(vertex.id, "")))
+        SceneVertex(vertex.id, vertex.x, vertex.y, vertex.role, sanitize(labels.get(vertex.id, "")))
         for vertex in graph.vertices.values()
     )
     places, joined = graph.vertices, {(edge.start, edge.end) for edge in graph.edges}
@@ -66,7 +66,7 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
     return MapFrame(EMPTY_RESOLUTION, *pixels, Pose(left, low))
 
 
-def _with_map(floor: Floor, chart: Chart, scene: Scene) -> Scene:
+def _with_map(floor: Floor, chart: RobotMap, scene: Scene) -> Scene:
     """The floor's configured file first, then the live map, then empty ground that says what is missing."""
     grid, frame = floor.grid, chart.frame
     if grid is not None and floor.tied:
@@ -138,14 +138,14 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
     if robot.pose is None:
         return f"{robot.name} has no pose yet"
     if actual is None:
-        return f"{robot.name} is on unknown floor {visible(robot.frame_id)}"
+        return f"{robot.name} is on unknown floor {sanitize(robot.frame_id)}"
     return f"{robot.name} is on {actual}" if actual != selection.floor else ""
 
 
 def floor_scene(state: FleetState, selection: Selection) -> Scene:
     """What the map shows of the selected floor."""
     owner = chart_robot(state, selection)
-    chart = owner.charts[selection.floor] if owner else Chart()
+    chart = owner.charts[selection.floor] if owner else RobotMap()
     vertices, edges, one_way = _drawn(chart)
     floor = state.floors[selection.floor]
     ground = _ground(state, floor.name, vertices)

@@ -4,7 +4,7 @@ import math
 
 from fleet_tui.model.graph import Role
 from fleet_tui.view.map.scene import SceneRobot, SceneVertex
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 # East first, then counter-clockwise in steps of 45 degrees. A loaded robot is a filled arrow.
 _EMPTY = "→↗↑↖←↙↓↘"
@@ -35,17 +35,17 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
     return tag if robot.online else f"{tag} {age_text(robot.age)}"
 
 
-def robot_inks(robot: SceneRobot) -> tuple[Ink, Ink]:
+def robot_inks(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
     """The inks of the arrow and of the tag: selection shows in the first, trouble in both."""
     if not robot.online:
-        state = Ink.ROBOT_OFFLINE
+        state = StyleRole.ROBOT_OFFLINE
     elif robot.obstacle:
-        state = Ink.ROBOT_ALARM
+        state = StyleRole.ROBOT_ALARM
     elif robot.selected:
-        state = Ink.ROBOT_SELECTED
+        state = StyleRole.ROBOT_SELECTED
     else:
-        return (Ink.CARGO if robot.cargo else Ink.ROBOT), Ink.ROBOT
-    return (Ink.ROBOT_SELECTED if robot.selected else state), state
+        return (StyleRole.CARGO if robot.cargo else StyleRole.ROBOT), StyleRole.ROBOT
+    return (StyleRole.ROBOT_SELECTED if robot.selected else state), state
 
 
 def age_text(seconds: float) -> str:
@@ -57,12 +57,12 @@ def age_text(seconds: float) -> str:
     return f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.0f} h"
 
 
-def vertex_glyph(vertex: SceneVertex, plain: bool) -> tuple[str, Ink]:
+def vertex_glyph(vertex: SceneVertex, plain: bool) -> tuple[str, StyleRole]:
     """A vertex by its role; one without a role by whether it has a label."""
     if vertex.role is Role.ELEVATOR:
-        return ("E" if plain else "↕"), Ink.ELEVATOR
+        return ("E" if plain else "↕"), StyleRole.ELEVATOR
     if vertex.role is Role.DOCKING:
-        return ("D" if plain else "⌂"), Ink.DOCKING
+        return ("D" if plain else "⌂"), StyleRole.DOCKING
     if vertex.label:
-        return "o", Ink.VERTEX_LABELLED
-    return ("'" if plain else "·"), Ink.VERTEX
+        return "o", StyleRole.VERTEX_LABELLED
+    return ("'" if plain else "·"), StyleRole.VERTEX

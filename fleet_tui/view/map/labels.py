@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.map.cells import Inks
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 _REACH = 3  # rows or cells that a tag may be away from its robot
 _MARGIN = 40  # cells between two rows of a room, always taken, so that nothing reaches from one into the next
 LONGEST = _MARGIN - 2 * _REACH
 """Cells of the longest tag that finds a place."""
 
-_HELD = np.zeros(len(Ink), np.bool_)
-_HELD[Ink.VERTEX : Ink.TARGET + 1] = True  # vertices and labels
+_HELD = np.zeros(len(StyleRole), np.bool_)
+_HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
 
 class Room:
@@ -205,4 +205,4 @@ def _around(glyph: int, cells: int) -> tuple[tuple[int, int], ...]:
 
 def _hidden(inks: Inks) -> int:
     """How many of the cells hold something: a wall, an edge, a vertex."""
-    return int(np.count_nonzero(inks > Ink.UNKNOWN))
+    return int(np.count_nonzero(inks > StyleRole.UNKNOWN))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from fleet_tui.model.graph import Role
 from fleet_tui.model.order import natural
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
@@ -14,11 +14,11 @@ from fleet_tui.view.map.labels import Room
 from fleet_tui.view.map.places import Place, seen_robots, seen_vertices
 from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class MapOptions:
     """What the operator chose to see. cursor: where the map's cursor is, x, y in metres; pointed: the
     id of the vertex under it."""
 
@@ -35,25 +35,25 @@ class Look:
         return self.drawing is Drawing.ASCII
 
 
-def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """The occupancy map, over everything that was there."""
     below = ground(scene.grid, camera, look.drawing)
     cells.codes[:] = below.codes
     cells.inks[:] = below.inks
 
 
-def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """The vertices by role, the important ones over the others. On the current way a plain one is part
     of the line."""
     placed = seen_vertices(scene, camera)
     for vertex, (x, y) in sorted(placed, key=lambda at: vertex_glyph(at[0], look.plain)[1]):
         glyph, ink = vertex_glyph(vertex, look.plain)
-        if ink is Ink.VERTEX and cells.inks[y, x] == Ink.MISSION:
-            glyph, ink = ("*" if look.plain else "•"), Ink.MISSION
-        cells.write(x, y, glyph, Ink.TARGET if vertex.id in scene.target_vertices else ink)
+        if ink is StyleRole.VERTEX and cells.inks[y, x] == StyleRole.MISSION:
+            glyph, ink = ("*" if look.plain else "•"), StyleRole.MISSION
+        cells.write(x, y, glyph, StyleRole.TARGET if vertex.id in scene.target_vertices else ink)
 
 
-def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Labels where there is room for the whole of them, so more of them the nearer the view.
 
     First the mission's ends, then the vertex under the cursor, elevators and docking stations, the
@@ -70,15 +70,15 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     targets = scene.target_vertices
     labelled = [at for at in placed if at[0].label]
     for vertex, (x, y) in sorted(labelled, key=lambda at: _rank(at[0], targets, look)):
-        text = visible(vertex.label)
+        text = sanitize(vertex.label)
         if look.plain:
             text = text.encode("ascii", "replace").decode()
         spot = room.label_spot(x, y, text, cells.inks)
         if spot:
-            cells.write(*spot, text, Ink.TARGET if vertex.id in targets else Ink.LABEL)
+            cells.write(*spot, text, StyleRole.TARGET if vertex.id in targets else StyleRole.LABEL)
 
 
-def _rank(vertex: SceneVertex, targets: tuple[str, ...], look: Look) -> tuple[bool, bool, bool, object]:
+def _rank(vertex: SceneVertex, targets: tuple[str, ...], look: MapOptions) -> tuple[bool, bool, bool, object]:
     """The smallest goes first."""
     return vertex.id not in targets, vertex.id != look.pointed, vertex.role is Role.PLAIN, natural(vertex.id)
 
@@ -87,7 +87,9 @@ Tags = dict[int, Place]
 """Where the number of each robot stands, from its arrow, by number."""
 
 
-def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look, tags: Tags | None = None) -> None:
+def draw_robots(
+    cells: Cells, scene: Scene, camera: Camera, look: MapOptions, tags: Tags | None = None
+) -> None:
     """Every robot as an arrow with its number beside it; the selected one on top and placed first.
 
     `tags` remembers from picture to picture where the numbers stand: they stay there while there is room.
@@ -100,7 +102,7 @@ def draw_robots(cells: Cells, scene: Scene, camera: Camera, look: Look, tags: Ta
     room = Room(camera.width, camera.height, cells.inks)
     for (x, y), glyph in glyphs.items():
         room.take(x, y, len(glyph))
-    texts: list[tuple[int, int, str, Ink]] = []
+    texts: list[tuple[int, int, str, StyleRole]] = []
     for robot, at in placed:
         glyph_ink, tag_ink = robot_inks(robot)
         if owners[at] is robot:
@@ -136,10 +138,10 @@ def _robot_glyph(
     return glyph[:1] if (at[0] + 1, at[1]) in owners else glyph
 
 
-def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """The map's cursor: the cell's own character, marked."""
     if look.cursor is None:
         return
     x, y = camera.to_cell(*scene.frame.to_pixel(*look.cursor))
     if camera.shows(x, y):
-        cells.inks[y, x] = Ink.CURSOR
+        cells.inks[y, x] = StyleRole.CURSOR

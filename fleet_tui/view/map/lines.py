@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.layers import Look
+from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Points, pixels
 from fleet_tui.view.map.raster import BRAILLE, pack
 from fleet_tui.view.map.scene import Line, Scene
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 Mask = NDArray[np.bool_]
 """The dots of a view, (rows, columns)."""
@@ -26,16 +26,16 @@ _NEXT = ":"
 _ARROWS = ("▸▴◂▾", ">^<v")  # east first, counter-clockwise; the second in ASCII
 
 
-def _table(*inks: Ink) -> NDArray[np.bool_]:
-    found = np.zeros(len(Ink), np.bool_)
+def _table(*inks: StyleRole) -> NDArray[np.bool_]:
+    found = np.zeros(len(StyleRole), np.bool_)
     found[list(inks)] = True
     return found
 
 
-_GROUND = _table(Ink.FLOOR, Ink.UNKNOWN)
-_OPEN = _table(Ink.FLOOR, Ink.UNKNOWN, Ink.EDGE, Ink.TRAIL, Ink.TRAIL_OLD)
-_WAYS = (Ink.MISSION, Ink.MISSION_NEXT)
-_KEPT = _table(Ink.WALL, Ink.WALL_BEYOND, Ink.MISSION_NEXT, Ink.MISSION)
+_GROUND = _table(StyleRole.FLOOR, StyleRole.UNKNOWN)
+_OPEN = _table(StyleRole.FLOOR, StyleRole.UNKNOWN, StyleRole.EDGE, StyleRole.TRAIL, StyleRole.TRAIL_OLD)
+_WAYS = (StyleRole.MISSION, StyleRole.MISSION_NEXT)
+_KEPT = _table(StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.MISSION_NEXT, StyleRole.MISSION)
 
 
 def _mask(camera: Camera) -> Mask:
@@ -53,7 +53,7 @@ def _ends(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points
     return _dots(scene, camera, ends[:, :2]), _dots(scene, camera, ends[:, 2:])
 
 
-def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """The route graph's edges as thin lines that leave every wall visible."""
     if not (look.edges and scene.edges):
         return
@@ -62,13 +62,13 @@ def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     bits = pack(mask)
     free = (bits > 0) & _GROUND[cells.inks]
     cells.codes[free] = ord("+") if look.plain else BRAILLE[bits[free]]
-    cells.inks[free] = Ink.EDGE
+    cells.inks[free] = StyleRole.EDGE
     if scene.one_way:
         _point(cells, scene, camera, look)
 
 
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")
-def _point(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+def _point(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """An arrow head in the middle of what is seen of each one-way edge, where there is room."""
     starts, stops = _ends(scene, camera, scene.one_way)
     low, high = _within((camera.height * DOTS_Y, camera.width * DOTS_X), starts, stops)
@@ -78,25 +78,25 @@ def _point(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
     quarters = np.rint(np.arctan2(-way[seen, 1], way[seen, 0]) / (np.pi / 2)).astype(np.intp) % 4
     arrows = _ARROWS[look.plain]
     for (x, y), quarter in zip((middles // (DOTS_X, DOTS_Y)).astype(np.intp), quarters, strict=True):
-        if camera.shows(x, y) and cells.inks[y, x] == Ink.EDGE:
-            cells.write(int(x), int(y), arrows[quarter], Ink.EDGE)
+        if camera.shows(x, y) and cells.inks[y, x] == StyleRole.EDGE:
+            cells.write(int(x), int(y), arrows[quarter], StyleRole.EDGE)
 
 
-def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """The selected robot's remaining way: of the current order thick, of the next ones dashed."""
     if scene.mission is None:
         return
     if scene.mission.following:
         mask = _mask(camera)
         _trace(mask, *_ends(scene, camera, scene.mission.following), dashed=True)
-        _stroke(cells, mask, Ink.MISSION_NEXT, look, _NEXT)
+        _stroke(cells, mask, StyleRole.MISSION_NEXT, look, _NEXT)
     if scene.mission.current:
         mask = _mask(camera)
         _trace(mask, *_ends(scene, camera, scene.mission.current))
-        _stroke(cells, mask, Ink.MISSION, look, "*")
+        _stroke(cells, mask, StyleRole.MISSION, look, "*")
 
 
-def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """The first piece of that way, what is left of the edge that the selected robot is on.
 
     As long as it is near the edge, the edge's own dots: they don't dance when the pose does.
@@ -113,17 +113,17 @@ def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: Look) -> Non
         edge, done = (pose.x, pose.y, to_x, to_y), 0.0
     mask = _mask(camera)
     _trace(mask, *_ends(scene, camera, (edge,)), done=done)
-    _stroke(cells, mask, Ink.MISSION, look, "*")
+    _stroke(cells, mask, StyleRole.MISSION, look, "*")
 
 
-def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: Look) -> None:
+def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Where robots were, as dots that pale and thin out with age."""
     if scene.trail is None or not len(scene.trail):
         return
     dots, old = _dots(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED
     # By place, so that a dot that stays does not come and go with its neighbours.
     thinned = old & (np.floor(dots).sum(axis=1) % 2 == 0)
-    for some, ink in ((old & ~thinned, Ink.TRAIL_OLD), (~old, Ink.TRAIL)):
+    for some, ink in ((old & ~thinned, StyleRole.TRAIL_OLD), (~old, StyleRole.TRAIL)):
         mask = _mask(camera)
         _dot(mask, dots[some])
         _stroke(cells, mask, ink, look, ",")
@@ -137,14 +137,14 @@ def _thick(mask: Mask) -> Mask:
     return thick
 
 
-def _stroke(cells: Cells, mask: Mask, ink: Ink, look: Look, plain: str) -> None:
+def _stroke(cells: Cells, mask: Mask, ink: StyleRole, look: MapOptions, plain: str) -> None:
     """Draw the dots in one ink where nothing more important stands; as ASCII the character `plain`.
 
     The current mission is thick. A wall under a mission stays what it is and only takes its ink: the
     line goes on through it.
     """
     passed = pack(mask)
-    bits = pack(_thick(mask)) if ink is Ink.MISSION and not look.plain else passed
+    bits = pack(_thick(mask)) if ink is StyleRole.MISSION and not look.plain else passed
     drawn = (bits > 0) & _OPEN[cells.inks]
     if ink in _WAYS:
         crossed = (passed > 0) & _KEPT[cells.inks]

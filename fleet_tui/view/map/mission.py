@@ -11,7 +11,7 @@ import numpy as np
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import Order, vertices_of
-from fleet_tui.model.robot import Chart, Robot
+from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.why.traffic import stops_left
 from fleet_tui.view.map.scene import Line, Mission
 
@@ -83,7 +83,7 @@ class _Routes:
 
 
 @lru_cache(maxsize=2)
-def _routes(chart: Chart) -> _Routes | None:
+def _routes(chart: RobotMap) -> _Routes | None:
     return _Routes(chart.graph) if chart.graph is not None else None
 
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import (
-    Look,
+    MapOptions,
     Tags,
     draw_cursor,
     draw_ground,
@@ -15,9 +15,9 @@ from fleet_tui.view.map.layers import (
 )
 from fleet_tui.view.map.lines import draw_approach, draw_edges, draw_mission, draw_trails
 from fleet_tui.view.map.scene import Scene
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
-Layer = Callable[[Cells, Scene, Camera, Look], None]
+Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
 
 STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices, draw_labels)
 """Drawn again only when the map, the graph, the mission, the camera or the look changes."""
@@ -26,15 +26,15 @@ MOVING: tuple[Layer, ...] = (draw_trails, draw_approach)
 """Drawn at every tick; then the robots, and the cursor on top."""
 
 
-def backdrop(scene: Scene, camera: Camera, look: Look) -> Cells:
+def backdrop(scene: Scene, camera: Camera, look: MapOptions) -> Cells:
     """The picture without what moves."""
-    cells = Cells.blank(camera.width, camera.height, Ink.UNKNOWN)
+    cells = Cells.blank(camera.width, camera.height, StyleRole.UNKNOWN)
     for draw in STILL:
         draw(cells, scene, camera, look)
     return cells
 
 
-def picture(behind: Cells, scene: Scene, camera: Camera, look: Look, tags: Tags | None = None) -> Cells:
+def picture(behind: Cells, scene: Scene, camera: Camera, look: MapOptions, tags: Tags | None = None) -> Cells:
     """What moves, drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`."""
     cells = behind.copy()
     for draw in MOVING:

@@ -15,7 +15,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
 COARSE = 12.0
 """Pixels per dot from which nearly every dot holds some wall: then only edges stay solid, and the
@@ -146,7 +146,7 @@ _BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 BRAILLE = np.arange(0x2800, 0x2900, dtype=np.uint32)
 BRAILLE[0] = ord(" ")  # some fonts draw rings for the empty pattern
 _HATCH = ord("⠂")
-_WALLS = np.array([Ink.UNKNOWN, Ink.FLOOR, Ink.WALL_BEYOND, Ink.WALL], np.uint8)
+_WALLS = np.array([StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL_BEYOND, StyleRole.WALL], np.uint8)
 
 
 def pack(mask: NDArray[np.bool_]) -> Classes:
@@ -171,7 +171,7 @@ def _braille(dots: Classes, walls: NDArray[np.bool_]) -> Cells:
     bits = pack(walls)
     codes = BRAILLE[bits]
     inks = _WALLS[(bits > 0) * np.uint8(2) + _known(dots)]
-    codes[inks == Ink.UNKNOWN] = _HATCH
+    codes[inks == StyleRole.UNKNOWN] = _HATCH
     return Cells(codes, inks)
 
 
@@ -208,14 +208,14 @@ def _half_block(dots: Classes, shares: Classes | None = None) -> Cells:
         full = DOTS_X * DOTS_Y * 4
         codes[toned] = _TONES[(_summed(shares)[toned] * 2 >= full).astype(np.intp)]
     inks = _WALLS[(walls > 0) * np.uint8(2) + _known(dots)]
-    codes[inks == Ink.UNKNOWN] = ord("░")
+    codes[inks == StyleRole.UNKNOWN] = ord("░")
     return Cells(codes, inks)
 
 
 _ASCII = np.zeros(3, np.uint32)
 _ASCII[[UNKNOWN, FREE, OCCUPIED]] = [ord(" "), ord("."), ord("#")]
 _ASCII_INKS = np.zeros(3, np.uint8)
-_ASCII_INKS[[UNKNOWN, FREE, OCCUPIED]] = [Ink.UNKNOWN, Ink.FLOOR, Ink.WALL]
+_ASCII_INKS[[UNKNOWN, FREE, OCCUPIED]] = [StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL]
 
 
 def _ascii(dots: Classes) -> Cells:

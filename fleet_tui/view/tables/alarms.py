@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.text.sanitize import fit, visible
-from fleet_tui.view.roles import Ink
+from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
 _SIGNS = {
@@ -17,10 +17,10 @@ _SIGNS = {
 _PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
 
 
-def _ink(alarm: Alarm) -> Ink:
+def _ink(alarm: Alarm) -> StyleRole:
     if alarm.stage is AlarmStage.UNACKNOWLEDGED:
-        return Ink.WARN if alarm.condition.priority is Priority.LOW else Ink.ALARM
-    return Ink.TEXT if alarm.stage is AlarmStage.ACKNOWLEDGED else Ink.DIM
+        return StyleRole.WARN if alarm.condition.priority is Priority.LOW else StyleRole.ALARM
+    return StyleRole.TEXT if alarm.stage is AlarmStage.ACKNOWLEDGED else StyleRole.DIM
 
 
 def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float], str]) -> Row:
@@ -35,11 +35,11 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
             (f"{_SIGNS[alarm.stage]}{shelf} ", ink),
             (
                 f"{_PRIORITIES[alarm.condition.priority]} ",
-                Ink.DIM if alarm.stage is AlarmStage.RETURNED else ink,
+                StyleRole.DIM if alarm.stage is AlarmStage.RETURNED else ink,
             ),
-            (fit(alarm.condition.source, sources) + " ", Ink.TEXT),
-            (visible(alarm.text), ink),
-            (f" {clock(alarm.first_wall if alarm.holds else alarm.last_wall)}{count}", Ink.DIM),
+            (fit(alarm.condition.source, sources) + " ", StyleRole.TEXT),
+            (sanitize(alarm.text), ink),
+            (f" {clock(alarm.first_wall if alarm.holds else alarm.last_wall)}{count}", StyleRole.DIM),
         ),
     )
 
@@ -62,9 +62,9 @@ def alarm_table(state: FleetState, clock: Callable[[float], str]) -> Table:
     sources = column((alarm.condition.source for alarm in alarms), 7, 14)
     keys = [alarm.key for alarm in alarms]
     rows = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock))
-    title: list[Run] = [("Alarms", Ink.TITLE)]
+    title: list[Run] = [("Alarms", StyleRole.TITLE)]
     if state.unacknowledged:
-        title.append((f" {state.unacknowledged} new", Ink.ALARM))
+        title.append((f" {state.unacknowledged} new", StyleRole.ALARM))
     if state.shelved:
-        title.append((f" {state.shelved} shelved", Ink.DIM))
+        title.append((f" {state.shelved} shelved", StyleRole.DIM))
     return Table(tuple(title), rows, "all clear")

@@ -4,8 +4,8 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from fleet_tui.text.sanitize import fit, visible
-from fleet_tui.view.roles import Ink
+from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, column, cut
 
 Rows = list[tuple[Run, ...]]
@@ -39,38 +39,40 @@ class Line(NamedTuple):
 
 def first_run_rows(places: Sequence[tuple[str, str]], asked: Asked, width: int, height: int) -> Rows:
     """Name where a configuration was looked for, what is at an address, and what else can be done."""
-    rows: Rows = [((" fleet-tui", Ink.TITLE_FOCUSED), ("  no configuration found. Looked for", Ink.TEXT))]
-    rows += _pairs(places, Ink.TEXT)
+    rows: Rows = [
+        ((" fleet-tui", StyleRole.TITLE_FOCUSED), ("  no configuration found. Looked for", StyleRole.TEXT))
+    ]
+    rows += _pairs(places, StyleRole.TEXT)
     rows += [(), *_asked(asked, width), ()]
-    rows += _pairs(COMMANDS, Ink.KEY)
+    rows += _pairs(COMMANDS, StyleRole.KEY)
     return _fitted(rows, width, height)
 
 
-def _pairs(pairs: Sequence[tuple[str, str]], ink: Ink) -> Iterator[tuple[Run, ...]]:
-    wide = column((visible(name) for name, _ in pairs), at_most=40)
+def _pairs(pairs: Sequence[tuple[str, str]], ink: StyleRole) -> Iterator[tuple[Run, ...]]:
+    wide = column((sanitize(name) for name, _ in pairs), at_most=40)
     for name, text in pairs:
-        yield (f"   {fit(visible(name), wide)}", ink), (f"  {text}", Ink.DIM)
+        yield (f"   {fit(sanitize(name), wide)}", ink), (f"  {text}", StyleRole.DIM)
 
 
 def _asked(asked: Asked, width: int) -> Iterator[tuple[Run, ...]]:
-    ink = Ink.GOOD if asked.is_found else Ink.WARN if asked.is_over else Ink.DIM
-    yield ((f" {visible(asked.address)}", Ink.ACCENT),)
+    ink = StyleRole.GOOD if asked.is_found else StyleRole.WARN if asked.is_over else StyleRole.DIM
+    yield ((f" {sanitize(asked.address)}", StyleRole.ACCENT),)
     for n, words in enumerate((asked.words, *asked.more)):
-        for line in textwrap.wrap(visible(words), max(20, width - 4), break_on_hyphens=False):
-            yield ((f"   {line}", ink if n == 0 else Ink.TEXT),)
+        for line in textwrap.wrap(sanitize(words), max(20, width - 4), break_on_hyphens=False):
+            yield ((f"   {line}", ink if n == 0 else StyleRole.TEXT),)
 
 
 def arrival_rows(
     summary: str, lines: Sequence[Line], lacks: Sequence[str], cursor: int, width: int, height: int
 ) -> Rows:
     """Show what was found, and each thing that could be otherwise with what holds now."""
-    head: Rows = [((f" {visible(summary)}", Ink.TITLE_FOCUSED),)]
-    said = [*(visible(lack) for lack in lacks)]
+    head: Rows = [((f" {sanitize(summary)}", StyleRole.TITLE_FOCUSED),)]
+    said = [*(sanitize(lack) for lack in lacks)]
     if lines:
         said.append("This is not certain. Nothing is sent before the console opens.")
     for text in said:
         wrapped = textwrap.wrap(text, max(20, width - 2), break_on_hyphens=False)
-        head += [((f" {line}", Ink.WARN if text in lacks else Ink.TEXT),) for line in wrapped]
+        head += [((f" {line}", StyleRole.WARN if text in lacks else StyleRole.TEXT),) for line in wrapped]
     room = max(1, height - len(head) - 1)
     first = max(0, min(cursor - room + 1, len(lines) - room))
     shown = [_choice(line, n == cursor, width) for n, line in enumerate(lines) if first <= n < first + room]
@@ -80,19 +82,19 @@ def arrival_rows(
 def _choice(line: Line, is_here: bool, width: int) -> tuple[Run, ...]:
     about = max(16, width * 2 // 5)
     count = f"  {line.number} of {line.of}" if line.number else f"  none of {line.of}"
-    text = fit(visible(line.text), about)
-    chosen = fit(visible(line.chosen), max(8, width - about - len(count) - 8))
+    text = fit(sanitize(line.text), about)
+    chosen = fit(sanitize(line.chosen), max(8, width - about - len(count) - 8))
     return (
-        (" > " if is_here else "   ", Ink.ACCENT),
-        (text, Ink.TITLE_FOCUSED if is_here else Ink.TEXT),
-        (f" < {chosen} >", Ink.ACCENT if is_here else Ink.TEXT),
-        (count, Ink.DIM),
+        (" > " if is_here else "   ", StyleRole.ACCENT),
+        (text, StyleRole.TITLE_FOCUSED if is_here else StyleRole.TEXT),
+        (f" < {chosen} >", StyleRole.ACCENT if is_here else StyleRole.TEXT),
+        (count, StyleRole.DIM),
     )
 
 
 def footer(keys: Sequence[tuple[str, str]]) -> list[Run]:
     """Write the keys of a screen."""
-    return [run for key, text in keys for run in ((f" {key} ", Ink.KEY), (f"{text} ", Ink.DIM))]
+    return [run for key, text in keys for run in ((f" {key} ", StyleRole.KEY), (f"{text} ", StyleRole.DIM))]
 
 
 def _fitted(rows: Rows, width: int, height: int) -> Rows:

@@ -4,15 +4,15 @@ from collections.abc import Sequence
 
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
-from fleet_tui.text.sanitize import fit, visible
-from fleet_tui.view.roles import Ink
+from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
 TROUBLE = frozenset(stage.value for stage in (*FAILURES, Stage.NO_ANSWER, Stage.UNKNOWN)) | {
     "console closed",
     "lost",
 }
-_INKS = {"confirmed": Ink.GOOD, "raised": Ink.WARN, "raised again": Ink.WARN}
+_INKS = {"confirmed": StyleRole.GOOD, "raised": StyleRole.WARN, "raised again": StyleRole.WARN}
 
 
 def _vertex(label: str, id_: str, with_id: bool) -> str:
@@ -27,13 +27,13 @@ def what_text(record: AuditRecord, with_ids: bool = False) -> str:
         words += [*start, "->", _vertex(record.end_label, record.end, with_ids)]
     elif record.order is not None:
         words.append(f"order {record.order}")
-    return visible(" ".join(word for word in words if word))
+    return sanitize(" ".join(word for word in words if word))
 
 
 def line_text(record: AuditRecord) -> str:
     """A record as one line; it is what a search looks through."""
     words = f" ({record.words})" if record.words else ""
-    return visible(f"{_time(record)} {record.operator} {what_text(record)}: {record.change}{words}")
+    return sanitize(f"{_time(record)} {record.operator} {what_text(record)}: {record.change}{words}")
 
 
 def _time(record: AuditRecord) -> str:
@@ -42,15 +42,15 @@ def _time(record: AuditRecord) -> str:
 
 
 def _row(place: int, record: AuditRecord, operators: int) -> Row:
-    ink = Ink.ALARM if record.change in TROUBLE else _INKS.get(record.change, Ink.TEXT)
+    ink = StyleRole.ALARM if record.change in TROUBLE else _INKS.get(record.change, StyleRole.TEXT)
     runs: list[Run] = [
-        (fit(_time(record), 14) + " ", Ink.DIM),
-        (fit(record.operator, operators) + " ", Ink.DIM),
-        (what_text(record), Ink.TEXT),
-        (f": {visible(record.change)}", ink),
+        (fit(_time(record), 14) + " ", StyleRole.DIM),
+        (fit(record.operator, operators) + " ", StyleRole.DIM),
+        (what_text(record), StyleRole.TEXT),
+        (f": {sanitize(record.change)}", ink),
     ]
     if record.words:
-        runs.append((f" ({visible(record.words)})", Ink.DIM))
+        runs.append((f" ({sanitize(record.words)})", StyleRole.DIM))
     return Row(place, tuple(runs))
 
 
@@ -58,7 +58,9 @@ def audit_table(records: Sequence[AuditRecord], note: str = "", empty: str = "")
     """Records in the sequence given; `note` stands beside the title, `empty` where there is none."""
     operators = column((record.operator for record in records), 3, 10)
     rows = LateRows(range(len(records)), lambda place: _row(place, records[place], operators))
-    return Table((("Audit log", Ink.TITLE), (f" {visible(note)}", Ink.DIM)), rows, visible(empty))
+    return Table(
+        (("Audit log", StyleRole.TITLE), (f" {sanitize(note)}", StyleRole.DIM)), rows, sanitize(empty)
+    )
 
 
 def details(record: AuditRecord) -> list[str]:
@@ -71,4 +73,4 @@ def details(record: AuditRecord) -> list[str]:
     about += [f"{record.priority} priority", f"x{record.count}"] if record.priority else []
     about += [f"{record.link} {record.url}"] if record.url else []
     said = f"{record.change}: {record.words}" if record.words else record.change
-    return [visible(line) for line in (by, ", ".join(about), said)]
+    return [sanitize(line) for line in (by, ", ".join(about), said)]

@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import milliseconds, size_text
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Table
 
 Spread = tuple[float, float, float]
@@ -38,40 +38,40 @@ def _spread(spread: Spread | None) -> str:
     return f"{median}, 95 % within {most}, the longest {longest}"
 
 
-def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, Ink]]:
+def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
     over = facts.tick is not None and facts.tick[1] > facts.budget
     budget = f"  budget {milliseconds(facts.budget)}" + (" is exceeded" if over else "")
-    yield "tick", _spread(facts.tick) + budget, Ink.WARN if over else Ink.TEXT
-    yield "encoding", _spread(facts.paint), Ink.TEXT
+    yield "tick", _spread(facts.tick) + budget, StyleRole.WARN if over else StyleRole.TEXT
+    yield "encoding", _spread(facts.paint), StyleRole.TEXT
     sent = f"{facts.pictures:.1f} pictures/s, {size_text(facts.sent)}/s"
     held = f", {facts.held:,} held back: it did not read" if facts.held else ", none held back"
-    yield "terminal", sent + held, Ink.TEXT
+    yield "terminal", sent + held, StyleRole.TEXT
     memory = "not told by this system"
     if facts.memory is not None and facts.peak is not None:
         memory = f"{size_text(facts.memory)}, at most {size_text(facts.peak)}"
-    yield "memory", memory, Ink.TEXT
-    yield "process", f"{facts.threads} threads, up for {facts.up}", Ink.TEXT
+    yield "memory", memory, StyleRole.TEXT
+    yield "process", f"{facts.threads} threads, up for {facts.up}", StyleRole.TEXT
 
 
 def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
     """The facts, then the log, newest first, as far as `wanted` stands in a line."""
-    above = [Row(name, ((f"{name:<10}", Ink.DIM), (text, ink))) for name, text, ink in _facts(facts)]
+    above = [Row(name, ((f"{name:<10}", StyleRole.DIM), (text, ink))) for name, text, ink in _facts(facts)]
     sought = wanted.casefold()
     lines = [line for line in reversed(log) if sought in line.casefold()]
     note = f"log, newest first: {len(lines)} of {len(log)} lines" + (f", with {wanted}" if wanted else "")
-    above.append(Row("log", ((f"── {visible(note)}", Ink.DIM),)))
+    above.append(Row("log", ((f"── {sanitize(note)}", StyleRole.DIM),)))
 
     def row(n: int) -> Row:
         if n < len(above):
             return above[n]
         line = lines[n - len(above)]
-        return Row(id(line), ((visible(line), _ink(line)),))
+        return Row(id(line), ((sanitize(line), _ink(line)),))
 
     keys = [*(one.key for one in above), *map(id, lines)]
-    return Table((("Console", Ink.TITLE),), LateRows(keys, row))
+    return Table((("Console", StyleRole.TITLE),), LateRows(keys, row))
 
 
-def _ink(line: str) -> Ink:
+def _ink(line: str) -> StyleRole:
     if " ERROR " in line or " CRITICAL " in line:
-        return Ink.ALARM
-    return Ink.WARN if " WARNING " in line else Ink.TEXT
+        return StyleRole.ALARM
+    return StyleRole.WARN if " WARNING " in line else StyleRole.TEXT

@@ -14,8 +14,8 @@ from fleet_tui.rules.commands.keeping import all_orders, foreign
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import fit, visible
-from fleet_tui.view.roles import Ink
+from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column, width_of
 
@@ -25,12 +25,12 @@ CARGO = "■"
 def place(robot: Robot, vertex: str) -> str:
     """A vertex as an operator reads it; one that no graph of the robot has is marked."""
     name = robot.name_of(vertex)
-    return visible(name) if name is not None else f"{visible(vertex)}?"
+    return sanitize(name) if name is not None else f"{sanitize(vertex)}?"
 
 
 def mission(robot: Robot, order: Order) -> str:
     """`A -> B` by labels."""
-    return visible(order.label) if order.label and not order.stops else way(robot, order.stops)
+    return sanitize(order.label) if order.label and not order.stops else way(robot, order.stops)
 
 
 def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
@@ -64,7 +64,7 @@ def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
     for value, reading in readings.items():
         if reading is not None and state.is_old(robot, value):
             name = "pause" if value == "paused" else value
-            yield f"{name} {age(state.now - reading.at)} old", Ink.WARN
+            yield f"{name} {age(state.now - reading.at)} old", StyleRole.WARN
 
 
 def _paused(state: FleetState, robot: Robot) -> str:
@@ -77,35 +77,35 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """What a person should know about a robot, the most urgent first."""
     online = state.is_online(robot)
     if robot.heard is None:
-        yield "never seen", Ink.DIM
+        yield "never seen", StyleRole.DIM
     elif not online:
-        yield f"offline {age(state.now - robot.heard)}", Ink.ALARM
+        yield f"offline {age(state.now - robot.heard)}", StyleRole.ALARM
     contact = robot.obstacle if state.was_obstructed(robot) else None
     is_old = state.is_old(robot, "obstacle")
     if contact is not None and not is_old:
-        yield obstacle_text(state, robot, contact), Ink.ALARM
+        yield obstacle_text(state, robot, contact), StyleRole.ALARM
     if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
-        yield blocked_text(robot.blocked.value, state.now), Ink.ALARM
+        yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:
-        yield "not sure where", Ink.WARN
+        yield "not sure where", StyleRole.WARN
     if state.is_paused(robot):
-        yield _paused(state, robot), Ink.WARN
+        yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:
-        yield obstacle_text(state, robot, contact), Ink.DIM
+        yield obstacle_text(state, robot, contact), StyleRole.DIM
     if online:
         yield from _old(state, robot)
     if is_news(state, robot.fault_at):
-        yield f"bad data x{robot.faults}", Ink.WARN
+        yield f"bad data x{robot.faults}", StyleRole.WARN
 
 
 def _battery(state: FleetState, robot: Robot) -> Run:
     if robot.battery is None:
-        return "  - %" if "battery" in robot.kind.reports else " " * 5, Ink.DIM
+        return "  - %" if "battery" in robot.kind.reports else " " * 5, StyleRole.DIM
     percent = robot.battery.value
     if not state.is_online(robot):
-        ink = Ink.DIM
+        ink = StyleRole.DIM
     else:
-        ink = Ink.ALARM if percent < state.limits.battery_low else Ink.GOOD
+        ink = StyleRole.ALARM if percent < state.limits.battery_low else StyleRole.GOOD
     # Rounded down: 19.6 is below 20, and must not read 20 in red.
     return f"{int(percent):3d} %", ink
 
@@ -135,32 +135,34 @@ class _Columns(NamedTuple):
 def _head(state: FleetState, robot: Robot, selected: bool, columns: _Columns) -> list[Run]:
     """What every row begins with: whether it is there, which one it is, its battery."""
     online = state.is_online(robot)
-    ink = Ink.TEXT if online else Ink.DIM
-    dot: Run = ("●", Ink.GOOD) if online else ("○", Ink.DIM if robot.heard is None else Ink.ALARM)
+    ink = StyleRole.TEXT if online else StyleRole.DIM
+    dot: Run = (
+        ("●", StyleRole.GOOD) if online else ("○", StyleRole.DIM if robot.heard is None else StyleRole.ALARM)
+    )
     return [
         dot,
-        (f" {robot.number:{columns.numbers}d} ", Ink.DIM),
-        (fit(robot.name, columns.names), Ink.ACCENT if selected else ink),
+        (f" {robot.number:{columns.numbers}d} ", StyleRole.DIM),
+        (fit(robot.name, columns.names), StyleRole.ACCENT if selected else ink),
         (" ", ink),
         *([_battery(state, robot), (" ", ink)] if columns.battery else []),
     ]
 
 
-def _doing(state: FleetState, robot: Robot, ink: Ink) -> Run:
+def _doing(state: FleetState, robot: Robot, ink: StyleRole) -> Run:
     current = robot.orders.current
     if current is not None:
         progress = progress_text(state, robot, current)
         return whose_mission(state, robot, current) + (f"  {progress}" if progress else ""), ink
     if not state.is_online(robot) or not robot.kind.lists_orders:
-        return "", Ink.DIM
+        return "", StyleRole.DIM
     waiting = sum(not order.is_over for order in all_orders(state, robot))
     if robot.queue is None and not waiting:
-        return "queue missing" if robot.kind.expects("queue") else "-", Ink.DIM
-    return f"{waiting} waiting" if waiting else "idle", Ink.DIM
+        return "queue missing" if robot.kind.expects("queue") else "-", StyleRole.DIM
+    return f"{waiting} waiting" if waiting else "idle", StyleRole.DIM
 
 
 def _row(state: FleetState, robot: Robot, head: list[Run], columns: _Columns, width: int) -> Row:
-    ink = Ink.TEXT if state.is_online(robot) else Ink.DIM
+    ink = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     told: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", ink))]
     floor: list[Run] = [
         (fit(floor_text(state, robot), columns.floors), ink),
@@ -184,4 +186,4 @@ def fleet_table(state: FleetState, selected: str, width: int) -> Table:
         return _row(state, robot, head, columns, width)
 
     rows = LateRows(list(state.robots), row)
-    return Table((("Fleet", Ink.TITLE), (f" {online} of {len(rows)} online", Ink.DIM)), rows)
+    return Table((("Fleet", StyleRole.TITLE), (f" {online} of {len(rows)} online", StyleRole.DIM)), rows)

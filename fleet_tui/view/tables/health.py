@@ -3,25 +3,25 @@
 from collections import Counter
 from collections.abc import Collection, Hashable, Iterator, Mapping
 
-from fleet_tui.model.ros_logs import Diagnosis, Health
-from fleet_tui.text.sanitize import fit, visible
+from fleet_tui.model.ros_logs import Health, PartDiagnosis
+from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.links import Links, down
 from fleet_tui.view.tables.table import Row, Table, column
 
 OLD = 10.0
 """Seconds after which a report is old: robots report about once a second."""
-_LOOKS: Mapping[int, tuple[str, Ink]] = {
-    Health.OK: ("● OK", Ink.GOOD),
-    Health.WARN: ("▲ WARN", Ink.WARN),
-    Health.ERROR: ("✗ ERROR", Ink.ALARM),
-    Health.STALE: ("○ STALE", Ink.WARN),
+_LOOKS: Mapping[int, tuple[str, StyleRole]] = {
+    Health.OK: ("● OK", StyleRole.GOOD),
+    Health.WARN: ("▲ WARN", StyleRole.WARN),
+    Health.ERROR: ("✗ ERROR", StyleRole.ALARM),
+    Health.STALE: ("○ STALE", StyleRole.WARN),
 }
 
 
-def _look(level: int) -> tuple[str, Ink]:
-    return _LOOKS.get(level, (f"? level {level}", Ink.WARN))
+def _look(level: int) -> tuple[str, StyleRole]:
+    return _LOOKS.get(level, (f"? level {level}", StyleRole.WARN))
 
 
 def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: float) -> Table:
@@ -41,8 +41,8 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
     levels = Counter(_look(one.level)[0][2:] for _, one in found if one.level != Health.OK)
     note = f" /diagnostics  {len(found)} parts"
     note += "".join(f", {count} {word}" for word, count in sorted(levels.items()))
-    note += f", with {visible(wanted)}" if wanted else ""
-    title = ("Diagnostics of the robots", Ink.TITLE), (note, Ink.DIM), *down(links)
+    note += f", with {sanitize(wanted)}" if wanted else ""
+    title = ("Diagnostics of the robots", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     empty = (
         "no such part"
         if wanted
@@ -51,20 +51,20 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
     return Table(title, rows, empty)
 
 
-def _rows(key: Hashable, one: Diagnosis, names: int, is_open: bool, now: float) -> Iterator[Row]:
+def _rows(key: Hashable, one: PartDiagnosis, names: int, is_open: bool, now: float) -> Iterator[Row]:
     word, ink = _look(one.level)
     is_old = now - one.at > OLD
     came = f"{'old, ' if is_old else ''}{ago(one.at, now)}"
     yield Row(
         key,
         (
-            (f"{word:<10}", Ink.DIM if is_old else ink),
-            (fit(one.name, names) + " ", Ink.TEXT),
-            (f"{came:>15}  ", Ink.WARN if is_old else Ink.DIM),
-            (visible(one.message), Ink.TEXT),
+            (f"{word:<10}", StyleRole.DIM if is_old else ink),
+            (fit(one.name, names) + " ", StyleRole.TEXT),
+            (f"{came:>15}  ", StyleRole.WARN if is_old else StyleRole.DIM),
+            (sanitize(one.message), StyleRole.TEXT),
         ),
     )
     if is_open:
         for n, (name, value) in enumerate((("hardware", one.hardware), *one.values)):
-            shown = ((f"          {visible(name)}: ", Ink.DIM), (visible(value), Ink.TEXT))
+            shown = ((f"          {sanitize(name)}: ", StyleRole.DIM), (sanitize(value), StyleRole.TEXT))
             yield Row((key, n), shown)

@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago, milliseconds, size_text
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Row, Run, Table
 
 Links = Sequence[tuple[LinkState, LinkCounter]]
@@ -18,23 +18,23 @@ LATE = 11.0
 
 def down(links: Links) -> tuple[Run, ...]:
     """`no link` where not everything can be live, and to whom; nothing where all is well."""
-    names = [visible(link.name) for link, _ in links if link.phase is not Phase.UP]
+    names = [sanitize(link.name) for link, _ in links if link.phase is not Phase.UP]
     if not names:
         return ()
-    return ((" no link" if len(links) == 1 else f" no link: {', '.join(names)}", Ink.ALARM),)
+    return ((" no link" if len(links) == 1 else f" no link: {', '.join(names)}", StyleRole.ALARM),)
 
 
 def link_table(links: Links, now: float) -> Table:
     """All links, one below the other. `now` is monotonic."""
     rows: list[Row] = []
     for link, counter in links:
-        runs = (f"{visible(link.name)} ", Ink.TITLE), (visible(link.url), Ink.TEXT)
+        runs = (f"{sanitize(link.name)} ", StyleRole.TITLE), (sanitize(link.url), StyleRole.TEXT)
         rows.append(Row((link.name, ""), runs))
         rows += [
-            Row((link.name, name), ((f"  {name:<14}", Ink.DIM), *runs))
+            Row((link.name, name), ((f"  {name:<14}", StyleRole.DIM), *runs))
             for name, runs in _fields(link, counter, now)
         ]
-    return Table((("Link", Ink.TITLE),), rows, "the console is still starting")
+    return Table((("Link", StyleRole.TITLE),), rows, "the console is still starting")
 
 
 def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple[str, tuple[Run, ...]]]:
@@ -43,10 +43,10 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     yield "round trip", tuple(_round_trip(counter, now))
     messages, size = counter.all.rates(now) or (0.0, 0.0)
     total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in all"
-    yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", Ink.TEXT), (total, Ink.DIM))
+    yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))
     heard = counter.all.at
     silent = heard is None or now - heard > 2.0
-    yield "last message", ((ago(heard, now), Ink.WARN if silent else Ink.TEXT),)
+    yield "last message", ((ago(heard, now), StyleRole.WARN if silent else StyleRole.TEXT),)
     yield "connections", tuple(_connections(counter, now))
     yield "passed over", (_count(counter.dropped, "frames that were too large, or too many to wait for"),)
     yield (
@@ -62,50 +62,50 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
 def _state(link: LinkState, now: float) -> Run:
     since = age(now - link.since)
     if link.phase is Phase.UP:
-        return f"● up for {since}", Ink.GOOD
+        return f"● up for {since}", StyleRole.GOOD
     trying = "trying now"
     if link.phase is Phase.WAITING and link.next_try is not None:
         trying = f"next try in {max(0.0, link.next_try - now):.0f} s"
-    why = f": {visible(link.reason)}" if link.reason else ""
-    return f"○ no link for {since}{why}, {trying}", Ink.ALARM
+    why = f": {sanitize(link.reason)}" if link.reason else ""
+    return f"○ no link for {since}{why}, {trying}", StyleRole.ALARM
 
 
 def _commands(link: LinkState) -> Run:
     match link.command_path:
         case CommandPath.ALIVE:
-            return "● get through", Ink.GOOD
+            return "● get through", StyleRole.GOOD
         case CommandPath.DEAD | CommandPath.UNREGISTERED:
-            return f"✗ don't get through: {visible(link.command_reason)}", Ink.ALARM
+            return f"✗ don't get through: {sanitize(link.command_reason)}", StyleRole.ALARM
         case CommandPath.UNTRIED:
-            return "○ not tried yet", Ink.WARN
+            return "○ not tried yet", StyleRole.WARN
 
 
 def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:
     trips = counter.round_trips
     took = trips.took
     if not took:
-        yield "no heartbeat has come back yet", Ink.WARN
+        yield "no heartbeat has come back yet", StyleRole.WARN
     else:
         late = trips.at is None or now - trips.at > LATE
         newest = f"{milliseconds(took[-1])}, {ago(trips.at, now)}"
-        yield f"{newest}: overdue" if late else newest, Ink.WARN if late else Ink.TEXT
+        yield f"{newest}: overdue" if late else newest, StyleRole.WARN if late else StyleRole.TEXT
         spread = f"{milliseconds(min(took))} to {milliseconds(max(took))}"
         mean = milliseconds(sum(took) / len(took))
         jitter = f", jitter {milliseconds(trips.jitter)}" if took[1:] else ""
-        yield f"  the last {len(took)}: {spread}, mean {mean}{jitter}", Ink.DIM
+        yield f"  the last {len(took)}: {spread}, mean {mean}{jitter}", StyleRole.DIM
     if trips.unanswered:
-        yield f"  {trips.unanswered} unanswered", Ink.WARN
+        yield f"  {trips.unanswered} unanswered", StyleRole.WARN
 
 
 def _connections(counter: LinkCounter, now: float) -> Iterator[Run]:
     if not counter.connections:
-        yield "none yet from here", Ink.DIM
+        yield "none yet from here", StyleRole.DIM
         return
     again = counter.connections - 1
-    yield f"{again} reconnect{'s' * (again != 1)}", Ink.WARN if again else Ink.TEXT
+    yield f"{again} reconnect{'s' * (again != 1)}", StyleRole.WARN if again else StyleRole.TEXT
     if counter.lost_at is not None:
-        yield f", last lost {ago(counter.lost_at, now)}: {visible(counter.lost_why)}", Ink.DIM
+        yield f", last lost {ago(counter.lost_at, now)}: {sanitize(counter.lost_why)}", StyleRole.DIM
 
 
 def _count(count: int, what: str) -> Run:
-    return f"{count:,} {visible(what)}", Ink.WARN if count else Ink.DIM
+    return f"{count:,} {sanitize(what)}", StyleRole.WARN if count else StyleRole.DIM

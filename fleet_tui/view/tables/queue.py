@@ -10,9 +10,9 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.confirmation import find_order
 from fleet_tui.rules.commands.keeping import all_orders, kept_orders
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import cell_width, fit, visible
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import stage_text
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import whose_mission
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
@@ -63,7 +63,7 @@ def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tup
 
 def _status(order: Order, room: int) -> str:
     """Its state, in the robot's own word where that is all that there is room for."""
-    text, word = visible(order.state_text), visible(order.word)
+    text, word = sanitize(order.state_text), sanitize(order.word)
     return word if cell_width(text) > room >= cell_width(word) > 0 else text
 
 
@@ -73,41 +73,44 @@ def _row(
     names, places, ids, missions = columns
     robot, position, order = entry
     current = robot.orders.is_current(order)
-    ink = Ink.TEXT if current else Ink.DIM
+    ink = StyleRole.TEXT if current else StyleRole.DIM
     unknown = robot.knows_all_graphs() and None in map(robot.name_of, vertices_of(order.stops))
     runs: list[Run] = [
-        (fit(robot.name, names) + " " if names else "", Ink.TEXT),
-        (f"{position:{places}d} {fit(order.id, ids, right=True)} ", Ink.DIM),
-        (fit(whose_mission(state, robot, order), missions) + " ", Ink.WARN if unknown else Ink.TEXT),
+        (fit(robot.name, names) + " " if names else "", StyleRole.TEXT),
+        (f"{position:{places}d} {fit(order.id, ids, right=True)} ", StyleRole.DIM),
+        (
+            fit(whose_mission(state, robot, order), missions) + " ",
+            StyleRole.WARN if unknown else StyleRole.TEXT,
+        ),
     ]
     has_button = robot.kind.can(kind.CANCEL) and not order.is_over
     room = width - 1 - (len(CANCEL) if has_button else 0)
     runs.append((_status(order, room - width_of(runs)), ink))
     if progress := progress_text(state, robot, order):
-        runs.append((f"  {progress}", Ink.DIM))
-    runs.append((f"  cancel {leaving}" if leaving else "", Ink.WARN))
-    runs.append(("  unknown vertex" if unknown else "", Ink.WARN))
+        runs.append((f"  {progress}", StyleRole.DIM))
+    runs.append((f"  cancel {leaving}" if leaving else "", StyleRole.WARN))
+    runs.append(("  unknown vertex" if unknown else "", StyleRole.WARN))
     key = (robot.name, order.id, position)
     if not has_button:
         return Row(key, tuple(cut(runs, room)))
     button = Button(room, room + len(CANCEL), "cancel")
-    return Row(key, (*cut(runs, room), (CANCEL, Ink.KEY)), (button,))
+    return Row(key, (*cut(runs, room), (CANCEL, StyleRole.KEY)), (button,))
 
 
 def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:
     ours = not all_robots and robot.kind.keeps_goals
-    runs: list[Run] = [("Queue of this console " if ours else "Queue ", Ink.TITLE)]
-    runs.append(("all robots" if all_robots else robot.name, Ink.TITLE))
+    runs: list[Run] = [("Queue of this console " if ours else "Queue ", StyleRole.TITLE)]
+    runs.append(("all robots" if all_robots else robot.name, StyleRole.TITLE))
     if all_robots or robot.kind.lists_orders:
-        runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
+        runs.append((f" {count} order{'s' * (count != 1)}", StyleRole.DIM))
     if ours and robot.held and kept_orders(state, robot):
-        runs.append((f" held: {robot.held}", Ink.WARN))
+        runs.append((f" held: {robot.held}", StyleRole.WARN))
     if placed:
-        runs.append((f" +{placed} not seen here yet", Ink.WARN))
+        runs.append((f" +{placed} not seen here yet", StyleRole.WARN))
     if not all_robots and robot.has_cargo:
-        runs.append((" cargo on board", Ink.CARGO))
+        runs.append((" cargo on board", StyleRole.CARGO))
     if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
-        runs.append((f" {age(state.now - robot.queue.at)} old", Ink.WARN))
+        runs.append((f" {age(state.now - robot.queue.at)} old", StyleRole.WARN))
     return runs
 
 
@@ -145,7 +148,11 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
     buttons: tuple[Button, ...] = ()
     if not all_robots and rows and robot.kind.can(kind.CLEAR):
         start = width - len(CLEAR) - 1
-        title = [*cut(title, max(0, start - 1)), (" " + CLEAR, Ink.KEY)] if start > width_of(title) else title
+        title = (
+            [*cut(title, max(0, start - 1)), (" " + CLEAR, StyleRole.KEY)]
+            if start > width_of(title)
+            else title
+        )
         buttons = (Button(start, start + len(CLEAR), "clear"),) if title[-1][0].endswith(CLEAR) else ()
     return Table(tuple(title), rows, "no orders" if all_robots and listing else _empty(robot), buttons)
 

@@ -11,10 +11,10 @@ import msgspec
 
 from fleet_tui.adapters.ros.cbor import read_cbor
 from fleet_tui.model.counters import Raw, TopicCounter
-from fleet_tui.text.limits import brief
-from fleet_tui.text.sanitize import visible
+from fleet_tui.text.limits import truncate
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago, size_text
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Row, Table
 
 MOST_LINES = 1000
@@ -35,13 +35,13 @@ def raw_lines(raw: Raw) -> tuple[str, ...]:
     """At most MOST_LINES lines."""
     value = _published(raw)
     lines = _plain(raw) if value is _NOTHING else _value_lines(value, 0)
-    shown = tuple(visible(line) for line in islice(lines, MOST_LINES + 1))
+    shown = tuple(sanitize(line) for line in islice(lines, MOST_LINES + 1))
     return shown if len(shown) <= MOST_LINES else (*shown[:-1], f"… only the first {MOST_LINES:,} lines")
 
 
 def copied(raw: Raw) -> tuple[str, str]:
     """What is copied of a message, and what to say of that: all of it, whatever the view leaves out."""
-    text = "\n".join(visible(line) for line in _whole(raw).split("\n"))
+    text = "\n".join(sanitize(line) for line in _whole(raw).split("\n"))
     if len(text) <= LONGEST_COPY:
         return text, f"{len(text):,} characters"
     return text[:LONGEST_COPY], f"the first {LONGEST_COPY:,} of {len(text):,} characters"
@@ -49,15 +49,15 @@ def copied(raw: Raw) -> tuple[str, str]:
 
 def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Table:
     """The message of a topic; `why` it could not be read, empty where it could."""
-    title = [("Raw ", Ink.TITLE), (visible(topic.topic), Ink.TEXT)]
+    title = [("Raw ", StyleRole.TITLE), (sanitize(topic.topic), StyleRole.TEXT)]
     if raw is None:
         return Table(tuple(title), (), "no bad message" if why else "nothing came yet")
     kind = "CBOR" if raw.is_binary else "JSON"
-    title.append((f"  {ago(raw.at, now)}, {size_text(raw.size)} of {kind}", Ink.DIM))
-    rows = [Row(n, ((line, Ink.TEXT),)) for n, line in enumerate(raw_lines(raw))]
+    title.append((f"  {ago(raw.at, now)}, {size_text(raw.size)} of {kind}", StyleRole.DIM))
+    rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(raw_lines(raw))]
     if why:
-        title.append(("  bad", Ink.ALARM))
-        rows.insert(0, Row("why", ((f"▲ {visible(why)}", Ink.ALARM),)))
+        title.append(("  bad", StyleRole.ALARM))
+        rows.insert(0, Row("why", ((f"▲ {sanitize(why)}", StyleRole.ALARM),)))
     return Table(tuple(title), rows)
 
 
@@ -128,7 +128,7 @@ def _scalar(value: Any) -> str:
     if isinstance(value, bytes):
         return f"… {len(value):,} bytes"
     if isinstance(value, str):
-        return json.dumps(brief(value, LONGEST_STRING), ensure_ascii=False)
+        return json.dumps(truncate(value, LONGEST_STRING), ensure_ascii=False)
     if value is None or isinstance(value, bool):
         return json.dumps(value)
-    return brief(repr(value), LONGEST_STRING)
+    return truncate(repr(value), LONGEST_STRING)

@@ -5,18 +5,18 @@ from collections.abc import Callable
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
-from fleet_tui.text.sanitize import fit, visible
+from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.links import Links, down
 from fleet_tui.view.tables.table import LateRows, Row, Table, column
 
 _LOOKS = {
-    Severity.DEBUG: ("· DEBUG", Ink.DIM),
-    Severity.INFO: ("  INFO ", Ink.TEXT),
-    Severity.WARN: ("▲ WARN ", Ink.WARN),
-    Severity.ERROR: ("✗ ERROR", Ink.ALARM),
-    Severity.FATAL: ("✗ FATAL", Ink.ALARM),
+    Severity.DEBUG: ("· DEBUG", StyleRole.DIM),
+    Severity.INFO: ("  INFO ", StyleRole.TEXT),
+    Severity.WARN: ("▲ WARN ", StyleRole.WARN),
+    Severity.ERROR: ("✗ ERROR", StyleRole.ALARM),
+    Severity.FATAL: ("✗ FATAL", StyleRole.ALARM),
 }
 
 
@@ -42,12 +42,12 @@ def _wall(line: LogLine, offset: float) -> float:
 
 
 def _row(line: LogLine, nodes: int, time: str) -> Row:
-    word, ink = _LOOKS[line.severity] if line.severity else (f"level {line.level}", Ink.WARN)
+    word, ink = _LOOKS[line.severity] if line.severity else (f"level {line.level}", StyleRole.WARN)
     runs = (
-        (f"{time} ", Ink.DIM),
+        (f"{time} ", StyleRole.DIM),
         (f"{word:<8}", ink),
-        (fit(line.node, nodes) + " ", Ink.DIM),
-        (visible(line.text), Ink.ALARM if ink is Ink.ALARM else Ink.TEXT),
+        (fit(line.node, nodes) + " ", StyleRole.DIM),
+        (sanitize(line.text), StyleRole.ALARM if ink is StyleRole.ALARM else StyleRole.TEXT),
     )
     return Row(id(line), runs)
 
@@ -70,9 +70,9 @@ def robot_log_table(
     )
     note = f" /rosout  {len(found)} of {len(lines)} lines, {least.name}"
     note += "" if least is Severity.FATAL else " and worse"
-    note += f", with {visible(wanted)}" if wanted else ""
+    note += f", with {sanitize(wanted)}" if wanted else ""
     note += f", last {ago(_wall(lines[-1], offset), state.wall)}" if lines else ""
-    title = ("Log of the robots", Ink.TITLE), (note, Ink.DIM), *down(links)
+    title = ("Log of the robots", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     empty = (
         "no such line" if lines else "nothing came on /rosout, which is listened to while this screen is open"
     )

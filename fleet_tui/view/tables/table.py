@@ -6,9 +6,9 @@ from typing import overload
 from msgspec import Struct
 
 from fleet_tui.text.sanitize import cell_width, fit
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 
-Run = tuple[str, Ink]
+Run = tuple[str, StyleRole]
 
 
 class Button(Struct, frozen=True):
@@ -78,7 +78,7 @@ def cut(runs: Iterable[Run], cells: int) -> tuple[Run, ...]:
         result.append((text, ink))
         left -= width
     if left > 0:
-        result.append((" " * left, Ink.TEXT))
+        result.append((" " * left, StyleRole.TEXT))
     return tuple(result)
 
 

@@ -5,9 +5,9 @@ from collections.abc import Mapping, Sequence
 from fleet_tui.model.counters import TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.text.sanitize import fit, visible
+from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago, size_text
-from fleet_tui.view.roles import Ink
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.links import Links, down
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
@@ -20,19 +20,19 @@ Entry = tuple[LinkState, TopicCounter]
 def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: float) -> Run:
     """How a topic is, in a sign and words."""
     if topic.not_subscribed:
-        return "✗ not subscribed", Ink.ALARM
+        return "✗ not subscribed", StyleRole.ALARM
     if link.phase is not Phase.UP:
-        return "○ no link", Ink.WARN
+        return "○ no link", StyleRole.WARN
     if topic.bad is not None and now - topic.bad.raw.at < BAD_FOR:
-        return "▲ bad data", Ink.ALARM
+        return "▲ bad data", StyleRole.ALARM
     if topic.at is None:
         if topic.on_change:
-            return "· on change", Ink.DIM
+            return "· on change", StyleRole.DIM
         waits = topic.on_demand or not topic.robot
-        return ("· when shown", Ink.DIM) if waits else ("○ nothing yet", Ink.WARN)
+        return ("· when shown", StyleRole.DIM) if waits else ("○ nothing yet", StyleRole.WARN)
     if topic.once or topic.on_demand or topic.on_change or not topic.robot:
-        return "● came", Ink.TEXT
-    return ("○ silent", Ink.WARN) if now - topic.at > silent_after else ("● live", Ink.GOOD)
+        return "● came", StyleRole.TEXT
+    return ("○ silent", StyleRole.WARN) if now - topic.at > silent_after else ("● live", StyleRole.GOOD)
 
 
 def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
@@ -54,9 +54,9 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Tab
     names = column((topic.topic for _, topic in found), 10, 34)
     keys = [(link.name, topic.topic) for link, topic in found]
     rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))
-    trouble = sum(ink in (Ink.WARN, Ink.ALARM) for _, ink in states)
-    note = f" {len(found)}, {trouble} in trouble" + (f", with {visible(wanted)}" if wanted else "")
-    title = ("Topics", Ink.TITLE), (note, Ink.DIM), *down(links)
+    trouble = sum(ink in (StyleRole.WARN, StyleRole.ALARM) for _, ink in states)
+    note = f" {len(found)}, {trouble} in trouble" + (f", with {sanitize(wanted)}" if wanted else "")
+    title = ("Topics", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     return Table(title, rows, "no such topic" if wanted else "the console is still starting")
 
 
@@ -73,11 +73,11 @@ def _runs(state: Run, topic: TopicCounter, names: int, now: float) -> Sequence[R
     bad = f"{topic.errors:,} bad" if topic.errors else ""
     runs = [
         (f"{word:<17}", ink),
-        (fit(topic.topic, names) + " ", Ink.TEXT),
-        (f"{rate:>8} ", Ink.TEXT),
-        (f"{ago(topic.at, now):>10} ", Ink.WARN if ink is Ink.WARN else Ink.TEXT),
-        (f"{bad:>7} ", Ink.WARN),
-        (f"{size:>9} {topic.count:>8,}  ", Ink.DIM),
+        (fit(topic.topic, names) + " ", StyleRole.TEXT),
+        (f"{rate:>8} ", StyleRole.TEXT),
+        (f"{ago(topic.at, now):>10} ", StyleRole.WARN if ink is StyleRole.WARN else StyleRole.TEXT),
+        (f"{bad:>7} ", StyleRole.WARN),
+        (f"{size:>9} {topic.count:>8,}  ", StyleRole.DIM),
     ]
     why = topic.not_subscribed or (topic.bad.text if topic.bad is not None else "")
-    return [*runs, (visible(why), Ink.DIM)]
+    return [*runs, (sanitize(why), StyleRole.DIM)]

@@ -27,7 +27,7 @@ OF_TOPIC: dict[str, Struct] = {
     "cargo": ros.Bool,
     "queue": ros.ActionQueue,
     "map_metadata": ros.MapMetadata,
-    "graph": ros.Graph,
+    "graph": ros.GraphMessage,
     "labeled_vertices": ros.LabeledVertices,
     "map": ros.OccupancyGridMessage,
 }
@@ -149,7 +149,7 @@ def test_ids_are_int32(number: int) -> None:
 
 # Messages whose field names a profile may change.
 RENAMEABLE: dict[str, type[msgspec.Struct]] = {
-    "graph": ros.Graph,
+    "graph": ros.GraphMessage,
     "vertex": ros.GraphVertex,
     "edge": ros.GraphEdge,
     "labels": ros.LabeledVertices,

@@ -15,7 +15,7 @@ from fleet_tui.simulator.move_base.navigation import (
     NO_PLAN,
     PATIENCE,
     REACHED,
-    MoveBase,
+    SimMoveBase,
 )
 from fleet_tui.simulator.move_base.world import MoveBaseWorld
 from fleet_tui.simulator.navigating.poses import solid
@@ -43,7 +43,7 @@ FLAT = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
 Json = dict[str, Any]
 
 
-def world() -> tuple[MoveBaseWorld, MoveBase]:
+def world() -> tuple[MoveBaseWorld, SimMoveBase]:
     it = MoveBaseWorld(1, 1, seed=1, quiet=True)
     it.step(1.0)
     return it, it.navigation["robot_0"]
@@ -58,18 +58,18 @@ def cancelled(id_: str = "", secs: int = 0) -> Json:
     return {"stamp": {"secs": secs, "nsecs": 0}, "id": id_}
 
 
-def stand(navigation: MoveBase) -> dict[str, int]:
+def stand(navigation: SimMoveBase) -> dict[str, int]:
     return {one.id: one.status for one in navigation.server.listed()}
 
 
-def results(navigation: MoveBase) -> list[tuple[str, int, str]]:
+def results(navigation: SimMoveBase) -> list[tuple[str, int, str]]:
     """The results since the last look."""
     found = [(one.id, one.status, one.text) for one in navigation.server.said if isinstance(one, GoalReport)]
     navigation.server.said.clear()
     return found
 
 
-def finish(it: MoveBaseWorld, navigation: MoveBase, limit: float = 300.0) -> None:
+def finish(it: MoveBaseWorld, navigation: SimMoveBase, limit: float = 300.0) -> None:
     end = it.time + limit
     while navigation.busy:
         it.step(0.1)
@@ -340,7 +340,7 @@ Key = tuple[str, int]
 class Watcher:
     """Looks at a server after everything that happens to it."""
 
-    def __init__(self, navigation: MoveBase) -> None:
+    def __init__(self, navigation: SimMoveBase) -> None:
         self._navigation = navigation
         self.known, self.ends = set[Key](), Counter[Key]()
         self._newest: dict[Key, int] = {}

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.nav2.navigation import DOCK, THROUGH, TO_POSE, WAYPOINTS, Navigation
+from fleet_tui.simulator.nav2.navigation import DOCK, THROUGH, TO_POSE, WAYPOINTS, SimNavigation
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.poses import stamped
 from fleet_tui.simulator.ros.goals import (
@@ -25,14 +25,14 @@ from fleet_tui.simulator.ros.goals import (
     TERMINATED,
     UNKNOWN,
     ActionServer,
-    Goal,
+    ServedGoal,
 )
 
 NOBODY = bytes(16)
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
 
 
-def world() -> tuple[Nav2World, Navigation]:
+def world() -> tuple[Nav2World, SimNavigation]:
     it = Nav2World(1, 1, seed=1, quiet=True)
     return it, it.navigation["robot_0"]
 
@@ -42,19 +42,19 @@ def waypoints(*spots: tuple[float, float]) -> dict[str, Any]:
     return {"number_of_loops": 0, "goal_index": 0, "poses": poses}
 
 
-def given_to(navigation: Navigation, verb: str, request: dict[str, Any]) -> Goal:
+def given_to(navigation: SimNavigation, verb: str, request: dict[str, Any]) -> ServedGoal:
     goal = navigation.take(verb, request)
     assert goal is not None
     return goal
 
 
-def driven(navigation: Navigation, *spot: float) -> Goal:
+def driven(navigation: SimNavigation, *spot: float) -> ServedGoal:
     goal = navigation.give(*spot)
     assert goal is not None
     return goal
 
 
-def finish(it: Nav2World, goal: Goal, limit: float = 300.0) -> None:
+def finish(it: Nav2World, goal: ServedGoal, limit: float = 300.0) -> None:
     end = it.time + limit
     while not goal.over:
         it.step(0.1)
@@ -182,7 +182,7 @@ def test_it_docks_and_charges() -> None:
 class TestCancelGoal:
     """The rules of ROS 2: by id, up to a stamp, or all."""
 
-    def server(self) -> tuple[ActionServer, list[Goal]]:
+    def server(self) -> tuple[ActionServer, list[ServedGoal]]:
         server = ActionServer("/r/a", "p/T", lambda _: True, lambda _: None)
         goals = [server.take(bytes([n] * 16), n * 10, {}) for n in (1, 2, 3)]
         return server, [goal for goal in goals if goal is not None]
