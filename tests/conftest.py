@@ -6,8 +6,8 @@ from collections.abc import AsyncIterator, Iterator
 import pytest
 from hypothesis import settings
 
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from fleet_tui.terminal import steady_app
 
 # In the background of a shell SIGINT is ignored; programs that a test interrupts would inherit that.

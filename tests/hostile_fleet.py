@@ -11,9 +11,9 @@ from typing import Any
 
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros_types import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 
 CLIPBOARD = "\x1b]52;c;aGFja2Vk\x07"
 """Would put `hacked` into the clipboard of whoever sits at the terminal."""

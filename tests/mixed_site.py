@@ -11,11 +11,11 @@ from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED
-from fleet_tui.simulator.world import World
 
 OH, MOVE_BASE, NAV2 = "robot_0", "robot_1", "robot_2"
 """The robots, each of the kind that its constant is named after."""

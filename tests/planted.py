@@ -16,8 +16,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.messages import topics_of
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from fleet_tui.state.reducer import apply
 from tests.fleets import LINK, R0, T0, WALL, link_up, tick
 from tests.watched import config_of

@@ -6,8 +6,7 @@ import time
 import uuid
 from collections.abc import Iterable, Mapping, Sequence
 
-from fleet_tui.adapters import adapter as outgoings
-from fleet_tui.adapters.adapter import ActionGoal, Adapter, Outgoing, Publication
+from fleet_tui.adapters.adapter import ActionGoal, Adapter, Outgoing, Publication, ServiceCall
 from fleet_tui.adapters.answers import said
 from fleet_tui.adapters.ros import operations
 from fleet_tui.client.calls import Calls, LinkLostError, NoAnswerError, PendingCall
@@ -168,12 +167,12 @@ class CommandChannel:
                 raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
         return outgoing
 
-    def _send(self, outgoing: Sequence[Outgoing]) -> list[tuple[outgoings.ServiceCall, PendingCall]]:
+    def _send(self, outgoing: Sequence[Outgoing]) -> list[tuple[ServiceCall, PendingCall]]:
         """Send calls and publications; the calls wait for answers. Raises LinkError."""
-        calls = list[tuple[outgoings.ServiceCall, PendingCall]]()
+        calls = list[tuple[ServiceCall, PendingCall]]()
         for one in outgoing:
             match one:
-                case outgoings.ServiceCall(address, _, args):
+                case ServiceCall(address, _, args):
                     calls.append((one, self._calls.start(address, args, self._timeout)))
                 case Publication():
                     self._publishing.send(one)
@@ -185,7 +184,7 @@ class CommandChannel:
         self,
         command_id: int,
         command: Command,
-        calls: Sequence[tuple[outgoings.ServiceCall, PendingCall]],
+        calls: Sequence[tuple[ServiceCall, PendingCall]],
         sent_at: float,
     ) -> None:
         """Wait for all answers of a command: it went as well as the worst of them."""
@@ -194,10 +193,7 @@ class CommandChannel:
         try:
             for outgoing, call in calls:
                 response = await self._answer(command_id, call)
-                self._services.answered(call.service, response.values, response.result)
-                robot = self._writer.store.state.robots[command.robot]
-                for fact in adapter.learned(outgoing, response.values, robot, sent_at, time.monotonic()):
-                    self._writer.take(fact)
+                self._learn(command, outgoing, response, sent_at)
                 ends.append(adapter.outcome(command, response.values, response.result))
             stage, words = max(ends, key=lambda end: WORST.index(end[0]))
         except NoAnswerError:
@@ -212,6 +208,19 @@ class CommandChannel:
             for _, call in calls:
                 self._calls.forget(call)
         self._advance(command_id, stage, words)
+
+    def _learn(
+        self,
+        command: Command,
+        outgoing: ServiceCall,
+        response: operations.ServiceResponse,
+        sent_at: float,
+    ) -> None:
+        """Take from an answer what it tells beside how the command went."""
+        self._services.answered(outgoing.address, response.values, response.result)
+        robot, adapter = self._writer.store.state.robots[command.robot], self._adapters[command.robot]
+        for fact in adapter.learned(outgoing, response.values, robot, sent_at, time.monotonic()):
+            self._writer.take(fact)
 
     async def _answer(self, command_id: int, call: PendingCall) -> operations.ServiceResponse:
         try:

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.frames import Payload
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.encoding import encode
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.warehouse import SimFloor
-from fleet_tui.simulator.world import World
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.fleets import Body

@@ -17,6 +17,7 @@ from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.services import REMEMBERED
@@ -24,7 +25,6 @@ from fleet_tui.simulator.sessions.operations import Operation
 from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
 from fleet_tui.simulator.words import DIAGNOSTICS, ROSOUT, Talk, word_topics
-from fleet_tui.simulator.world import World
 
 LARGEST = 128 * 2**20  # bytes of a message from a client
 SLOW_RATE = 2.0  # Hz of everything but the poses

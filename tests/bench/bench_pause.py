@@ -12,8 +12,8 @@ from pathlib import Path
 
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.bench.rows import Row, row
 from tests.headless.running import config_file, started
 

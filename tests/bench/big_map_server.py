@@ -11,9 +11,9 @@ import time
 import numpy as np
 
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 
 SIDE = 4000
 TOPIC = "/robot_0/floor_0/map"

@@ -10,7 +10,7 @@ from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
-from fleet_tui.simulator.world import World
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.state.store import Store
 from tests.fleets import order, order_queue
 from tests.watched import config_of

@@ -17,8 +17,8 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import at_vertices
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.fleets import place_order
 from tests.linked import finished, linked, path, phase, ready
 from tests.watched import config_of

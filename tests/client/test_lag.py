@@ -7,8 +7,8 @@ import pytest
 from fleet_tui.adapters.ros.reading import FrameReader, Read
 from fleet_tui.model.fleet import behind_text
 from fleet_tui.rules.lag import BEHIND
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.linked import linked, ready
 from tests.watched import config_of
 

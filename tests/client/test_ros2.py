@@ -10,9 +10,9 @@ from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.simulator.faults import play, wire
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from fleet_tui.transports.rosbridge import connection
 from tests.fleets import place_order
 from tests.linked import finished, linked, phase, ready

@@ -16,9 +16,9 @@ from fleet_tui.errors import FleetError, LinkError
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.kinds import KINDS
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.run import DIALECTS
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.headless.plants import PLANTS
 
 HARMLESS = {"subscribe", "unsubscribe", "call_service"}

@@ -13,8 +13,8 @@ from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.faults.kept import linked
 from tests.faults.report import report
 from tests.faults.shown import shown

@@ -9,8 +9,8 @@ from fleet_tui.config.schema import Config, Link, RobotEntry
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.faults.kept import linked
 from tests.faults.proxy import before, mute
 from tests.faults.report import report

@@ -11,8 +11,8 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.faults.kept import linked
 from tests.faults.report import report
 from tests.faults.through import PLANTED, Holds, Stopwatch, fresh, through

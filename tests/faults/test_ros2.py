@@ -9,9 +9,9 @@ from fleet_tui.demo import demo_config
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import play, wire
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.faults.kept import linked
 from tests.faults.report import report
 from tests.faults.shown import shown

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.headless.running import config_file
 
 

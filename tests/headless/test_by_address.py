@@ -13,9 +13,9 @@ from fleet_tui.config.schema import Config
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.headless.plants import PLANTS
 from tests.headless.running import asked, run
 

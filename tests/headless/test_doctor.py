@@ -15,8 +15,8 @@ import pytest
 from PIL import Image
 
 from fleet_tui.config.schema import Config
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.headless.plants import PLANTS, renamed, retyped
 from tests.headless.running import config_file, run, started
 

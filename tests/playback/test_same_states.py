@@ -21,8 +21,8 @@ from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Told
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.fleets import place_order
 from tests.journal.recordings import plain
 from tests.linked import finished, phase, ready

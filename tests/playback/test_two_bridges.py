@@ -16,8 +16,8 @@ from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.records import Heard, Told
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.journal.recordings import plain
 from tests.playback.taped import ORIGIN
 from tests.playback.test_same_states import Ticking

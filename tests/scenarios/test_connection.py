@@ -2,8 +2,8 @@
 
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.console_pilot import console
 from tests.scenarios.stage import R0, calls, ended, hasty, heard_anew, order, patient, plant, stages
 

@@ -10,8 +10,8 @@ from textual.widgets import Input
 
 from fleet_tui.model.link import Phase
 from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.console_pilot import Console, console
 from tests.watched import config_of
 

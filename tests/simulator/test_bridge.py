@@ -8,6 +8,7 @@ import pytest
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from websockets.asyncio.client import ClientConnection, connect
 
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.definitions import MESSAGES, Fields
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.encoding import encode
@@ -15,7 +16,6 @@ from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.simulator.test_server import call, client, frames_before_an_answer, read, send, server
 
 __all__ = ["client", "server"]  # fixtures

@@ -13,9 +13,9 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 from fleet_tui.simulator.faults import parse_faults, play, wire
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.simulator.test_server import call, frames_before_an_answer, read, read_until, send
 from tests.simulator.test_transcript import frames, ours, parsed, recording, shape, until_answer
 

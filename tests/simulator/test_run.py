@@ -14,9 +14,9 @@ from websockets.asyncio.client import connect
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.config.schema import Config
 from fleet_tui.demo import demo_config, simulated
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.adapting import names_of
 
 PROGRAM = """

@@ -16,9 +16,9 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 from fleet_tui.errors import FleetError
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros_types import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 
 POSE, POSE_TYPE = "/robot_0/pose", "geometry_msgs/PoseStamped"
 GRAPH, GRAPH_TYPE = "/robot_0/floor_0/graph", "OH_ressources/Graph"

@@ -10,11 +10,11 @@ from typing import Any
 
 import pytest
 
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 from tests.simulator.test_ros2 import theirs
 from tests.simulator.test_transcript import frames, parsed, recording
 

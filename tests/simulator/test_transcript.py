@@ -11,8 +11,8 @@ import cbor2
 import pytest
 from websockets.asyncio.client import ClientConnection, connect
 
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.world import World
 
 WIRE = Path(__file__).parent.parent / "wire"
 # The recording's robots and floors, and ours that stand for them.

@@ -7,9 +7,9 @@ import pytest
 
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.oh_ressources.words import Changes
+from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.words import DIAGNOSTICS, Talk
-from fleet_tui.simulator.world import World
 from tests.client.test_counting import counter, until
 from tests.fleets import WALL
 from tests.linked import linked, ready
