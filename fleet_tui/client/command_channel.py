@@ -9,7 +9,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from fleet_tui.adapters.adapter import ActionGoal, Adapter, Outgoing, Publication, ServiceCall
 from fleet_tui.adapters.answers import said
 from fleet_tui.adapters.ros import operations
-from fleet_tui.client.calls import Calls, LinkLostError, NoAnswerError, PendingCall
+from fleet_tui.client.answers import Answers
+from fleet_tui.client.calls import Calls, PendingCall
 from fleet_tui.client.goal_channel import Goals
 from fleet_tui.client.heartbeat import Heartbeat
 from fleet_tui.client.publishing import Publishing
@@ -29,10 +30,6 @@ LOG = logging.getLogger(__name__)
 LONGEST_SILENCE = 2.0
 # A command that waited longer for a stalled console was not meant for this moment any more.
 LATEST = 1.0
-# An answer that comes after its deadline, but within this many seconds, is still the robot's word.
-LATE_ANSWER = 60.0
-WORST = (Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN)
-"""Ends of the calls of one command, the worst last."""
 
 
 class CommandChannel:
@@ -62,6 +59,7 @@ class CommandChannel:
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
         self._publishing = Publishing(self.connection, advertised)
+        self._answers = Answers(self._calls, self._services, adapters, writer, timeout, self._advance)
         self._heartbeat = Heartbeat(
             link, self._calls, self._services, telemetry.counter.round_trips, writer.take
         )
@@ -137,7 +135,7 @@ class CommandChannel:
         names = [one.name for one in outgoing if isinstance(one, Publication)]
         self._advance(command_id, Stage.SENT, at=at, name=names[0] if names else "")
         if calls:
-            self._keep(asyncio.ensure_future(self._wait(command_id, command, calls, at)))
+            self._keep(asyncio.ensure_future(self._answers.wait(command_id, command, calls, at)))
         elif not isinstance(command, PlaceOrder):  # which is taken when the robot lists it
             self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
 
@@ -179,55 +177,6 @@ class CommandChannel:
                 case ActionGoal():
                     raise CommandError("a goal goes alone")
         return calls
-
-    async def _wait(
-        self,
-        command_id: int,
-        command: Command,
-        calls: Sequence[tuple[ServiceCall, PendingCall]],
-        sent_at: float,
-    ) -> None:
-        """Wait for all answers of a command: it went as well as the worst of them."""
-        adapter = self._adapters[command.robot]
-        ends = list[tuple[Stage, str]]()
-        try:
-            for outgoing, call in calls:
-                response = await self._answer(command_id, call)
-                self._learn(command, outgoing, response, sent_at)
-                ends.append(adapter.outcome(command, response.values, response.result))
-            stage, words = max(ends, key=lambda end: WORST.index(end[0]))
-        except NoAnswerError:
-            return
-        except LinkLostError as problem:
-            stage, words = Stage.UNKNOWN, str(problem)
-        except Exception as problem:
-            # Whatever is wrong with us, the operator must learn that nothing is known of this command.
-            LOG.exception("command %d", command_id)
-            stage, words = Stage.UNKNOWN, f"internal error: {problem}"
-        finally:
-            for _, call in calls:
-                self._calls.forget(call)
-        self._advance(command_id, stage, words)
-
-    def _learn(
-        self,
-        command: Command,
-        outgoing: ServiceCall,
-        response: operations.ServiceResponse,
-        sent_at: float,
-    ) -> None:
-        """Take from an answer what it tells beside how the command went."""
-        self._services.answered(outgoing.address, response.values, response.result)
-        robot, adapter = self._writer.store.state.robots[command.robot], self._adapters[command.robot]
-        for fact in adapter.learned(outgoing, response.values, robot, sent_at, time.monotonic()):
-            self._writer.take(fact)
-
-    async def _answer(self, command_id: int, call: PendingCall) -> operations.ServiceResponse:
-        try:
-            return await self._calls.wait(call, self._timeout)
-        except NoAnswerError as problem:
-            self._advance(command_id, Stage.NO_ANSWER, str(problem))
-        return await self._calls.wait(call, LATE_ANSWER)
 
     def _advance(
         self, command_id: int, stage: Stage, words: str = "", at: float | None = None, name: str = ""
