@@ -19,7 +19,7 @@ class Backend(Protocol):
 
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
-        """What came over each link. It changes all the time."""
+        """Return what came over each link. It changes all the time."""
 
     def submit(self, command: Command) -> object:
         """Send a command now or not at all."""

@@ -107,7 +107,7 @@ def graphs_of(kind: str, folder: Path, floors: Sequence[str]) -> dict[str, str]:
 
 
 def _profile(kind: str, floors: int, ros: str) -> Profile:
-    """How the simulated robots of a kind differ from the usual ones, which run on their usual ROS."""
+    """Return how the simulated robots of a kind differ from the usual ones, which run on their usual ROS."""
     from fleet_tui.simulator.kinds import KINDS
     from fleet_tui.simulator.run import DIALECTS
 

@@ -1,4 +1,4 @@
-"""What can go wrong, in the words an operator reads. The message names the thing and the remedy."""
+"""Errors in the words that an operator reads: each message names the thing and the remedy."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -21,11 +21,11 @@ class NoConfigError(ConfigError):
 
 
 class WireError(FleetError):
-    """What came over the wire is not what the interface profile promises."""
+    """A message that is not as the profile says."""
 
 
 class LinkError(FleetError):
-    """There is no way through to the robots now."""
+    """No connection to the robots."""
 
 
 class CommandError(FleetError):

@@ -27,7 +27,7 @@ WAITING = 10_000
 
 
 class _Visible(logging.Formatter):
-    """Who reads the log in a terminal must not be told what a robot has to say to that terminal."""
+    """A formatter that keeps a robot's control characters from the terminal that shows the log."""
 
     def formatMessage(self, record: logging.LogRecord) -> str:  # noqa: N802  # the base's name
         """One line, whatever is in it."""
@@ -56,7 +56,7 @@ TAIL = Tail()
 
 
 def _is_named(stream: IO[str], path: Path) -> bool:
-    """Whether the file that is written to is the one of this name."""
+    """Tell whether the file that is written to is the one of this name."""
     try:
         return os.path.samestat(os.fstat(stream.fileno()), path.stat())
     except FileNotFoundError:
@@ -113,7 +113,7 @@ class _Writing(logging.handlers.QueueListener):
 
 
 def state_folder() -> Path:
-    """Where logs and records lie: $XDG_STATE_HOME/fleet-tui, else ~/.local/state/fleet-tui."""
+    """Return where logs and records lie: $XDG_STATE_HOME/fleet-tui, else ~/.local/state/fleet-tui."""
     return platformdirs.user_state_path("fleet-tui")
 
 

@@ -1,4 +1,4 @@
-"""How a command that serves until it is stopped learns that it is."""
+"""Stopping a command that serves until it is told to end."""
 
 import asyncio
 import signal

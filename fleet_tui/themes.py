@@ -27,7 +27,7 @@ BASE = ("background", "surface", "foreground", "accent")
 
 
 class InkLook(Struct, frozen=True):
-    """How one ink looks: colours as `#rrggbb` or None for the terminal's own."""
+    """The look of one style role: colours as `#rrggbb` or None for the terminal's own."""
 
     color: str | None = None
     on: str | None = None
@@ -87,7 +87,8 @@ def _style(ink: StyleRole, look: InkLook, background: str, colour: bool) -> Styl
 
 
 def shipped_folder() -> Path:
-    """Where the themes that come with the program lie: in a wheel inside the package, else beside it."""
+    """Return where the themes that come with the program lie: in a wheel inside the package, else beside
+    it."""
     package = Path(__file__).parent
     inside = package / "themes_shipped"
     return inside if inside.is_dir() else package.parent / "themes"
@@ -169,7 +170,7 @@ def _strangers(
 
 
 def _gaps(content: dict[str, Any]) -> Iterator[str]:
-    """What a theme lacks that has none to fall back on."""
+    """Return what a theme lacks that has none to fall back on."""
     for table, names in (("base", BASE), ("inks", tuple(ink.name.lower() for ink in StyleRole))):
         for name in names:
             if name not in content.get(table, {}):

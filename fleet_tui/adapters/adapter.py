@@ -82,8 +82,8 @@ class Limit(NamedTuple):
 
 
 class Site(NamedTuple):
-    """What a configuration says to an adapter: milliseconds between messages, seconds of silence after which
-    a robot counts as offline, and the table that its profile stands in."""
+    """Settings of a configuration that adapters use: milliseconds between messages, seconds of silence after
+    which a robot counts as offline, and the table that its profile stands in."""
 
     pose_ms: int = 100
     status_ms: int = 500
@@ -97,7 +97,7 @@ class Adapter(Protocol):
 
     @property
     def kind(self) -> Kind:
-        """What these robots report and accept."""
+        """Return what these robots report and accept."""
 
     @property
     def names(self) -> Names:

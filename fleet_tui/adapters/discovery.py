@@ -1,4 +1,4 @@
-"""What a bridge lists, and what of it a kind recognised as its robots."""
+"""Discovery: lists of a bridge, and the robots that a kind recognises in them."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -11,7 +11,7 @@ NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
 
 
 class Listed(NamedTuple):
-    """What a bridge lists: the types of topics that are published and of services by name, empty where not
+    """The lists of a bridge: the types of topics that are published and of services by name, empty where not
     known, and the names of action servers."""
 
     topics: Mapping[str, str]

@@ -8,7 +8,7 @@ from fleet_tui.model.events import Event
 
 
 class Diagnosis(NamedTuple):
-    """How a thing is, what was measured, and what to do about it."""
+    """A verdict with its measurement and its remedy."""
 
     level: Literal["ok", "warn", "fail"]
     measured: str
@@ -36,7 +36,7 @@ class QueryProbe(NamedTuple):
 
 
 class HeardProbe(NamedTuple):
-    """What came on the feed `key`: `judge` gets the number of messages and what the last readable one told,
+    """Messages of the feed `key`: `judge` gets the number of messages and what the last readable one told,
     None where it told nothing; it returns None where there is nothing to say beside the topic itself."""
 
     check: str

@@ -1,4 +1,4 @@
-"""What becomes a record: the difference between two states, in the words of the log."""
+"""Audit records: the difference between two states, in the words of the log."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -29,7 +29,8 @@ TEXT_KEPT = 1000
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """Who writes: the operator's name, `console` as host:process id, `run` as it is told from others."""
+    """The author of records: the operator's name, `console` as host:process id, `run` as it is told from
+    others."""
 
     operator: str
     console: str

@@ -49,7 +49,7 @@ def encode(record: AuditRecord) -> bytes:
 
 
 def operator_name(config: Config) -> str:
-    """Who commands: the config's name, else the login name."""
+    """Return who commands: the config's name, else the login name."""
     try:
         return config.operator.name or getpass.getuser()
     except (KeyError, OSError):
@@ -57,7 +57,7 @@ def operator_name(config: Config) -> str:
 
 
 def new_origin(config: Config, demo: bool = False) -> Origin:
-    """Who writes from this process on."""
+    """Return who writes from this process on."""
     console = f"{os.uname().nodename}:{os.getpid()}"
     return Origin(operator_name(config), console, secrets.token_hex(4), demo)
 
@@ -81,12 +81,12 @@ class Audit:
 
     @property
     def problem(self) -> str:
-        """Why lines are not written now."""
+        """Return why lines are not written now."""
         return self._problem or (HANGS if time.monotonic() - self._begun > PATIENCE else "")
 
     @property
     def notes(self) -> list[str]:
-        """What the operator must know of the log; nothing while it is written as it should be."""
+        """Return what the operator must know of the log; nothing while it is written as it should be."""
         if problem := self.problem:
             return [f"audit: not written: {problem}"]
         return [f"audit: {self.file.warning}"] if self.file.warning else []

@@ -31,7 +31,7 @@ class AuditReader:
 
     @property
     def note(self) -> str:
-        """What is to be said of the lines so far."""
+        """Return what is to be said of the lines so far."""
         if not self.unreadable:
             return ""
         return f"{self.unreadable} line{'s' * (self.unreadable != 1)} that can't be read"

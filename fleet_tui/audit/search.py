@@ -16,7 +16,7 @@ TIME_FORMS = "30m, 2h, 7d, 12:00, 2024-05-31 or 2024-05-31T12:00"
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """What a record must be; what is empty does not matter. `words` all stand somewhere in its line;
+    """A filter on records; empty fields match everything. `words` all stand somewhere in its line;
     `outcome` is how its change begins. Records of the demo and of real fleets are never mixed."""
 
     words: tuple[str, ...] = ()
@@ -29,7 +29,7 @@ class Search:
     demo: bool = False
 
     def wants(self, record: AuditRecord) -> bool:
-        """Whether this is one of them."""
+        """Tell whether this is one of them."""
         return (
             record.demo == self.demo
             and self.robot in ("", record.robot)
@@ -72,7 +72,7 @@ def moment(text: str, now: datetime) -> datetime:
 
 
 def search_of(typed: str, now: datetime, demo: bool = False) -> Search:
-    """What was typed, as a search. Raises FleetError for a time that is none."""
+    """Return what was typed, as a search. Raises FleetError for a time that is none."""
     search = Search(demo=demo)
     for word in typed.split():
         name, colon, value = word.partition(":")

@@ -36,8 +36,9 @@ Progress = Callable[[float], None]
 
 @dataclass
 class Report:
-    """What became of a bag: how many of its messages are in the recording, from how many topics, how many
-    could not be read, came before the one before, or have a time that can't be; `notes` are for a person."""
+    """The outcome of a conversion: how many of its messages are in the recording, from how many topics, how
+    many could not be read, came before the one before, or have a time that can't be; `notes` are for a
+    person."""
 
     messages: int = 0
     topics: int = 0
@@ -147,7 +148,7 @@ class _Conversion:
             track.heard(link, frame, framer.is_binary)
 
     def _framer(self, track: Track, connection: Any) -> Framer | None:
-        """What writes a connection's messages, None where its type can't be read."""
+        """Return what writes a connection's messages, None where its type can't be read."""
         key = id(connection)
         if key not in self._framers:
             as_cbor = any(one.large for _, one in self._chosen.by_topic[connection.topic])

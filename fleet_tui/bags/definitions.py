@@ -41,7 +41,7 @@ Types = dict[str, tuple[list[Any], Fields]]
 
 
 def typestore(connection: Any) -> Any:
-    """What reads the messages of a connection. Raises BagError, which names the type."""
+    """Return what reads the messages of a connection. Raises BagError, which names the type."""
     from rosbags.interfaces import MessageDefinitionFormat
     from rosbags.typesys import Stores, get_typestore
 
@@ -128,7 +128,7 @@ class _Check:
         self._message(wanted, 0)
 
     def _message(self, name: str, depth: int) -> int:
-        """How many values a message has."""
+        """Return how many values a message has."""
         if name in TIMES:
             return 2
         if name not in self._types or not _TYPE_NAME.fullmatch(name):

@@ -39,7 +39,7 @@ class BagError(FleetError):
 
 
 def is_bag(path: Path) -> bool:
-    """Whether a path is a ROS bag, by its name: a folder of ROS 2 or a file."""
+    """Tell whether a path is a ROS bag, by its name: a folder of ROS 2 or a file."""
     return path.suffix in SUFFIXES or path.is_dir()
 
 

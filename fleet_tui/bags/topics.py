@@ -32,7 +32,7 @@ class Chosen:
 
 
 def choose(bag: Bag, config: Config) -> Chosen:
-    """What is to be read of a bag. Raises BagError where that is nothing."""
+    """Return what is to be read of a bag. Raises BagError where that is nothing."""
     adapters = adapters_of(config)
     wanted = _wanted(config, adapters)
     there = {one.topic: plain_type(one.msgtype) for one in bag.connections}

@@ -80,7 +80,7 @@ def doctor(
     bundle: bool,
     timeout: float,
 ) -> None:
-    """What is wrong between here and the robots, outside in, each with a remedy. Commands nothing. Exit
+    """Check the path to the robots from outside in, with a remedy for each fault. Sends no command. Exit
     code 0: all well, 1: something is wrong or was left out, 3: no link."""
     from fleet_tui.cli.chosen import chosen_to_examine
     from fleet_tui.doctor.run import doctor as run
@@ -165,7 +165,7 @@ def audit(
     as_csv: bool,
     demo: bool,
 ) -> None:
-    """What was commanded and how it went on, newest first; WORDS as in the console's audit log."""
+    """Print commands and their outcomes, newest first; WORDS as in the console's audit log."""
     from fleet_tui.cli.audit import write_records
 
     named = {"robot": robot, "since": since}

@@ -1,4 +1,4 @@
-"""What every command of the command line shares: options that stand before or after its name."""
+"""Options that every command shares: options that stand before or after its name."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -79,7 +79,7 @@ def drawing_mode(command: F) -> F:
 
 
 def screen(command: F) -> F:
-    """What the console can be told."""
+    """Return what the console can be told."""
     command = drawing_mode(command)
     return click.option("--read-only", is_flag=True, help="Watch only: no command leaves.")(command)
 
@@ -91,7 +91,7 @@ def timeout(seconds: float) -> Callable[[F], F]:
 
 
 def merged(run: Callable[..., None]) -> Callable[..., None]:
-    """What was said before the command's name stands, unless it is said again after it."""
+    """Return what was said before the command's name stands, unless it is said again after it."""
 
     @wraps(run)
     @click.pass_context

@@ -60,7 +60,7 @@ def replay(
 
 
 def _recording_of(bag: Path, config: Config, folder: Path) -> tuple[Path, list[str]]:
-    """What a bag has of the configured topics, as a recording, and what is to be said of it."""
+    """Return what a bag has of the configured topics, as a recording, and what is to be said of it."""
     from fleet_tui.bags.convert import convert
     from fleet_tui.bags.opening import BagError
 

@@ -53,7 +53,7 @@ def session(
 
 
 def missing(robot: Robot) -> list[str]:
-    """What has not come from a robot yet, of what its kind always reports."""
+    """Return what has not come from a robot yet, of what its kind always reports."""
     expected = filter(robot.kind.expects, ("pose", "battery", "cargo", "obstacle", "queue"))
     values = {name: getattr(robot, name) for name in expected}
     for floor, chart in robot.charts.items():
@@ -65,7 +65,7 @@ def missing(robot: Robot) -> list[str]:
 
 
 def is_known(state: FleetState) -> bool:
-    """Whether everything that is asked for has come."""
+    """Tell whether everything that is asked for has come."""
     links = all(
         link.phase is Phase.UP and link.command_path is not CommandPath.UNTRIED
         for link in state.links.values()
@@ -74,5 +74,5 @@ def is_known(state: FleetState) -> bool:
 
 
 def has_link(state: FleetState) -> bool:
-    """Whether any bridge can be heard."""
+    """Tell whether any bridge can be heard."""
     return any(link.phase is Phase.UP for link in state.links.values())

@@ -32,7 +32,7 @@ ALL_FAULTS = FAULT_LIST + "".join(
 
 
 def _faults(command: F) -> F:
-    """What the simulator is to do wrong."""
+    """Return what the simulator is to do wrong."""
     return click.option(
         "--fault",
         default="",
@@ -42,7 +42,7 @@ def _faults(command: F) -> F:
 
 
 def _simulation(command: F) -> F:
-    """How the simulator behaves, faults aside."""
+    """Return how the simulator behaves, faults aside."""
     speed = click.option(
         "--speed",
         type=click.FloatRange(0.1, 100.0),

@@ -145,7 +145,7 @@ class CommandChannel:
         task.add_done_callback(self._under_way.discard)
 
     def _outgoing(self, command: Command, command_id: int, late: float) -> Sequence[Outgoing]:
-        """What carries a command. Raises CommandError or LinkError where it must not leave."""
+        """Return what carries a command. Raises CommandError or LinkError where it must not leave."""
         if late > LATEST:
             raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
         # A pause is tried even where others are held back: it can only make things safer.

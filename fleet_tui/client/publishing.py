@@ -47,7 +47,7 @@ class Publishing:
             self._repeats.add(loop.call_later(wait, self._connection.send, frame))
 
     def stop(self) -> None:
-        """There is no connection any more."""
+        """Cancel repeats and forget the advertisements of a lost connection."""
         for repeat in self._repeats:
             repeat.cancel()
         self._repeats.clear()

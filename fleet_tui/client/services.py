@@ -124,7 +124,7 @@ class Services:
             self.changed()
 
     def mismatch(self, service: str) -> str:
-        """Why a service must not be called; empty where nothing is known against it."""
+        """Return why a service must not be called; empty where nothing is known against it."""
         found = self._types.get(service, "")
         if not found:
             return ""

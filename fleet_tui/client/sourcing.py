@@ -83,7 +83,7 @@ class Sourcing:
         return self._reading.counter.topics[one.address].count
 
     async def _publishers(self, one: Feed) -> int:
-        """How many nodes publish a topic, 0 where nobody tells."""
+        """Return how many nodes publish a topic, 0 where nobody tells."""
         args = {"topic": one.address}
         try:
             response = await self._calls.call("/rosapi/publishers", args, ROSAPI_TIMEOUT)

@@ -1,4 +1,4 @@
-"""What a bridge is asked for: everything on each connection, the map that is shown, and again
+"""Subscriptions of one bridge: everything on each connection, the map that is shown, and again
 whatever stays away. Everything runs on the network loop."""
 
 import asyncio
@@ -96,7 +96,7 @@ class Subscriber:
         ]
 
     def stop(self) -> None:
-        """There is nobody to ask any more."""
+        """Cancel pending requests after the connection is lost."""
         self._latched.stop()
         if self._plainly is not None:
             self._plainly.cancel()

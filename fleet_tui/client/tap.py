@@ -1,4 +1,4 @@
-"""Who listens in: everything that changes the picture passes here, in the order in which it does."""
+"""Taps: every event that changes the state passes here, in order."""
 
 from typing import Protocol
 

@@ -49,7 +49,7 @@ def access_problems(config: Config) -> list[str]:
 
 
 def secret(bridge: Link, key: str) -> str:
-    """What stands for `authorization` or `rosauth`, "" where nothing is set. Raises ConfigError."""
+    """Return what stands for `authorization` or `rosauth`, "" where nothing is set. Raises ConfigError."""
     variable, where = getattr(bridge, f"{key}_env"), f"{key}_file"
     if variable:
         where, found = f"{key}_env", os.environ.get(variable, "")
@@ -84,7 +84,7 @@ def _content(bridge: Link, key: str) -> bytes:
 
 
 def _exposure(found: os.stat_result, is_private: bool) -> str:
-    """Why a file can't be used, "" if it can."""
+    """Return why a file can't be used, "" if it can."""
     if not stat.S_ISREG(found.st_mode):
         return "is no file"
     mode = stat.S_IMODE(found.st_mode)

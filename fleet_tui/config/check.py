@@ -1,4 +1,4 @@
-"""What a well-formed configuration can still have wrong."""
+"""Checks of a well-formed configuration."""
 
 from collections import Counter
 from collections.abc import Iterator

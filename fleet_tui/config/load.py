@@ -38,7 +38,7 @@ def user_folder() -> Path:
 
 
 def places() -> list[Path]:
-    """Where a configuration is looked for that nothing names."""
+    """Return where a configuration is looked for that nothing names."""
     return [Path("config.toml"), user_folder() / "config.toml"]
 
 

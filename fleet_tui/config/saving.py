@@ -14,7 +14,7 @@ USUAL = "config.toml"
 
 
 class Source(Protocol):
-    """Where a configuration comes from that is in no file."""
+    """The source of a configuration that is in no file."""
 
     @property
     def text(self) -> str:

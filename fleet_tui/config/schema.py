@@ -28,7 +28,7 @@ def expanded(name: str) -> Path:
 
 
 def link_key(name: str) -> str:
-    """Where a link stands in the config."""
+    """Return where a link stands in the config."""
     return name if name == DEFAULT_LINK else f"links.{name}"
 
 
@@ -58,7 +58,7 @@ class Link(msgspec.Struct, frozen=True):
 
     @property
     def is_secure(self) -> bool:
-        """Whether TLS is spoken."""
+        """Tell whether TLS is spoken."""
         return self.url.startswith("wss:")
 
 
@@ -179,7 +179,7 @@ class Config(msgspec.Struct, frozen=True):
         )
 
     def beside(self, name: str) -> Path:
-        """Where a file lies that the config names: relative to the config file; ~ is the home."""
+        """Return where a file lies that the config names: relative to the config file; ~ is the home."""
         return self.path.parent / expanded(name)
 
     def floors_of(self, robot: RobotEntry) -> list[str]:

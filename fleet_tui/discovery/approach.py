@@ -106,7 +106,7 @@ class Approach:
         return f"{version}, the certificate is trusted until {certificate.get('notAfter', 'no given day')}"
 
     async def _speaks_tls(self) -> bool:
-        """Whether TLS is spoken at a port where we speak none."""
+        """Tell whether TLS is spoken at a port where we speak none."""
         anyone = ssl.create_default_context()
         anyone.check_hostname, anyone.verify_mode = False, ssl.CERT_NONE
         try:

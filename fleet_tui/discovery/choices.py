@@ -1,4 +1,4 @@
-"""What discovery can't tell for certain, each with its options: a person may choose. Pure."""
+"""Choices that discovery leaves to a person, each with its options. Pure."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace

@@ -70,7 +70,7 @@ def _text(value: object) -> str:
 
 
 def _differing(bridge: Link) -> Iterator[str]:
-    """What of a bridge is not as by default, the address always."""
+    """Return what of a bridge is not as by default, the address always."""
     usual = Link()
     for name in bridge.__struct_fields__:
         value = getattr(bridge, name)

@@ -1,4 +1,4 @@
-"""What was found out about one bridge, before anything is made of it."""
+"""Facts about one bridge, before any judgement."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -42,22 +42,22 @@ class RosapiFacts:
         return any(word in self.problem for word in words)
 
     def lists_action_of(self, topic: str) -> bool:
-        """Whether a hidden topic's action server is there."""
+        """Tell whether a hidden topic's action server is there."""
         return is_hidden(topic) and topic.partition("/_action/")[0] in self.actions
 
     def lacks_action_of(self, topic: str) -> bool:
-        """Whether a hidden topic's action server is known not to be there."""
+        """Tell whether a hidden topic's action server is known not to be there."""
         return is_hidden(topic) and bool(self.actions) and not self.lists_action_of(topic)
 
     def has(self, topic: str) -> bool:
-        """Whether a topic is there to be heard: every open console keeps the names of its own listed. The
-        topics of actions never are."""
+        """Tell whether a topic is there to be heard: every open console keeps the names of its own listed.
+        The topics of actions never are."""
         return is_hidden(topic) or (topic in self.topics and self.publishers.get(topic) != ())
 
 
 @dataclass(frozen=True, slots=True)
 class TopicFacts:
-    """What came on one topic. Seconds: `waited` for it, `first_after` the subscribe, `age` of the last.
+    """Measurements of one topic. Seconds: `waited` for it, `first_after` the subscribe, `age` of the last.
 
     `event` is the last message that could be read, `problem` why another could not. `lag`: the least
     of arrival by our clock minus the robot's stamp, `late`: the last of it beyond the least. `again`: it
@@ -118,11 +118,11 @@ class BridgeFacts:
         return [facts for facts in self.topics if robot in facts.wanted.robots]
 
     def table(self, robot: str) -> str:
-        """Where a robot's profile stands in the config."""
+        """Return where a robot's profile stands in the config."""
         return self.adapters[robot].names.table
 
     def knows(self, robot: str) -> bool:
-        """Whether the bridge knows anything of a robot; true where it can't be asked."""
+        """Tell whether the bridge knows anything of a robot; true where it can't be asked."""
         own = [one for one in self.of(robot) if not one.wanted.is_shared]
         return bool(self.rosapi.problem) or any(
             one.count or self.rosapi.lists_action_of(one.topic) or self._has(one.topic) for one in own

@@ -1,4 +1,4 @@
-"""What the doctor says of each thing it looked at."""
+"""Findings of the doctor."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -7,7 +7,7 @@ from enum import Enum
 
 
 class Verdict(Enum):
-    """How a thing is; `SKIPPED` where something before it is broken, or where it can't be told."""
+    """The verdict of a finding; `SKIPPED` where an earlier step failed, or where nothing can be told."""
 
     OK = "ok"
     WARN = "warn"
@@ -31,7 +31,7 @@ class Finding:
 
     @property
     def is_failure(self) -> bool:
-        """Whether something is broken."""
+        """Tell whether something is broken."""
         return self.verdict is Verdict.FAIL
 
 

@@ -1,4 +1,4 @@
-"""What kinds of robots a bridge has: each kind recognises its own. Pure."""
+"""Recognition of the kinds of robots behind a bridge: each kind recognises its own. Pure."""
 
 from collections.abc import Mapping
 from dataclasses import replace

@@ -29,7 +29,7 @@ WITHIN = 20.0
 
 @dataclass(frozen=True)
 class DiscoveredSite:
-    """What is behind a bridge. `claims`: what each kind takes for its own; `frames` of poses by robot;
+    """The site behind a bridge. `claims`: what each kind takes for its own; `frames` of poses by robot;
     `answers` of a person to its choices. `topics`: how many there are, to be said where nothing is found."""
 
     bridge: Link
@@ -60,7 +60,7 @@ class DiscoveredSite:
 
     @property
     def choices(self) -> list[Choice]:
-        """What could be otherwise, too."""
+        """Return what could be otherwise, too."""
         return choices_of(self.claims, self.found, self.frames, self.answers)
 
     @property
@@ -71,17 +71,17 @@ class DiscoveredSite:
 
     @property
     def warnings(self) -> list[str]:
-        """What is not certain, and what is missing."""
+        """Return what is not certain, and what is missing."""
         return [*map(str, self.choices), *self.lacks]
 
     @property
     def lacks(self) -> list[str]:
-        """What is missing, in sentences."""
+        """Return what is missing, in sentences."""
         return lacks(self.found)
 
     @property
     def summary(self) -> str:
-        """How many robots of which kinds on how many floors."""
+        """Return how many robots of which kinds on how many floors."""
         kinds = {kind: len(one.robots) for kind, one in self.found.items()}
         of = ", ".join(kinds if len(kinds) == 1 else (f"{count} {kind}" for kind, count in kinds.items()))
         robots, floors = sum(kinds.values()), len(self.config.floors)

@@ -31,7 +31,7 @@ FROZEN = "it takes connections and does not answer: restart it"
 
 @dataclass(slots=True)
 class TopicListening:
-    """What has come on a topic so far. Monotonic seconds: `asked` for, and `since` when the bridge has
+    """The messages of a topic so far. Monotonic seconds: `asked` for, and `since` when the bridge has
     surely subscribed, which it does one by one."""
 
     wanted: Feed
@@ -73,7 +73,7 @@ class TopicListening:
             self.late = lag - self.lag
 
     def facts(self, now: float) -> TopicFacts:
-        """What is known of the topic now."""
+        """Return what is known of the topic now."""
         span = self.last - self.first
         return TopicFacts(
             self.wanted,

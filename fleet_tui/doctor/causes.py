@@ -38,7 +38,8 @@ def rosapi_finding(facts: BridgeFacts) -> Finding:
 
 
 def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
-    """What is wrong with a bridge or a node rather than with one topic, in the order in which to mend it."""
+    """Return what is wrong with a bridge or a node rather than with one topic, in the order in which to mend
+    it."""
     unsourced = list(_unsourced(facts))
     explained = {topic for cause in unsourced for topic in cause.topics}
     return [*unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]

@@ -1,4 +1,4 @@
-"""What the robots say of a floor, and what a map holds at a place. Pure."""
+"""Floors as robots report them, and the content of a map at a place. Pure."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -22,7 +22,7 @@ OFF_MAP = 255
 
 @dataclass(frozen=True)
 class FloorSurvey:
-    """What the robots say of a floor; robots that say the same share one."""
+    """A floor as robots report it; robots that report the same share one."""
 
     graph: RouteGraph | None = None
     labels: Mapping[str, str] | None = None
@@ -75,7 +75,7 @@ def live_grid(floor: str, topics: list[TopicFacts]) -> OccupancyGrid | None:
 
 
 def class_at(grid: OccupancyGrid, x: float, y: float) -> int:
-    """What a map holds at a place in metres, OFF_MAP beside it."""
+    """Return what a map holds at a place in metres, OFF_MAP beside it."""
     column, row = grid.frame.to_pixel(x, y)
     if not (0 <= column < grid.frame.width and 0 <= row < grid.frame.height):
         return OFF_MAP

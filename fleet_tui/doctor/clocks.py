@@ -1,4 +1,4 @@
-"""What is said of time: round trips, and how the robots' clocks go. Pure."""
+"""Findings about time: round trips and the robots' clocks. Pure."""
 
 import statistics
 from collections.abc import Iterator
@@ -15,7 +15,7 @@ LONG_AGO = 1e8  # a robot that says 1973 or earlier counts from the start of a s
 
 
 def round_trip_finding(facts: BridgeFacts) -> Finding:
-    """How long a call and its answer take."""
+    """Return how long a call and its answer take."""
     if not facts.round_trips:
         return Finding(facts.name, "round trip", Verdict.SKIPPED, "no call was answered")
     median = statistics.median(facts.round_trips)

@@ -1,4 +1,4 @@
-"""What is said of floors: the map, the graph on it, the labels, and where the robots stand. Pure."""
+"""Findings about floors: map, graph, labels, and the robots' places. Pure."""
 
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN
 
 
 class FloorFiles(NamedTuple):
-    """What a floor's files held, None where the config names none."""
+    """The files of a floor, None where the config names none."""
 
     map: FloorMapLoaded | None = None
     graph: FloorGraphLoaded | None = None
@@ -74,7 +74,7 @@ def _size(frame: MapFrame) -> str:
 
 
 def _sizes(floor: FloorEntry, by: str, map_: MapFrame, told: MapFrame, tied: bool) -> Finding:
-    """Whether the picture and map_metadata speak of one map; a plain image has but its size."""
+    """Tell whether the picture and map_metadata speak of one map; a plain image has but its size."""
     same = (map_.width, map_.height) == (told.width, told.height)
     if same and tied:
         pixel = told.resolution
@@ -135,7 +135,7 @@ Placed = PoseReported | LocalisationReported
 def place_finding(
     config: Config, pose: Placed, grids: Mapping[str, OccupancyGrid | None], floors: list[str], told: str
 ) -> Finding:
-    """Whether a robot stands on a map it knows. `told`: its floor, where its frame means none."""
+    """Tell whether a robot stands on a map it knows. `told`: its floor, where its frame means none."""
     if isinstance(pose, LocalisationReported):
         return _place_on(pose, grids, floors, told)
     frame = pose.frame_id.lstrip("/")

@@ -1,4 +1,4 @@
-"""Whether a floor's graph hangs together, its labels with it, and whether its file can be read. Pure."""
+"""Findings about a floor's graph: its file, its connections, its labels. Pure."""
 
 from collections.abc import Mapping
 
@@ -11,7 +11,7 @@ from fleet_tui.model.order import natural
 
 
 def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing: int) -> Finding:
-    """Whether there is a file with the graph where robots need one, and all of it could be read."""
+    """Tell whether there is a file with the graph where robots need one, and all of it could be read."""
     if file is None:
         absent = (
             f"none, and {needing} of its robots publish{'es' * (needing == 1)} no graph: no place has a name"
@@ -33,7 +33,7 @@ def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing
 def connection_finding(
     floor: FloorEntry, by: str, chart: FloorSurvey, graph: RouteGraph, has_others: bool
 ) -> Finding:
-    """Whether every vertex can be reached from every other."""
+    """Tell whether every vertex can be reached from every other."""
     lost = _cut_off(graph, has_others)
     count = f"{len(graph.edges)} edges{by}"
     if not lost:
@@ -82,7 +82,7 @@ def _reached(start: str, ways: Mapping[str, set[str]]) -> set[str]:
 
 
 def label_finding(floor: FloorEntry, by: str, labels: Mapping[str, str], graph: RouteGraph) -> Finding:
-    """Whether each label names a vertex, and one only."""
+    """Tell whether each label names a vertex, and one only."""
     lost = [f"{label} ({vertex})" for vertex, label in labels.items() if vertex not in graph.vertices]
     if lost:
         measured = f"{len(lost)} of {len(labels)} labels{by} name a vertex that is not there: {listed(lost)}"

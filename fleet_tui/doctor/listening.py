@@ -70,8 +70,8 @@ async def listen(
 def _worth_hearing(
     wanted: Iterable[Feed], rosapi: RosapiFacts, drawn: Iterable[str]
 ) -> Iterator[tuple[Feed, str]]:
-    """What may be subscribed to, with the bridge's spelling of its type. With a wrong type, or before it
-    is there, a topic would be spoiled for every client. Of a floor one live map is enough, and none where
+    """Return what may be subscribed to, with the bridge's spelling of its type. With a wrong type, or before
+    it is there, a topic would be spoiled for every client. Of a floor one live map is enough, and none where
     it is drawn already."""
     floors, types = set(drawn), rosapi.topics
     for one in wanted:

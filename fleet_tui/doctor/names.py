@@ -60,7 +60,7 @@ def near_service(table: str, robot: str, key: str, service: str, free: Collectio
 
 
 def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:
-    """What to write where ROS 2 spells types otherwise: lower-case packages, CamelCase names.
+    """Return what to write where ROS 2 spells types otherwise: lower-case packages, CamelCase names.
 
     With rosapi the bridge's spelling is found out; without it a topic is asked for by the profile's.
     """

@@ -1,4 +1,4 @@
-"""What is said of the probes of each robot's kind. Pure."""
+"""Findings from the probes of each robot's kind. Pure."""
 
 from collections.abc import Iterator
 from typing import assert_never

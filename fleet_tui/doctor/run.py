@@ -75,7 +75,7 @@ def only(config: Config, robot: str) -> Config:
 
 
 def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
-    """What one bridge that answers is judged by."""
+    """Return what one bridge that answers is judged by."""
     yield round_trip_finding(facts)
     yield rosapi_finding(facts)
     yield load_finding(facts)
@@ -99,7 +99,7 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
 def building_findings(
     config: Config, part: Config, loaded: dict[str, FloorFiles], topics: list[TopicFacts]
 ) -> Iterator[Finding]:
-    """What floors, maps and places are judged by, over all bridges."""
+    """Return what floors, maps and places are judged by, over all bridges."""
     grids, adapters = {}, adapters_of(part)
     mute = [robot for robot in part.robots if "graph" not in adapters[robot.name].kind.reports]
     for floor in part.floors:
@@ -113,7 +113,7 @@ def building_findings(
 def _places(
     config: Config, grids: dict[str, OccupancyGrid | None], topics: list[TopicFacts]
 ) -> Iterator[Finding]:
-    """Where each robot stands that tells it."""
+    """Return where each robot stands that tells it."""
     floors_of = {robot.name: config.floors_of(robot) for robot in config.robots}
     told = {
         one.robot: one.floor for one in (facts.event for facts in topics) if isinstance(one, FloorReported)

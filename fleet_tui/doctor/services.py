@@ -1,4 +1,4 @@
-"""What is said of each robot's services. Pure, and none of them is called."""
+"""Findings about each robot's services. Pure; no service is called."""
 
 from collections.abc import Iterator, Sequence
 

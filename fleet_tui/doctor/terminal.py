@@ -1,4 +1,4 @@
-"""What is said of the terminal: its size, colours, glyphs, locale, and how fast it is."""
+"""Findings about the terminal: size, colours, glyphs, locale, speed."""
 
 import locale
 import os
@@ -34,7 +34,7 @@ def terminal_findings() -> Iterator[Finding]:
 
 
 def size_finding(columns: int, rows: int) -> Finding:
-    """Whether the console fits."""
+    """Tell whether the console fits."""
     measured, values = f"{columns} x {rows}", {"columns": columns, "rows": rows}
     if columns < 60 or rows < 16:
         return Finding(
@@ -50,7 +50,7 @@ def size_finding(columns: int, rows: int) -> Finding:
 
 
 def colour_finding(environment: Mapping[str, str]) -> Finding:
-    """How many colours, by what the environment says."""
+    """Return how many colours, by what the environment says."""
     term, more = environment.get("TERM", ""), environment.get("COLORTERM", "")
     values = {"TERM": term, "COLORTERM": more}
     if environment.get("NO_COLOR"):
@@ -68,7 +68,7 @@ def colour_finding(environment: Mapping[str, str]) -> Finding:
 
 
 def locale_finding(encoding: str, name: str) -> Finding:
-    """Whether letters and glyphs leave as UTF-8."""
+    """Tell whether letters and glyphs leave as UTF-8."""
     measured = f"{encoding}, LC_CTYPE {name}"
     if encoding.lower().replace("-", "") == "utf8":
         return Finding(TERMINAL, "locale", Verdict.OK, measured)
@@ -115,7 +115,7 @@ def _measured(keys: int, screen: int) -> tuple[int, float, float] | None:
 
 
 def glyph_finding(cells: int) -> Finding:
-    """Whether braille takes the cells it should."""
+    """Tell whether braille takes the cells it should."""
     values = {"cells": cells, "of": len(BRAILLE)}
     if cells == len(BRAILLE):
         return Finding(TERMINAL, "glyphs", Verdict.OK, "braille takes one cell each", values=values)
@@ -125,8 +125,8 @@ def glyph_finding(cells: int) -> Finding:
 
 
 def speed_finding(rate: float, answer: float, inside: str = "") -> Finding:
-    """How fast what is written is taken, bytes per second, and how long a key's echo would take. `inside`
-    a multiplexer it is that which is measured, not what is behind it."""
+    """Return how fast what is written is taken, bytes per second, and how long a key's echo would take.
+    `inside` a multiplexer it is that which is measured, not what is behind it."""
     values = {"bytes_per_s": round(rate), "answer_s": round(answer, 4)}
     by = f" (that is {inside}, not what shows it)" if inside else ""
     measured = f"{rate / 1000:,.0f} kB/s, answers in {answer * 1000:.1f} ms{by}"

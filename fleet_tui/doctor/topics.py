@@ -1,4 +1,4 @@
-"""What is said of each robot and its topics. Pure."""
+"""Findings about each robot and its topics. Pure."""
 
 from collections.abc import Iterator, Sequence
 
@@ -175,7 +175,7 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
 
 
 def _asked_again(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
-    """Why a floor's topic came only when it was asked for plainly, or in pieces."""
+    """Return why a floor's topic came only when it was asked for plainly, or in pieces."""
     if facts.fragmented:
         binary = "never as cbor, " if facts.wanted.large else ""
         return (

@@ -34,7 +34,7 @@ _BAND = 256  # rows turned into classes at a time: a large image in colour is no
 
 @dataclass(frozen=True, slots=True)
 class OccupancyThresholds:
-    """How map_server (ROS 1) and nav2_map_server make occupancy of brightness. Thresholds: 0 to 1.
+    """The thresholds by which map_server (ROS 1) and nav2_map_server turn brightness into occupancy, 0 to 1.
 
     The defaults are theirs, for a plain image too.
     """

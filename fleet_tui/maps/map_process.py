@@ -21,7 +21,7 @@ LONGEST = 60.0
 
 
 class _Task(msgspec.Struct):
-    """What the process needs beside the frame: one line of JSON before it."""
+    """The parameters of the process: one line of JSON before the frame."""
 
     profile: Profile
     feed: Feed

@@ -15,7 +15,7 @@ Key = tuple[str, str]
 
 
 class Priority(Enum):
-    """How soon a person is needed; the value sorts, 1 first."""
+    """The urgency of an alarm; the value sorts, 1 first."""
 
     HIGH = 1
     MEDIUM = 2
@@ -23,7 +23,7 @@ class Priority(Enum):
 
 
 class AlarmStage(Enum):
-    """Where in its life an alarm is. What is cleared is no longer in the list."""
+    """The stage of an alarm. A cleared one is no longer in the list."""
 
     CLEARED = "cleared"
     UNACKNOWLEDGED = "unacknowledged"
@@ -33,7 +33,7 @@ class AlarmStage(Enum):
 
 
 class AlarmStep(Enum):
-    """What leads from one stage to another."""
+    """A transition from one stage to another."""
 
     RAISE = "raised"
     WORSEN = "worse"
@@ -77,11 +77,11 @@ class Condition(Struct, frozen=True):
 
     @property
     def key(self) -> Key:
-        """What tells its alarm from another."""
+        """Return what tells its alarm from another."""
         return self.source, self.kind
 
     def is_news_after(self, before: "Condition") -> bool:
-        """Whether who has seen `before` must look again."""
+        """Tell whether who has seen `before` must look again."""
         return self.priority.value < before.priority.value or not self.parts <= before.parts
 
 
@@ -101,17 +101,17 @@ class Alarm(Struct, frozen=True):
 
     @property
     def key(self) -> Key:
-        """What tells one alarm from another."""
+        """Return what tells one alarm from another."""
         return self.condition.key
 
     @property
     def needs_acknowledgement(self) -> bool:
-        """Whether nobody has seen it yet."""
+        """Tell whether nobody has seen it yet."""
         return self.stage in (AlarmStage.UNACKNOWLEDGED, AlarmStage.RETURNED)
 
     @property
     def text(self) -> str:
-        """What it says now: the words of an alarm stand on the screen only while they are true."""
+        """Return what it says now: the words of an alarm stand on the screen only while they are true."""
         return self.condition.text if self.holds else self.condition.over
 
 

@@ -1,4 +1,4 @@
-"""What an operator may ask of a robot, and the life of each wish, from the key to its one end."""
+"""Commands to robots, and the life of each one from the key to its one end."""
 
 from collections.abc import Mapping
 from enum import Enum
@@ -23,11 +23,11 @@ class PlaceOrder(Struct, frozen=True, tag=True):
         return len(self.stops) == 1
 
     def what(self, kind: Kind) -> str:
-        """What is asked of a robot of this kind, in a word or two."""
+        """Return what is asked of a robot of this kind, in a word or two."""
         return "bring cargo" if self.with_cargo and "cargo" in kind.reports else "order"
 
     def text(self, kind: Kind, route: str) -> str:
-        """What is asked, with its stops; `route` are those in words."""
+        """Return what is asked, with its stops; `route` are those in words."""
         if self.with_cargo and "cargo" not in kind.reports:
             return f"go to {route.removeprefix('-> ')}"
         return f"{self.what(kind)} {route}"
@@ -62,7 +62,7 @@ Command = PlaceOrder | CancelOrder | ClearOrders | PauseRobot | ResumeRobot
 
 
 class Stage(Enum):
-    """Where a command stands; the value is what the operator reads."""
+    """The stage of a command; the value is shown to the operator."""
 
     CHECKED = "checked"
     WAITING = "waiting here"
@@ -154,7 +154,7 @@ class Step(Struct, frozen=True):
 
 
 class Baseline(Struct, frozen=True):
-    """What the robot had reported when the command was given: telemetry is read against it.
+    """The robot's reports when the command was given; telemetry is compared with it.
 
     `last_serial` is None where no queue had come; `request_id` is the one that the queue echoed.
     `counted` is how far its orders had counted by its own word. `moving`: its pose had just changed. `floor`
@@ -188,12 +188,12 @@ class CommandRecord(Struct, frozen=True):
 
     @property
     def stage(self) -> Stage:
-        """Where it stands."""
+        """Return where it stands."""
         return self.steps[-1].stage
 
     @property
     def words(self) -> str:
-        """What was said when it got there."""
+        """Return what was said when it got there."""
         return self.steps[-1].words
 
     @property

@@ -1,4 +1,4 @@
-"""What came over the wire, counted. It changes at every message, so it is no part of the fleet's state:
+"""Counters of the wire. They change with every message, so they are no part of the fleet's state:
 the network loop writes, the screen reads what it finds, and neither waits for the other."""
 
 from collections import deque
@@ -87,7 +87,7 @@ class Raw(Struct, frozen=True, gc=False):
 
     @property
     def is_whole(self) -> bool:
-        """Whether all of it was kept."""
+        """Tell whether all of it was kept."""
         return len(self.payload) == self.size
 
 
@@ -149,7 +149,7 @@ class TopicCounter(Flow):
 
 
 class RoundTrips:
-    """How long the heartbeat's calls took, in seconds."""
+    """The durations of the heartbeat's calls, in seconds."""
 
     def __init__(self) -> None:
         self._took: deque[float] = deque(maxlen=BEATS)
@@ -205,12 +205,12 @@ class LinkCounter:
         self._is_up = False
 
     def opened(self) -> None:
-        """There is a connection."""
+        """Count a connection."""
         self.connections += 1
         self._is_up = True
 
     def lost(self, why: str, at: float) -> None:
-        """There is none. Tries that fail after that lose nothing."""
+        """Count a lost connection. Later tries that fail lose nothing."""
         if self._is_up:
             self._is_up, self.lost_at, self.lost_why = False, at, why
 
@@ -233,7 +233,7 @@ class LinkCounter:
         self.log.append(line)
 
     def take_health(self, diagnoses: Iterable[PartDiagnosis]) -> None:
-        """What robots say of their health; the newest of each name counts."""
+        """Keep the robots' diagnostics; the newest of each name counts."""
         health = dict(self.health)
         for one in diagnoses:
             if one.name in health or len(health) < MOST_DIAGNOSES:

@@ -34,7 +34,7 @@ class BatteryReported(Struct, frozen=True, tag=True):
 
 
 class CargoReported(Struct, frozen=True, tag=True):
-    """Whether the robot carries something."""
+    """Cargo on board, or none."""
 
     robot: str
     at: float

@@ -70,11 +70,11 @@ class FleetState(Struct, frozen=True, eq=False):
         return self.limits.offline_after + self.behind
 
     def is_online(self, robot: Robot) -> bool:
-        """Whether it spoke within the limit."""
+        """Tell whether it spoke within the limit."""
         return robot.heard is not None and self.now - robot.heard <= self.patience
 
     def was_obstructed(self, robot: Robot) -> bool:
-        """Whether by its last word it was in contact with an obstacle for longer than the limit."""
+        """Tell whether by its last word it was in contact with an obstacle for longer than the limit."""
         return robot.obstacle is not None and robot.obstacle.value > self.limits.obstacle_after
 
     def is_obstructed(self, robot: Robot) -> bool:
@@ -107,12 +107,12 @@ class FleetState(Struct, frozen=True, eq=False):
 
     @property
     def unacknowledged(self) -> int:
-        """How many alarms nobody has seen."""
+        """Return how many alarms nobody has seen."""
         return sum(alarm.needs_acknowledgement for alarm in self.alarms)
 
     @property
     def shelved(self) -> int:
-        """How many alarms somebody put on the shelf."""
+        """Return how many alarms somebody put on the shelf."""
         return sum(alarm.stage is AlarmStage.SHELVED for alarm in self.alarms)
 
 

@@ -37,7 +37,7 @@ def yaw_of_quaternion(x: float, y: float, z: float, w: float) -> float:
 
 
 class MapFrame(Struct, frozen=True):
-    """How a map image lies in the world (nav_msgs/MapMetaData).
+    """The placement of a map image in the world (nav_msgs/MapMetaData).
 
     resolution: metres per pixel; width, height: pixels; origin: pose of the lower-left pixel
     in the world. `added`: the robot stack adds the origin instead of subtracting it.

@@ -10,7 +10,7 @@ from msgspec import Struct, field
 
 
 class Role(Enum):
-    """What a vertex is for, whatever the robot stack calls it."""
+    """The role of a vertex, whatever the robot stack calls it."""
 
     PLAIN = "plain"
     ELEVATOR = "elevator"

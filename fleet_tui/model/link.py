@@ -6,7 +6,7 @@ from msgspec import Struct
 
 
 class Phase(Enum):
-    """Whether telemetry can arrive."""
+    """The phase of a connection for telemetry."""
 
     WAITING = "waiting"
     CONNECTING = "connecting"
@@ -14,7 +14,7 @@ class Phase(Enum):
 
 
 class CommandPath(Enum):
-    """Whether a command would get through: found out on a connection of its own. UNREGISTERED: the bridge
+    """The state of the command path, found out on a connection of its own. UNREGISTERED: the bridge
     answers, and services of robots that were there no longer exist."""
 
     UNTRIED = "untried"
@@ -55,7 +55,7 @@ class LinkState(Struct, frozen=True):
 
     @property
     def unsourced_text(self) -> str:
-        """What to do about messages that the bridge lacks, empty where it has all."""
+        """Return what to do about messages that the bridge lacks, empty where it has all."""
         if not self.unsourced:
             return ""
         return f"rosbridge lacks the messages of {self.unsourced}: source their workspace, then restart it"
@@ -69,5 +69,5 @@ class LinkState(Struct, frozen=True):
 
     @property
     def is_bag(self) -> bool:
-        """Whether there never was a bridge: what is shown was made of a ROS bag."""
+        """Tell whether there never was a bridge: what is shown was made of a ROS bag."""
         return self.url.startswith(OF_BAG)

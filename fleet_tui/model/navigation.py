@@ -37,7 +37,7 @@ class Goal(Struct, frozen=True):
 
 
 class Progress(Struct, frozen=True):
-    """How far a goal is: metres left, seconds left and since its start, recoveries so far, and the number of
+    """Progress of a goal: metres left, seconds left and since its start, recoveries so far, and the number of
     the stop that it drives to, each None where it is not told. `goal` is its short id."""
 
     goal: str

@@ -9,7 +9,7 @@ from fleet_tui.model.navigation import Goal, Progress
 
 
 class OdometryReported(Struct, frozen=True, tag=True):
-    """Where a robot is by its wheels, in a frame of its own that drifts."""
+    """A robot's pose by its wheels, in a frame of its own that drifts."""
 
     robot: str
     at: float
@@ -18,7 +18,7 @@ class OdometryReported(Struct, frozen=True, tag=True):
 
 
 class LocalisationReported(Struct, frozen=True, tag=True):
-    """Where a robot was on its map when it last found out. `variance`: of x and y together, in square metres,
+    """A robot's last localised pose on its map. `variance`: of x and y together, in square metres,
     None where it gives none."""
 
     robot: str
@@ -39,7 +39,7 @@ class BlockedReported(Struct, frozen=True, tag=True):
 
 
 class ProgressReported(Struct, frozen=True, tag=True):
-    """How far a goal is."""
+    """Progress of a goal."""
 
     robot: str
     at: float
@@ -66,7 +66,7 @@ class GoalsUnknown(Struct, frozen=True, tag=True):
 
 
 class PlanReported(Struct, frozen=True, tag=True):
-    """Where the path ends that a robot drives now."""
+    """The end of the path that a robot drives now."""
 
     robot: str
     at: float
@@ -74,7 +74,7 @@ class PlanReported(Struct, frozen=True, tag=True):
 
 
 class TargetReported(Struct, frozen=True, tag=True):
-    """Where a goal leads to that a robot has just begun, whoever gave it."""
+    """The target of a goal that a robot has just begun, whoever gave it."""
 
     robot: str
     at: float

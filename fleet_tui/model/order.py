@@ -12,7 +12,7 @@ _DIGITS = re.compile(r"([0-9]+)")
 
 
 class OrderState(Enum):
-    """How far an order is; the value is what the operator reads."""
+    """The state of an order; the value is shown to the operator."""
 
     QUEUED = "queued"
     IN_PROCESS = "in process"

@@ -41,7 +41,8 @@ class OrderTrace(Struct, frozen=True):
     request_id: int = 0
 
     def was_driven(self, heard: float | None) -> bool:
-        """Whether the robot was at its end when it left the queue; `heard` is when a queue last showed it."""
+        """Tell whether the robot was at its end when it left the queue; `heard` is when a queue last showed
+        it."""
         return self.arrived_at is not None and (heard is None or self.arrived_at >= heard - LEFT_WITHIN)
 
 

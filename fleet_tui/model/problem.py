@@ -1,4 +1,4 @@
-"""What speaks against a command."""
+"""Objections to a command, and the permissions of a console."""
 
 from msgspec import Struct
 
@@ -13,7 +13,7 @@ class Problem(Struct, frozen=True):
 
 
 class Permissions(Struct, frozen=True):
-    """What this console may do."""
+    """The permissions of this console."""
 
     read_only: bool = False
     armed: bool = True

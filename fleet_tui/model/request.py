@@ -11,7 +11,7 @@ from fleet_tui.model.order import at_vertices
 
 
 class Request(Struct, frozen=True):
-    """What an operator asks in one go: commands in sequence. `floors`: the floor of each vertex that
+    """One request of an operator: commands in sequence. `floors`: the floor of each vertex that
     was chosen by name, since the wire knows only ids, and floors may have the same ones."""
 
     commands: tuple[Command, ...]

@@ -110,7 +110,7 @@ class Robot(Struct, frozen=True, eq=False):
 
     @property
     def has_cargo(self) -> bool:
-        """Whether it says that it carries something."""
+        """Tell whether it says that it carries something."""
         return self.cargo is not None and self.cargo.value
 
     @property
@@ -129,7 +129,7 @@ class Robot(Struct, frozen=True, eq=False):
         return next((name for name in names if name is not None), None)
 
     def knows_all_graphs(self) -> bool:
-        """Whether every floor's graph has come, so that a vertex in none of them does not exist."""
+        """Tell whether every floor's graph has come, so that a vertex in none of them does not exist."""
         return bool(self.charts) and all(chart.graph is not None for chart in self.charts.values())
 
 

@@ -1,4 +1,4 @@
-"""What robots say of themselves: lines of their log, and how they find their parts."""
+"""Logs and diagnostics of robots."""
 
 from enum import IntEnum
 
@@ -6,7 +6,7 @@ from msgspec import Struct
 
 
 class Severity(IntEnum):
-    """How serious a line of the log is."""
+    """The severity of a line of the log."""
 
     DEBUG = 1
     INFO = 2
@@ -47,7 +47,7 @@ class Health(IntEnum):
 
 
 class PartDiagnosis(Struct, frozen=True):
-    """What /diagnostics said of one part at `at` (monotonic seconds); `level` as `Health` has it."""
+    """The diagnosis of one part by /diagnostics at `at` (monotonic seconds); `level` as `Health` has it."""
 
     at: float
     name: str

@@ -163,8 +163,8 @@ def _audit(path: Path, since: float) -> bytes:
 
 
 def examined(config: Config, within: float, is_over: Callable[[], bool]) -> bytes:
-    """What `fleet-tui doctor` says within so many seconds, in a process of its own, which does not outlive
-    `is_over`. Raises OSError where it says nothing."""
+    """Return what `fleet-tui doctor` says within so many seconds, in a process of its own, which does not
+    outlive `is_over`. Raises OSError where it says nothing."""
     with tempfile.NamedTemporaryFile("w", suffix=".toml", encoding="utf-8") as file:
         file.write(as_toml(config.whole()))
         file.flush()

@@ -23,7 +23,7 @@ _BULK = (b'{"kind":"heard"', b'{"kind":"sent"', b'{"kind":"told"')
 
 
 class _Stamp(msgspec.Struct):
-    """What every record has."""
+    """The fields that every record has."""
 
     kind: str
     at: float = math.nan

@@ -41,13 +41,13 @@ class PartFile:
             self._is_flushed = True
 
     def begin_member(self) -> None:
-        """Who reads may begin here."""
+        """Start a new gzip member, so that readers can seek here."""
         self._put(self._packer.flush())
         self._packer = zlib.compressobj(LEVEL, wbits=31)
         self._is_flushed = True
 
     def is_there(self) -> bool:
-        """Whether the file still has its name: else nobody would ever see what is written."""
+        """Tell whether the file still has its name: else nobody would ever see what is written."""
         try:
             return os.path.samestat(os.fstat(self._fd), self.path.stat(follow_symlinks=False))
         except OSError:

@@ -30,7 +30,7 @@ USUAL = PartLimits()
 
 
 class PartFiles:
-    """What can't be done is False, and `problem` says why: the next `turn` tries another file."""
+    """A failed operation returns False, and `problem` says why; the next `turn` tries another file."""
 
     def __init__(self, first: Path, limits: PartLimits, head: Callable[[int, float], bytes]) -> None:
         """Begin. `head` gives the first lines of a part that begins at a monotonic second. Raises
@@ -51,7 +51,7 @@ class PartFiles:
 
     @property
     def is_open(self) -> bool:
-        """Whether there is a file to write to."""
+        """Tell whether there is a file to write to."""
         return self._file is not None
 
     @property
@@ -60,14 +60,14 @@ class PartFiles:
         return self._before + (self._file.size if self._file else 0)
 
     def needs_turn(self, at: float) -> bool:
-        """Whether a new file is due, because one is full, or it is time to try again."""
+        """Tell whether a new file is due, because one is full, or it is time to try again."""
         if self._file is None:
             return time.monotonic() >= self._retry_at
         limits = self._limits
         return self._file.size > limits.part_bytes or at - self._began >= limits.part_seconds
 
     def turn(self, at: float) -> bool:
-        """Here who reads may begin: in a new file, or in the same one."""
+        """Start a new gzip member, or a new file, so that readers can seek here."""
         try:
             if self._file is None or self.needs_turn(at):
                 self.close()

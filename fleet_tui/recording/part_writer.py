@@ -104,7 +104,7 @@ class PartWriter:
             self._write_lines()
 
     def flush(self, whole: bool = False) -> None:
-        """What was taken so far can be read after this, if the disk takes it; `whole`: to its very end."""
+        """Make everything taken so far readable, if the disk takes it; `whole`: to its very end."""
         self._write_lines()
         if self._keeps(not self.files.is_open or self.files.flush(whole)):
             self._unsure = 0
@@ -177,7 +177,8 @@ class PartWriter:
         return line
 
     def _keeps(self, done: bool) -> bool:
-        """Whether it went well. If not, what was packed since the last flush is not whole on the disk."""
+        """Tell whether it went well. If not, what was packed since the last flush is not whole on the
+        disk."""
         if not done:
             self.lose(self.files.problem, self._unsure)
             self._unsure = 0

@@ -14,7 +14,7 @@ def _split(name: str) -> tuple[str, str]:
 
 
 def part_path(first: Path, number: int) -> Path:
-    """Where a part lies; 0 is the first."""
+    """Return where a part lies; 0 is the first."""
     stem, suffix = _split(first.name)
     return first.with_name(f"{stem}.{number:04}{suffix}") if number else first
 

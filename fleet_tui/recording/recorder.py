@@ -55,7 +55,7 @@ class Recorder:
 
     @property
     def problem(self) -> str:
-        """Why nothing is written now, "" while all is well."""
+        """Return why nothing is written now, "" while all is well."""
         if self._writer.files.problem:
             return self._writer.files.problem
         return "too much comes at once" if self._dropped else ""
@@ -67,7 +67,7 @@ class Recorder:
 
     @property
     def records(self) -> int:
-        """How many were written so far."""
+        """Return how many were written so far."""
         return self._writer.records
 
     @property

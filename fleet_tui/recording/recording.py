@@ -41,7 +41,7 @@ class Instant(Struct, frozen=True):
 
 
 class KeyframeLocation(Struct, frozen=True):
-    """Where a keyframe lies: its file, the gzip member, and how many keyframes of that come before."""
+    """The location of a keyframe: its file, the gzip member, and how many keyframes of that come before."""
 
     path: Path
     member: int
@@ -77,7 +77,7 @@ class Recording:
 
     @property
     def note(self) -> str:
-        """What is to be said of how much can be read, "" for all."""
+        """Return what is to be said of how much can be read, "" for all."""
         more = f" and {len(self.notes) - 1} more" if self.notes[1:] else ""
         return self.notes[0] + more if self.notes else ""
 
@@ -137,7 +137,7 @@ class Recording:
 
 
 class _Names(NamedTuple):
-    """What a config has."""
+    """The names in a config."""
 
     links: frozenset[str]
     floors: frozenset[str]

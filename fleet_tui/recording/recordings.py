@@ -1,4 +1,4 @@
-"""What a console records: always the last minutes, and a recording where the operator wants one.
+"""The recordings of a console: always the last minutes, and one on request.
 
 Only what is made before the first picture is imported here.
 """
@@ -85,7 +85,7 @@ class Recordings:
         return f"recorded {lasted}, {recorder.size / 1e6:.1f} MB{lost}: {recorder.path}"
 
     def notes(self) -> list[str]:
-        """What holds now: that it records, and what does not work of it."""
+        """Return what holds now: that it records, and what does not work of it."""
         found = []
         if self._recorder is not None:
             problem = self._recorder.problem

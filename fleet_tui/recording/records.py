@@ -1,4 +1,4 @@
-"""What a recording is made of: one JSON object per line, as docs/recordings.md describes them.
+"""Records: one JSON object per line, as docs/recordings.md describes them.
 
 `at` is the monotonic second at which a record took effect, and never runs backwards within a recording;
 `wall` is Unix time. Where the two jump apart, somebody set the clock.

@@ -1,4 +1,4 @@
-"""Where recorders listen in on a link: they come and go while it runs."""
+"""Taps of recorders on a link; they come and go while it runs."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""What two poses of a robot, one after the other, say of its movement."""
+"""Movement between two poses of a robot."""
 
 import math
 
@@ -15,13 +15,13 @@ JUMPS_WITHIN = 10.0
 
 
 def moved(one: Pose, other: Pose) -> bool:
-    """Whether it moved or turned by more than localisation jitters."""
+    """Tell whether it moved or turned by more than localisation jitters."""
     turned = abs(math.remainder(_turn(one) - _turn(other), math.tau))
     return _metres(one, other) > STILL_WITHIN or turned > STILL_YAW
 
 
 def progressed(one: Pose, other: Pose) -> bool:
-    """Whether it is somewhere else."""
+    """Tell whether it is somewhere else."""
     return _metres(one, other) > PLACE_WITHIN
 
 

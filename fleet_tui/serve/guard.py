@@ -1,4 +1,4 @@
-"""Who may speak to the server: pages of its own, asked for by a name that is surely this machine's.
+"""Access to the server: only for its own pages, by a name of this machine.
 
 A browser lets any page open a websocket to 127.0.0.1, and a name that resolves to it makes any
 page count as ours (DNS rebinding). So the page must come from here, and by no foreign name.
@@ -23,7 +23,7 @@ POLICY = (
 
 
 def is_loopback(host: str) -> bool:
-    """Whether only this machine can reach it."""
+    """Tell whether only this machine can reach it."""
     try:
         return ip_address(host).is_loopback
     except ValueError:
@@ -31,7 +31,7 @@ def is_loopback(host: str) -> bool:
 
 
 def is_ours(host: str, names: frozenset[str]) -> bool:
-    """Whether a Host header is a plain address, which nobody can rebind, or one of our names."""
+    """Tell whether a Host header is a plain address, which nobody can rebind, or one of our names."""
     try:
         name = urlsplit(f"//{host}").hostname or ""
         if name in names:
@@ -43,13 +43,13 @@ def is_ours(host: str, names: frozenset[str]) -> bool:
 
 
 def is_same_origin(origin: str, host: str) -> bool:
-    """Whether a page comes from the very server that it speaks to."""
+    """Tell whether a page comes from the very server that it speaks to."""
     scheme, _, place = origin.partition("://")
     return scheme in ("http", "https") and place == host
 
 
 def names_of(host: str) -> frozenset[str]:
-    """What this server is called, listening on `host`."""
+    """Return what this server is called, listening on `host`."""
     own = socket.gethostname().lower()
     return frozenset({"localhost", host} | (set() if is_loopback(host) else {own, f"{own}.local"}))
 

@@ -1,4 +1,4 @@
-"""What robots and floors say, as ROS messages, and the topics on which they say it."""
+"""Messages and topics of robots and floors."""
 
 import math
 import struct

@@ -189,7 +189,7 @@ class SimRobot:
         self.battery = min(100.0, max(0.0, self.battery + rate * STEP))
 
     def _blocked(self) -> bool:
-        """Whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
+        """Tell whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
         if self.obstacle == 0.0:
             if self._quiet or self.paused or not self._driving:
                 return False

@@ -113,7 +113,7 @@ class RosbridgeServer(TopicDesk):
 
     @property
     def url(self) -> str:
-        """Where to connect to, once started."""
+        """Return where to connect to, once started."""
         return f"ws://{self._host}:{self._port}"
 
     async def restart_bridge(self, down: float = 0.0) -> None:
@@ -190,7 +190,7 @@ class RosbridgeServer(TopicDesk):
                 self.publish(name)
 
     def _own_topics(self, dialect: Dialect) -> Iterator[Topic]:
-        """What the bridge itself publishes."""
+        """Return what the bridge itself publishes."""
         count, clients = map(dialect.message_type, ("std_msgs/Int32", "rosbridge_msgs/ConnectedClients"))
         yield Topic(COUNT, count, lambda _now: Payload({"data": len(self._sessions)}), latched=True)
         yield Topic(CLIENTS, clients, lambda _now: Payload({"clients": self._clients()}), latched=True)

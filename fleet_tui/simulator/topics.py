@@ -45,7 +45,7 @@ class TopicDesk(ServiceDesk):
         return set(self._asked())
 
     def subscribers(self, topic: str) -> int:
-        """How many clients are subscribed to a topic."""
+        """Return how many clients are subscribed to a topic."""
         return sum(len(self.channels.sessions(name)) for name in _spellings(topic))
 
     def publish_raw(self, topic: str, msg: dict[str, Any] | str | bytes) -> int:

@@ -1,4 +1,4 @@
-"""What robots say in words: a line of /rosout when something happens to one, /diagnostics once a second."""
+"""Logs and diagnostics: a line of /rosout when something happens, /diagnostics once a second."""
 
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence

@@ -100,7 +100,7 @@ def _late_or(stage: Stage, state: FleetState, record: CommandRecord) -> Stage:
 
 
 def _is_in_queue(state: FleetState, record: CommandRecord) -> bool:
-    """Whether the order it placed is still there: who gave it must be known as long."""
+    """Tell whether the order it placed is still there: who gave it must be known as long."""
     robot = state.robots.get(record.command.robot)
     return robot is not None and any(order.id == record.order_id for order in robot.orders.orders)
 

@@ -1,4 +1,4 @@
-"""What becomes of a floor when its files have been read."""
+"""Events of floors: files that were read."""
 
 from typing import assert_never
 

@@ -1,4 +1,4 @@
-"""How each fact turns the picture of the world into the next one."""
+"""The reducer: each event turns the state into the next one."""
 
 from typing import assert_never
 

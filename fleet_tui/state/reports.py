@@ -63,7 +63,7 @@ def _drives_on(robot: Robot, pose: Pose) -> bool:
 
 
 def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
-    """What arrives late must not look new: the pose is as old as its stamp lags the freshest."""
+    """Return what arrives late must not look new: the pose is as old as its stamp lags the freshest."""
     clock, true_at = robot.clock, event.at
     if event.stamp is not None:
         clock = set_clock(clock, event.at, event.stamp)

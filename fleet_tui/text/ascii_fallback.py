@@ -1,4 +1,4 @@
-"""What the program itself draws with, as the nearest ASCII sign, for what shows or encodes no other."""
+"""ASCII fallbacks of the program's own glyphs, for terminals and encodings without them."""
 
 _SIGNS = {
     "●▪•·": "*",
@@ -25,7 +25,7 @@ PLAIN = str.maketrans({sign: plain for signs, plain in _SIGNS.items() for sign i
 
 
 def stand_in(problem: UnicodeError) -> tuple[str, int]:
-    """What is written instead of signs that an encoding lacks: a handler of errors for `codecs`."""
+    """Return what is written instead of signs that an encoding lacks: a handler of errors for `codecs`."""
     if not isinstance(problem, UnicodeEncodeError):
         raise problem
     missing = problem.object[problem.start : problem.end]

@@ -1,4 +1,4 @@
-"""How much is taken of what others say: what goes beyond is cut, and that is said. See docs/bounds.md."""
+"""Limits on input from outside: anything beyond is cut, and the cut is shown. See docs/bounds.md."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ def truncate(text: str, longest: int = LONGEST_WORDS) -> str:
 
 
 def too_many(count: int, most: int, what: str) -> str:
-    """What to say of a list that is too long, empty if it isn't."""
+    """Return what to say of a list that is too long, empty if it isn't."""
     return f"{count:,} {what}: only the first {most:,} are taken" if count > most else ""
 
 

@@ -45,14 +45,14 @@ def _made_visible(text: str) -> str:
 
 
 def letter_width(letter: str) -> int:
-    """How many terminal cells one character takes: 0, 1 or 2."""
+    """Return how many terminal cells one character takes: 0, 1 or 2."""
     if unicodedata.category(letter) in ("Mn", "Me"):
         return 0
     return 2 if unicodedata.east_asian_width(letter) in ("W", "F") else 1
 
 
 def cell_width(text: str) -> int:
-    """How many terminal cells `text` takes."""
+    """Return how many terminal cells `text` takes."""
     return len(text) if text.isascii() else _measured(text)
 
 

@@ -11,7 +11,7 @@ def size_text(count: float) -> str:
 
 
 def ago(at: float | None, now: float) -> str:
-    """How long ago something was, `never` if it was not."""
+    """Return how long ago something was, `never` if it was not."""
     if at is None:
         return "never"
     seconds = max(0.0, now - at)

@@ -1,10 +1,10 @@
-"""What a connection tells, and to whom."""
+"""The listener of a connection."""
 
 from typing import Protocol
 
 
 class Listener(Protocol):
-    """Who hears of a connection. Everything is called on the network loop."""
+    """Receives the events of a connection. Everything is called on the network loop."""
 
     def on_connecting(self) -> None:
         """A try has begun."""
@@ -13,7 +13,7 @@ class Listener(Protocol):
         """Frames can be sent."""
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
-        """There is no connection; it is tried again in so many seconds."""
+        """Take the loss of the connection; the next try is in `next_try_in` seconds."""
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """A frame came."""

@@ -1,1 +1,1 @@
-"""What is seen: pure functions from the state to text, inks and cells."""
+"""Views: pure functions from the state to text, style roles and cells."""

@@ -4,7 +4,7 @@ from enum import IntEnum, auto
 
 
 class StyleRole(IntEnum):
-    """What a piece of text on the map or in a pane means; fits in a uint8 plane."""
+    """The meaning of a piece of text on the map or in a pane; fits in a uint8 plane."""
 
     FLOOR = 0
     UNKNOWN = auto()

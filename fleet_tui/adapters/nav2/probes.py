@@ -1,4 +1,4 @@
-"""What decides whether robots with Nav2 can be driven: their servers, lifecycle, localisation, bridge."""
+"""Probes of robots with Nav2: their servers, lifecycle, localisation, bridge."""
 
 from collections.abc import Iterator
 

@@ -106,7 +106,7 @@ def _topic(site: Discovery, key: str, topics: Mapping[str, str]) -> None:
 
 
 def _alike(site: Discovery, key: str, topics: Mapping[str, str]) -> bool:
-    """Whether it is there under its usual name with a type that is read alike."""
+    """Tell whether it is there under its usual name with a type that is read alike."""
     for robot, floors in site.robots.items():
         for floor in floors if key in FLOOR_TOPICS else [""]:
             there = topics.get(TOPICS[key][0].replace("{robot}", robot).replace("{floor}", floor))

@@ -25,7 +25,7 @@ _DECODERS: Any = dict.fromkeys(_LIVELY, _refuse)
 
 
 def read_cbor(payload: bytes) -> Any:
-    """What it says. Raises ValueError for what is no CBOR, or more than a bridge has to say."""
+    """Return what it says. Raises ValueError for what is no CBOR, or more than a bridge has to say."""
     data = b""
     if len(payload) > LARGEST_REST:
         payload, data = _without_cells(payload)

@@ -92,7 +92,7 @@ class Duration(msgspec.Struct, frozen=True):
 
 
 class Feedback(msgspec.Struct, frozen=True):
-    """What NavigateToPose, NavigateThroughPoses and FollowWaypoints tell of a goal, each some of it."""
+    """Feedback of NavigateToPose, NavigateThroughPoses and FollowWaypoints; each has some of the fields."""
 
     distance_remaining: float | None = None
     estimated_time_remaining: Duration | None = None

@@ -41,7 +41,7 @@ class GoalResult(msgspec.Struct, frozen=True):
 
 
 class Status(msgspec.Struct, frozen=True):
-    """What a bridge has to say about an operation of ours."""
+    """A status message of the bridge about one of our operations."""
 
     level: str
     text: str
@@ -156,7 +156,7 @@ def decode_cbor(payload: bytes) -> Operation | None:
 
 @dataclass(frozen=True, slots=True)
 class Subscription:
-    """What is asked of the bridge for one topic. Rates are in milliseconds, 0 is every message;
+    """A subscription to one topic. Rates are in milliseconds, 0 is every message;
     the queue holds at least one, or one slow client freezes the topic for all. `latched`: with the quality
     of service that gets the last value whenever its publisher is discovered, of which ROS 1 knows nothing."""
 

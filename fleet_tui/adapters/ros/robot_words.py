@@ -23,7 +23,7 @@ HEALTH_TYPES = ("diagnostic_msgs/DiagnosticArray", "diagnostic_msgs/msg/Diagnost
 
 
 class LogHeader(msgspec.Struct, frozen=True):
-    """What is read of a log line's std_msgs/Header."""
+    """The fields that are read of a log line's std_msgs/Header."""
 
     stamp: Stamp = Stamp()
 

@@ -1,1 +1,1 @@
-"""What the navigation stacks of ROS 1 and ROS 2 have in common: places, odometry, batteries, pauses."""
+"""Parts common to the navigation stacks of ROS 1 and ROS 2: places, odometry, batteries, pauses."""

@@ -1,4 +1,4 @@
-"""What navigating robots report and accept, whichever stack drives them."""
+"""Capabilities of navigating robots, whichever stack drives them."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence

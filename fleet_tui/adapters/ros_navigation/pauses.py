@@ -1,4 +1,4 @@
-"""What stands in for a pause, which navigation stacks do not have."""
+"""Substitutes for a pause, which navigation stacks do not have."""
 
 from collections.abc import Iterator, Sequence
 from typing import Literal
@@ -31,7 +31,7 @@ class Pauses:
 
     @property
     def accepted(self) -> tuple[str, ...]:
-        """What such robots accept."""
+        """Return what such robots accept."""
         return (PAUSE, RESUME) if self.holds or self._locks or self._has_services else ()
 
     @property

@@ -52,7 +52,7 @@ def show(
 
 
 def _why(given: str | None) -> str:
-    """Why this file is the one in effect."""
+    """Return why this file is the one in effect."""
     if given:
         return "option --config"
     if os.environ.get("FLEET_TUI_CONFIG"):

@@ -122,7 +122,7 @@ def given(table: Mapping[str, Any], where: str = "") -> Iterator[str]:
 
 
 def origin(path: str, file: Path, set_here: set[str], numbers: Mapping[str, int]) -> str:
-    """Where a value comes from: file and line, or default."""
+    """Return where a value comes from: file and line, or default."""
     # A list or a table of names is set as a whole.
     named = next((one for one in set_here if path == one), "")
     if not named:

@@ -36,7 +36,7 @@ def _robots(line: str, state: FleetState) -> Iterator[str]:
 
 
 def _wishes(lines: Iterable[Line], state: FleetState) -> list[tuple[int, Request]]:
-    """What each line asks. Raises click's UsageError with every line that asks nothing."""
+    """Return what each line asks. Raises click's UsageError with every line that asks nothing."""
     found, wrong = list[tuple[int, Request]](), list[str]()
     for number, line in lines:
         try:
@@ -84,7 +84,7 @@ def _give_all(
 
 
 def _tried(given: Sending, wish: Request) -> list[Outcome]:
-    """What would become of a line, as the fleet is now."""
+    """Return what would become of a line, as the fleet is now."""
     wish, unable = divide(given.state, wish)
     held = given.check(wish)
     return [*unable, *(held or [unsent(given.state, one, "", DONE, WOULD) for one in wish.commands])]

@@ -22,7 +22,7 @@ def orders() -> None:
 
 
 def _asked(command: F) -> F:
-    """What every command here can be told."""
+    """Return what every command here can be told."""
     limits = click.FloatRange(0.1, 86400)
     text = "Seconds to wait at most: 15, with --until-done 3600."
     command = click.option("--timeout", type=limits, help=text)(command)
@@ -165,7 +165,7 @@ def run(
 
 
 def _text(file: str) -> str:
-    """What stands in a file. Raises click's UsageError where it can't be read."""
+    """Return what stands in a file. Raises click's UsageError where it can't be read."""
     try:
         data = sys.stdin.buffer.read() if file == "-" else Path(file).read_bytes()
         return data.decode()

@@ -48,13 +48,13 @@ def _end(number: int, _frame: object) -> None:
 
 
 def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> How:
-    """How the config and the options let commands be given."""
+    """Return how the config and the options let commands be given."""
     rights = Permissions(config.operator.read_only, config.operator.armed)
     return How(rights, timeout, yes, until_done)
 
 
 def forbidden(config: Config) -> str:
-    """Why this console may not command, empty where it may."""
+    """Return why this console may not command, empty where it may."""
     if config.operator.read_only:
         return f"this console is read-only: operator.read_only in {config.path}"
     return "" if config.operator.armed else f"this console is not armed: operator.armed in {config.path}"
@@ -128,18 +128,18 @@ def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
 
 
 def unreachable(state: FleetState, robots: Iterable[str]) -> str:
-    """Why the first of these robots that can't be reached can't be, empty where all can."""
+    """Return why the first of these robots that can't be reached can't be, empty where all can."""
     asked = (no_link(state, state.robots[name], ResumeRobot(name)) for name in robots)
     return next((problem.text for found in asked for problem in found), "")
 
 
 def _is_heard(robot: Robot) -> bool:
-    """Whether it has spoken, and all that a command is checked against has come."""
+    """Tell whether it has spoken, and all that a command is checked against has come."""
     return robot.heard is not None and not unreported(robot)
 
 
 def _has_labels(robot: Robot) -> bool:
-    """Whether the labels of every floor have come."""
+    """Tell whether the labels of every floor have come."""
     return not robot.kind.expects("labels") or all(chart.labels for chart in robot.charts.values())
 
 
@@ -148,7 +148,8 @@ def _tells_pause(robot: Robot) -> bool:
 
 
 def _tells_goals(robot: Robot) -> bool:
-    """Whether it is known what the robot drives: its action servers are silent before their first goal."""
+    """Tell whether it is known what the robot drives: its action servers are silent before their first
+    goal."""
     return not robot.kind.keeps_goals or bool(robot.goals)
 
 

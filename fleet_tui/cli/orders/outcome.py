@@ -1,4 +1,4 @@
-"""What became of one command, as a line or as JSON. docs/commands.md tells the schema."""
+"""The outcome of one command, as a line or as JSON. docs/commands.md tells the schema."""
 
 import json
 from collections.abc import Callable, Iterable

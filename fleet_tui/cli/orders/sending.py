@@ -36,7 +36,7 @@ CODES = {"no link": NO_LINK, "unknown vertex": USAGE, "unattended": USAGE}
 
 @dataclass(frozen=True, slots=True)
 class How:
-    """How commands are to be given. `timeout`: seconds to wait at most for all that a line asks; `yes`:
+    """Options for giving commands. `timeout`: seconds to wait at most for all that a line asks; `yes`:
     warnings don't hold it back; `until_done`: an order is done when it was driven."""
 
     rights: Permissions
@@ -46,7 +46,7 @@ class How:
 
 
 def unreported(robot: Robot) -> list[str]:
-    """What an order or a cancel is checked and confirmed against, of what has not come."""
+    """Return what an order or a cancel is checked and confirmed against, of what has not come."""
     kind = robot.kind
     values: dict[str, object] = {
         name: getattr(robot, name) for name in ("queue", "cargo") if kind.expects(name)
@@ -59,7 +59,7 @@ def unreported(robot: Robot) -> list[str]:
 
 
 def reaches(state: FleetState, robot: Robot) -> bool:
-    """Whether commands to a robot are known to get through."""
+    """Tell whether commands to a robot are known to get through."""
     link = state.links[robot.link]
     return link.phase is Phase.UP and link.command_path in (CommandPath.ALIVE, CommandPath.UNREGISTERED)
 
@@ -129,7 +129,7 @@ class Sending:
 
     @property
     def under_way(self) -> list[CommandRecord]:
-        """What was given and of which the last is not known."""
+        """Return what was given and of which the last is not known."""
         return [
             record for id_, record in self._records.items() if not record.is_decided or id_ in self._driven
         ]
@@ -148,12 +148,12 @@ class Sending:
             yield from self._one_after_the_other(wish.commands)
 
     def check(self, wish: Request) -> list[Outcome]:
-        """What would hold a wish back now, nothing where it would be sent."""
+        """Return what would hold a wish back now, nothing where it would be sent."""
         wrong = self._problems(wish)
         return list(self._hold_back(wish.commands, wrong)) if wrong else []
 
     def warnings(self, wish: Request) -> list[Problem]:
-        """What a person may override, nothing where the wish is never sent."""
+        """Return what a person may override, nothing where the wish is never sent."""
         found = self._problems(wish)
         return [] if any(problem.blocks for problem in found) else found
 

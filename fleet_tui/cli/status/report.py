@@ -155,7 +155,8 @@ def report(state: FleetState) -> Values:
 
 
 def changes(before: Values, after: Values) -> Values:
-    """What of a report is not as it was: whole links and robots, all alarms; ages alone are no change."""
+    """Return what of a report is not as it was: whole links and robots, all alarms; ages alone are no
+    change."""
     changed: Values = {}
     for part in ("links", "robots"):
         old = {entry["name"]: _ageless(entry) for entry in before[part]}

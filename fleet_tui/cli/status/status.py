@@ -41,7 +41,7 @@ def table(state: FleetState) -> str:
 
 
 def one_line(state: FleetState) -> str:
-    """What fits a status bar: who is online, and the first thing that needs attention."""
+    """Return what fits a status bar: who is online, and the first thing that needs attention."""
     online = sum(state.is_online(robot) for robot in state.robots.values())
     wrong = attention(state)
     text = f"{online}/{len(state.robots)} online"

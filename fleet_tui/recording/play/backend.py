@@ -25,18 +25,18 @@ class ReplayBackend:
         """Nothing can be sent."""
 
     def tell(self, _event: Event) -> None:
-        """What was recorded is not changed."""
+        """Ignore the event: a recording is not changed."""
 
     def show_map(self, _robot: str, _floor: str) -> None:
         """The maps that were looked at are in the recording."""
 
     @property
     def counters(self) -> Mapping[str, LinkCounter]:
-        """What came over each link, as far as it was played."""
+        """Return what came over each link, as far as it was played."""
         return self._player.frames.counters
 
     def overhear(self, _on: bool) -> None:
-        """What the robots logged is there where somebody listened while it was recorded."""
+        """Do nothing: logs are there if they were subscribed to while recording."""
 
     def close(self) -> None:
         """Stop playing."""

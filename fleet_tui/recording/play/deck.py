@@ -35,7 +35,7 @@ class Playback:
 
     @property
     def shown(self) -> tuple[FleetState, ReplayPosition]:
-        """What is to be seen, and where in the recording that is. Any thread may look."""
+        """Return what is to be seen, and where in the recording that is. Any thread may look."""
         return self._shown
 
     def show(self) -> None:

@@ -1,4 +1,4 @@
-"""What a record does to the picture: frames are read again as the link read them."""
+"""Events of a record: frames are read again as the link read them."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -28,11 +28,11 @@ class Frames:
 
     @property
     def counters(self) -> Mapping[str, LinkCounter]:
-        """What was read of each bridge since the last jump."""
+        """Return what was read of each bridge since the last jump."""
         return {name: reading.counter for name, reading in self._readings.items()}
 
     def count_anew(self) -> None:
-        """There was a jump: what came before it may lie in the future."""
+        """Reset the counters after a jump: earlier ones may lie in the future."""
         for reading in self._readings.values():
             reading.count_anew()
 

@@ -1,4 +1,4 @@
-"""What happened in a recording, as its time line marks it."""
+"""Marks of a recording's time line."""
 
 from collections.abc import Iterator
 

@@ -58,12 +58,12 @@ class Player:
 
     @property
     def state(self) -> FleetState:
-        """What is to be seen now."""
+        """Return what is to be seen now."""
         return self._deck.shown[0]
 
     @property
     def moment(self) -> ReplayPosition:
-        """Where in the recording what is seen was."""
+        """Return where in the recording what is seen was."""
         return self._deck.shown[1]
 
     def toggle(self) -> None:

@@ -63,7 +63,7 @@ class RecordingCursor:
         self._begin(first)
 
     def _begin(self, keyframe: Keyframe) -> None:
-        """What it says is taken also where it is known already: records may be missing before it."""
+        """Take the whole state of a keyframe: records may be missing before it."""
         self.state, self.at = self._recording.state(keyframe), keyframe.at
         self._keyframe, self._count, self._tick_at = self._keyframe + 1, 0, self.at
         self._kept = [self._here()]

@@ -1,4 +1,4 @@
-"""What needs a person now or soon: one small rule for each source of alarms, over the newest state.
+"""Alarm rules: one function for each source, over the newest state.
 
 A rule gives None while all is well. `held` is what held at the last look: a battery has to leave
 its dead band, and what was known before the link went goes on.

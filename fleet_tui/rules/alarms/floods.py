@@ -17,7 +17,7 @@ FLOOD, FLOOD_SPAN = 5, 3.0
 
 
 class Flood(Struct, frozen=True):
-    """How the group of a kind is told: `text` follows the number of robots."""
+    """The text of a group of alarms of one kind: `text` follows the number of robots."""
 
     text: str
     over: str
@@ -38,7 +38,7 @@ def group_key(link: str, kind: str) -> Key:
 
 
 def is_held(held: Held, robot: str, link: str, kind: str) -> bool:
-    """Whether a robot's condition held at the last look, by itself or in the group."""
+    """Tell whether a robot's condition held at the last look, by itself or in the group."""
     if (robot, kind) in held:
         return True
     group = held.get(group_key(link, kind))
@@ -46,7 +46,7 @@ def is_held(held: Held, robot: str, link: str, kind: str) -> bool:
 
 
 def without_floods(state: FleetState, found: Sequence[Condition], held: Held) -> list[Condition]:
-    """What of the conditions is due, with those of many robots as one.
+    """Return what of the conditions is due, with those of many robots as one.
 
     A robot stays where it was counted first until its condition is over.
     """

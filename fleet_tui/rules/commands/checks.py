@@ -1,4 +1,4 @@
-"""What is looked at before a command leaves: one function for each check, each with its name.
+"""Checks before a command leaves: one function for each, with its name.
 
 The same for keys, menus, forms, typed lines and the command line. A pause is never held back.
 """
@@ -48,7 +48,7 @@ def rights(allowed: Permissions) -> Iterator[Problem]:
 
 
 def ability_for(command: Command) -> str:
-    """What a robot must accept to be asked this."""
+    """Return what a robot must accept to be asked this."""
     match command:
         case PlaceOrder():
             return ORDER_TO if command.with_cargo else ORDER
@@ -65,7 +65,7 @@ def ability_for(command: Command) -> str:
 
 
 def unaccepted(state: FleetState, command: Command) -> str:
-    """Why robots of this kind can't be asked this, empty where they can."""
+    """Return why robots of this kind can't be asked this, empty where they can."""
     robot = state.robots.get(command.robot)
     if robot is None or (ability := ability_for(command)) in robot.kind.accepts:
         return ""
@@ -73,7 +73,7 @@ def unaccepted(state: FleetState, command: Command) -> str:
 
 
 def unknown_robot(state: FleetState, name: str) -> Problem:
-    """There is no such robot."""
+    """Check that the robot exists."""
     return Problem("unknown robot", f"no robot is called {name}{did_you_mean(name, state.robots)}")
 
 
@@ -105,7 +105,7 @@ def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
 
 
 def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """What becomes of an order can be seen."""
+    """Return what becomes of an order can be seen."""
     if not isinstance(command, PlaceOrder) or robot.heard is None or not state.is_online(robot):
         return
     if robot.kind.expects("queue") and not state.is_fresh(robot, "queue"):
@@ -115,7 +115,7 @@ def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator
 
 
 def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """What is to be cancelled is there."""
+    """Return what is to be cancelled is there."""
     if not isinstance(command, CancelOrder):
         return
     # Where ids are numbers: the others have their own words for all orders.
@@ -135,7 +135,7 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
 
 
 def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """There is an order to lose."""
+    """Check that there is an order to clear."""
     if isinstance(command, ClearOrders) and robot.kind.lists_orders:
         if clearable(state, robot):
             return
@@ -179,7 +179,7 @@ FIRST: tuple[Check, ...] = (no_way_there, cargo)
 
 
 def not_accepted(state: FleetState, commands: Sequence[Command]) -> list[Problem]:
-    """What robots can't be asked because of their kind; robots of one reason are named together."""
+    """Return what robots can't be asked because of their kind; robots of one reason are named together."""
     robots: dict[str, list[str]] = {}
     for command in commands:
         if reason := unaccepted(state, command):

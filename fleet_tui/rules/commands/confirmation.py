@@ -1,4 +1,4 @@
-"""What telemetry says of a command: whether it was carried out, or what is seen instead.
+"""Confirmation of commands by telemetry.
 
 An answer is only the robot's word; the queue and the pose have the last one.
 """
@@ -30,7 +30,7 @@ CLOCKS_AGREE = 1.0
 
 
 def before(robot: Robot, now: float) -> Baseline:
-    """What the robot has reported up to `now`, when a command is given."""
+    """Return what the robot has reported up to `now`, when a command is given."""
     queue = robot.orders
     known = robot.queue is not None or robot.kind.tells_ends
     last = max([queue.last_serial, *(order.serial for order in queue.orders)]) if known else None
@@ -51,8 +51,8 @@ def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
 
 
 def _is_of_another_life(other: CommandRecord, record: CommandRecord, last: int) -> bool:
-    """Whether the robot has begun to count anew between two commands: a serial seen before the second one
-    was given was above the last one known when it was."""
+    """Tell whether the robot has begun to count anew between two commands: a serial seen before the second
+    one was given was above the last one known when it was."""
     claimed = other.time_of(Stage.LATE) or other.time_of(Stage.CONFIRMED)
     decided = claimed is not None and claimed <= record.issued_at
     return other.order_serial is not None and decided and other.order_serial > last
@@ -186,7 +186,7 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
 
 
 def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
-    """What telemetry showed where a command can't be seen to have been carried out."""
+    """Return what telemetry showed where a command can't be seen to have been carried out."""
     unheard = _queue_since(robot, record) is None
     match record.command:
         case PauseRobot() | ResumeRobot():

@@ -135,7 +135,7 @@ def _is_held(state: FleetState, record: CommandRecord, gone: GoneOrder) -> bool:
 
 
 def _removals(state: FleetState, record: CommandRecord, gone: GoneOrder) -> set[Stage]:
-    """Where this console's other commands since `record` stand that were to remove an order."""
+    """Return where this console's other commands since `record` stand that were to remove an order."""
     return {
         other.stage
         for other in state.commands
@@ -194,7 +194,8 @@ def _reports_pause(state: FleetState, robot: Robot, record: CommandRecord, wante
 
 
 def _is_repeated(state: FleetState, record: CommandRecord) -> bool:
-    """Whether the same was asked again since and reached the robot, as far as is known: that one did it."""
+    """Tell whether the same was asked again since and reached the robot, as far as is known: that one did
+    it."""
     return any(
         other.command == record.command
         and other.issued_at > record.issued_at

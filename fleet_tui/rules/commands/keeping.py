@@ -146,7 +146,7 @@ def with_held_queues(state: FleetState) -> FleetState:
 
 
 def _held(state: FleetState, robot: Robot) -> str:
-    """Why its queue is held from now on: the first reason counts, as long as something waits."""
+    """Return why its queue is held from now on: the first reason counts, as long as something waits."""
     if not waiting(state, robot):
         return ""
     return robot.held or next(_reasons(state, robot), "")

@@ -16,7 +16,7 @@ WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 
 
 def own_pause_text(state: FleetState, robot: Robot) -> str:
-    """How a robot that does not tell its pauses is paused, as far as this console knows."""
+    """Return how a robot that does not tell its pauses is paused, as far as this console knows."""
     if robot.kind.holds:
         return "stopped, goal kept here" if waiting(state, robot) else "stopped, no goal to keep"
     return "paused (by us)"
@@ -36,7 +36,7 @@ def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
 
 
 def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
-    """Whether it has reported one place since the command. A robot may stop so soon that it reports no
+    """Tell whether it has reported one place since the command. A robot may stop so soon that it reports no
     further one."""
     if robot.pose is None or robot.standing is None or state.is_old(robot, "pose"):
         return False
@@ -85,7 +85,7 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
 
 
 def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
-    """What telemetry showed where a pause or resume can't be seen to have been carried out."""
+    """Return what telemetry showed where a pause or resume can't be seen to have been carried out."""
     wanted = isinstance(record.command, PauseRobot)
     if robot.kind.holds and not state.is_online(robot):
         return "it is offline"

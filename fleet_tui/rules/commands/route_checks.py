@@ -62,7 +62,7 @@ def unknown_vertex(state: FleetState, robot: Robot, command: Command) -> Iterato
 
 
 def same_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """There is a way to drive."""
+    """Check that start and end differ."""
     for start, end in _legs(command):
         if start == end:
             yield Problem("same place", f"From and To are the same place: {_name(robot, end)}")
@@ -82,7 +82,7 @@ def _lifts(graph: RouteGraph) -> list[str]:
 
 
 def _are_joined(graphs: Mapping[str, RouteGraph], start: str, end: str) -> bool:
-    """Whether a way is known, on one floor or by elevators, which are all taken to meet."""
+    """Tell whether a way is known, on one floor or by elevators, which are all taken to meet."""
     if any(graph.path(start, end) for graph in graphs.values()):
         return True
     lifts = [(graph, lift) for graph in graphs.values() for lift in _lifts(graph)] if len(graphs) > 1 else []
@@ -91,7 +91,7 @@ def _are_joined(graphs: Mapping[str, RouteGraph], start: str, end: str) -> bool:
 
 
 def _lack_lifts(robot: Robot, floors: Iterable[str]) -> bool:
-    """Whether one of these floors names no elevator: how it is left is not in its graph."""
+    """Tell whether one of these floors names no elevator: how it is left is not in its graph."""
     return any(not _lifts(_graphs(robot)[floor]) for floor in floors)
 
 

@@ -1,4 +1,4 @@
-"""What can come next in a typed command."""
+"""Completion of a typed command."""
 
 from collections.abc import Iterable, Sequence
 
@@ -11,7 +11,7 @@ from fleet_tui.rules.language.lookup import places, recent_ends
 
 
 def is_command(line: str, state: FleetState) -> bool:
-    """Whether a line begins as a command: with a verb or a robot, and more after it."""
+    """Tell whether a line begins as a command: with a verb or a robot, and more after it."""
     found = tokens(line)
     if not found or (len(found) == 1 and not line[-1:].isspace()):
         return False

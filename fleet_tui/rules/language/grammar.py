@@ -59,7 +59,7 @@ def tokens(line: str) -> list[Token]:
 
 
 def parse(line: str, state: FleetState, selected: str = "") -> Request:
-    """What a line asks; `selected` is the robot where `cancel` names none. CommandError names the
+    """Return what a line asks; `selected` is the robot where `cancel` names none. CommandError names the
     word that is wrong, and the nearest right one."""
     found = tokens(line)
     if any(token.separates for token in found):

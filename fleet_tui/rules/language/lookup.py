@@ -86,13 +86,15 @@ def called(robot: Robot, word: str) -> list[Place]:
 
 
 def destination_only(robot: Robot) -> bool:
-    """Whether an order has no start: cargo on board and nothing to do with it, or a kind that takes none."""
+    """Tell whether an order has no start: cargo on board and nothing to do with it, or a kind that takes
+    none."""
     accepts = robot.kind.accepts
     idle_with_cargo = robot.has_cargo and not robot.orders.orders
     return ORDER_TO in accepts and (ORDER not in accepts or idle_with_cargo)
 
 
 def may_skip_start(robot: Robot | None) -> bool:
-    """Whether an order may have a start or none: a robot that tells of no cargo then simply goes there."""
+    """Tell whether an order may have a start or none: a robot that tells of no cargo then simply goes
+    there."""
     kind = robot.kind if robot else Kind()
     return ORDER in kind.accepts and ORDER_TO in kind.accepts and "cargo" not in kind.reports

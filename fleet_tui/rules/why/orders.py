@@ -18,7 +18,7 @@ from fleet_tui.text.durations import age
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:
-    """What was to make it drive is under way, or failed a short while ago."""
+    """Return what was to make it drive is under way, or failed a short while ago."""
     record = last_command(state, robot, ResumeRobot if state.is_paused(robot) else PlaceOrder)
     if record is None or (robot.orders.current is not None and not state.is_paused(robot)):
         return None

@@ -15,7 +15,7 @@ RECENT = 30.0
 
 
 class Strength(IntEnum):
-    """How far the evidence carries; the smaller the further."""
+    """The strength of evidence; the smaller the stronger."""
 
     CERTAIN = 1
     LIKELY = 2

@@ -120,7 +120,8 @@ def _same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
 
 
 def _along(points: list[Point], at: Point) -> tuple[float, int] | None:
-    """How far along the line a point lies on it, and on which of its parts; None beside or behind it."""
+    """Return how far along the line a point lies on it, and on which of its parts; None beside or behind
+    it."""
     before = 0.0
     for part, ((x, y), (to_x, to_y)) in enumerate(pairwise(points)):
         length = math.dist((x, y), (to_x, to_y))

@@ -1,4 +1,4 @@
-"""Why a robot stands still: every reason that holds, the likeliest first.
+"""Reasons why a robot stands still, the likeliest first.
 
 What weighs more comes first, and among equals the sequence of RULES decides:
 
@@ -65,7 +65,7 @@ def _held(rules: tuple[Rule, ...], state: FleetState, robot: Robot) -> list[Reas
 
 
 def reasons(state: FleetState, robot: Robot) -> list[Reason]:
-    """Why it stands still, the likeliest first: at least one, and only that it moves where it does."""
+    """Return why it stands still, the likeliest first: at least one, and only that it moves where it does."""
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
         return deaf + [replace(reason, strength=Strength.POSSIBLE) for reason in others]

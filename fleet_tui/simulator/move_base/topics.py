@@ -61,7 +61,7 @@ def _feedback(navigation: SimMoveBase, header: Header, at: Header, now: float) -
 
 
 class MoveBaseNews(News[SimMoveBase]):
-    """Where the robots are, how their goals stand, and which begin."""
+    """Topics on change: places, the states of goals, goals that begin."""
 
     def __init__(self, world: NavigatingWorld[SimMoveBase]) -> None:
         super().__init__(world)

@@ -45,7 +45,7 @@ def _feedback(navigation: SimNavigation, server: ActionServer, header: Header, n
 
 
 class Nav2News(News[SimNavigation]):
-    """Where the robots are, what stops them, how their goals stand."""
+    """Topics on change: places, obstacles, the states of goals."""
 
     def __init__(self, world: NavigatingWorld[SimNavigation]) -> None:
         super().__init__(world)

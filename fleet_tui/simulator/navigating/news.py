@@ -17,7 +17,7 @@ AMCL = "geometry_msgs/PoseWithCovarianceStamped"
 
 
 class News(Generic[N]):
-    """Where the robots are, what else `of` tells, and the newest messages for late subscribers."""
+    """Topics on change: places, everything that `of` adds, and the newest messages for late subscribers."""
 
     def __init__(self, world: NavigatingWorld[N]) -> None:
         self._world = world
@@ -26,7 +26,7 @@ class News(Generic[N]):
         self._said = {name: count(1) for name in world.robots}
 
     def topics(self, dialect: Dialect) -> Iterator[Topic]:
-        """Where each robot is."""
+        """Return where each robot is."""
         for name in self._world.robots:
             yield self.topic(name, "amcl_pose", dialect.message_type(AMCL))
 
@@ -47,7 +47,7 @@ class News(Generic[N]):
                 yield from news
 
     def of(self, name: str, navigation: N, dialect: Dialect, now: float) -> Iterable[tuple[str, Payload]]:
-        """What else has changed about one robot."""
+        """Return what else has changed about one robot."""
         return ()
 
     def topic(

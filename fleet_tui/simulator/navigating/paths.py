@@ -15,7 +15,7 @@ OFF_THE_MAP, OCCUPIED, NO_PATH = 204, 206, 208  # error codes of Nav2's planner
 
 
 class NoPathError(Exception):
-    """There is no way to a goal: `code` is Nav2's number for the reason."""
+    """No path to a goal; `code` is Nav2's number for the reason."""
 
     def __init__(self, code: int, words: str) -> None:
         super().__init__(words)

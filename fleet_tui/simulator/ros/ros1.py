@@ -18,7 +18,7 @@ COMMON_VERBS = (
 
 
 class Ros1:
-    """What is told as `package/Name`, with seq in headers, secs and nsecs in times."""
+    """The dialect of ROS 1: `package/Name`, seq in headers, secs and nsecs in times."""
 
     version, distro = 1, "noetic"
     rosapi_verbs: Collection[str] = (*COMMON_VERBS, "service_host", "search_param")

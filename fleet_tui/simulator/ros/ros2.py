@@ -56,7 +56,7 @@ _MESSAGES_BY_SHORT_NAME = _messages()
 
 
 class Ros2:
-    """What is told as `package/msg/Name`, with sec and nanosec in times and no seq."""
+    """The dialect of ROS 2: `package/msg/Name`, sec and nanosec in times, no seq."""
 
     version, distro = 2, "jazzy"
     rosapi_verbs: Collection[str] = (*COMMON_VERBS, *ACTION_VERBS, "get_ros_version", "interfaces")

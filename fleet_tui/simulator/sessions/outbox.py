@@ -1,4 +1,4 @@
-"""What one client still has to be sent: answers in full, of each topic only the newest few."""
+"""The outbox of one client: all answers, of each topic only the newest few messages."""
 
 import heapq
 from collections import deque
@@ -14,7 +14,7 @@ SLACK = 0.005  # seconds a throttled message may come early, so that a 10 Hz top
 
 @dataclass
 class SubscribeRequest:
-    """What one subscribe asked for: throttle in seconds, queue length in messages."""
+    """The options of one subscribe: throttle in seconds, queue length in messages."""
 
     throttle: float = 0.0
     queue_length: int = 0

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class Bridge(Protocol):
-    """What a session asks of its server."""
+    """The server as a session sees it."""
 
     subscribe_delay: float
     dialect: Dialect

@@ -160,7 +160,7 @@ class _Factory(comm_asyncio.AsyncioRosBridgeClientFactory):  # type: ignore[misc
         super().connection_lost(proto)
 
     def why_closed(self, code: int, text: str, lost_by: Exception | None) -> str:
-        """Why a connection ended, in plain words; `text` is autobahn's."""
+        """Return why a connection ended, in plain words; `text` is autobahn's."""
         if not self._opened_at:
             return failed_handshake(text, self._bridge, lost_by)
         if isinstance(lost_by, ssl.SSLError):

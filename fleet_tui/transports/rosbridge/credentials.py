@@ -1,4 +1,4 @@
-"""What a bridge is told so that it lets us in, and that it comes back nowhere."""
+"""Credentials for a bridge, which appear in no message."""
 
 import platform
 import secrets
@@ -37,7 +37,7 @@ class Credentials:
         return auth(self._rosauth, platform.node(), host, rand, now)
 
     def hidden(self, said: bytes) -> bytes:
-        """What a server says, which may repeat what it was told, at the same length."""
+        """Return what a server says, which may repeat what it was told, at the same length."""
         for word in self._told:
             said = said.replace(word, b"*" * len(word))
         return said

@@ -1,4 +1,4 @@
-"""Why there is no connection, in plain words with a remedy. Nothing that a server said is repeated:
+"""Reasons for a missing connection, in plain words with a remedy. Nothing that a server said is repeated:
 it may hold what we told it in confidence."""
 
 import re
@@ -21,7 +21,7 @@ _STATUSES = {
 
 
 def refusal(problem: Exception, bridge: Link) -> str:
-    """Why no connection was made."""
+    """Return why no connection was made."""
     match problem:
         case FleetError():
             return str(problem)
@@ -68,7 +68,7 @@ def _tls(problem: ssl.SSLError) -> str:
 
 
 def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> str:
-    """Why a connection did not become a WebSocket; `text` is autobahn's."""
+    """Return why a connection did not become a WebSocket; `text` is autobahn's."""
     if isinstance(lost_by, ssl.SSLError):
         return _tls(lost_by)
     status = re.search(r"upgrade failed \[(\d+)\]", text)
@@ -97,7 +97,7 @@ def _http(status: int, bridge: Link) -> str:
 
 
 def ended(code: int, text: str, bridge: Link, at_once: bool) -> str:
-    """Why a connection that stood has ended; `at_once`: before it brought anything."""
+    """Return why a connection that stood has ended; `at_once`: before it brought anything."""
     if "ping timeout" in text:
         return STOPPED
     if at_once and (bridge.rosauth_env or bridge.rosauth_file):

@@ -1,4 +1,4 @@
-"""How a bridge is reached over TLS: always verified, by the system's authorities or one's own."""
+"""TLS to a bridge: always verified, by the system's authorities or your own."""
 
 import ssl
 from pathlib import Path
@@ -9,7 +9,7 @@ from fleet_tui.errors import LinkError
 
 
 def tls_context(bridge: Link) -> ssl.SSLContext | None:
-    """What verifies the bridge and shows our certificate; None for ws://. Reads files.
+    """Return what verifies the bridge and shows our certificate; None for ws://. Reads files.
 
     Raises LinkError that names the key of the file which is of no use.
     """

@@ -54,7 +54,7 @@ def command_text(state: FleetState, command: Command) -> str:
 
 
 def stage_text(record: CommandRecord, now: float) -> str:
-    """Where a command stands, as it is written everywhere."""
+    """Return where a command stands, as it is written everywhere."""
     if record.stage in (Stage.SENT, Stage.ACCEPTED):
         return f"{record.stage.value} {age(now - record.at)} ago"
     return "sending" if record.stage is Stage.CHECKED else str(record.stage.value)
@@ -75,7 +75,7 @@ def _group_runs(state: FleetState, records: list[CommandRecord], brief: bool = F
 
 
 def _worth_saying(state: FleetState) -> list[CommandRecord]:
-    """What was given last, what is under way, and what went wrong a short while ago."""
+    """Return what was given last, what is under way, and what went wrong a short while ago."""
     last = state.commands[-1]
     return [
         record
@@ -92,7 +92,7 @@ Part = tuple[Run, ...]
 
 
 def _parts(state: FleetState) -> Iterator[tuple[bool, float, Part, Part]]:
-    """What is worth saying: whether it is well, when it was given, its words, and the brief ones."""
+    """Return what is worth saying: whether it is well, when it was given, its words, and the brief ones."""
     worth = {record.id: record for record in _worth_saying(state)} if state.commands else {}
     for batch in pauses(state.commands):
         if any(record.id in worth for record in batch):

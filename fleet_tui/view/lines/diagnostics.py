@@ -30,7 +30,7 @@ def page_runs(names: Sequence[str], shown: int, frozen: str) -> tuple[list[Run],
 
 
 def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: str) -> tuple[list[Run], list[Run]]:
-    """What came of the last key, else the keys at the right."""
+    """Return what came of the last key, else the keys at the right."""
     if said:
         return [(sanitize(said), StyleRole.WARN)], []
     hints: list[tuple[str, str]] = []

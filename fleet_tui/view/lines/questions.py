@@ -1,4 +1,4 @@
-"""What is asked before a wish is sent that loses something, or that was warned of."""
+"""Questions before a request that loses something, or that has warnings."""
 
 from collections.abc import Iterator, Sequence
 from typing import assert_never
@@ -17,7 +17,7 @@ SHOWN = 6
 
 
 def losses(state: FleetState, wish: Request) -> Iterator[str]:
-    """What will be lost, one line each; none where nothing is."""
+    """Return what will be lost, one line each; none where nothing is."""
     for command in wish.commands:
         robot = state.robots[command.robot]
         match command:
@@ -48,7 +48,7 @@ def wish_text(state: FleetState, wish: Request) -> str:
 
 
 def question(state: FleetState, wish: Request, found: Sequence[Problem]) -> str:
-    """What is asked, with what speaks against it."""
+    """Return what is asked, with what speaks against it."""
     against = [sanitize(problem.text) for problem in found]
     lost = list(losses(state, wish))
     if lost:

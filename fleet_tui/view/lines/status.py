@@ -17,8 +17,8 @@ BLIND_AFTER = 2.0
 
 
 def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: float) -> list[str]:
-    """What holds for this console: also that it is late in reading, or has gone blind, where the state is
-    `standstill` seconds old."""
+    """Return what holds for this console: also that it is late in reading, or has gone blind, where the state
+    is `standstill` seconds old."""
     notes = {
         "read-only": read_only,
         "not armed": not armed,
@@ -76,8 +76,8 @@ def _worst(state: FleetState) -> LinkState:
 def status_line(
     state: FleetState, selected: str, notes: Sequence[str] = (), addressed: bool = True
 ) -> tuple[Run, ...]:
-    """What stands first is what must not be cut: alarms, the selected robot, the link, by its address or
-    only by its name; what is no bridge always by its address."""
+    """Return what stands first is what must not be cut: alarms, the selected robot, the link, by its address
+    or only by its name; what is no bridge always by its address."""
     fresh, alarms = state.unacknowledged, len(state.alarms) - state.shelved
     runs: list[Run] = [(f" {sanitize(selected)}  ", StyleRole.ACCENT)]
     sign, ink = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
@@ -94,5 +94,5 @@ def status_line(
 
 
 def status_right(clock: str, operator: str = "") -> tuple[Run, ...]:
-    """What fills the right end where there is room: the program or who commands, and the time."""
+    """Return what fills the right end where there is room: the program or who commands, and the time."""
     return ((f"{sanitize(operator) or 'fleet-tui'}  ", StyleRole.DIM), (f"{clock} ", StyleRole.DIM))

@@ -14,7 +14,7 @@ SAID_FOR = 5.0
 
 
 class MarkKind(IntEnum):
-    """What a mark is of; of several in one cell the highest is shown."""
+    """The kind of a mark; of several in one cell the highest is shown."""
 
     COMMAND = 1
     GAP = 2
@@ -37,7 +37,7 @@ class TimeMark(Struct, frozen=True):
 
 
 class ReplayPosition(Struct, frozen=True):
-    """Where a recording stands. `began`, `ended` and `at` are its monotonic seconds, `wall` is Unix time;
+    """The position of a replay. `began`, `ended` and `at` are its monotonic seconds, `wall` is Unix time;
     `reached` is the speed where `speed` is too much for this machine, `is_over` at the end, `busy` how
     much of a long jump is done (0 to 1), `note` what is wrong with the recording; `jumps` counts them."""
 
@@ -77,7 +77,7 @@ def bar(moment: ReplayPosition, width: int) -> tuple[Run, ...]:
 
 
 def _ends(moment: ReplayPosition) -> tuple[str, str]:
-    """What stands before and after the bar; it does not move while it is played."""
+    """Return what stands before and after the bar; it does not move while it is played."""
     total = span(moment.ended - moment.began)
     return f" {span(moment.at - moment.began):>{len(total)}} ", f" {total} "
 

@@ -51,7 +51,7 @@ class Camera:
         return (left + x + 0.5) * DOTS_X * self.scale, (top + y + 0.5) * DOTS_Y * self.scale
 
     def shows(self, x: int, y: int) -> bool:
-        """Whether cell (x, y) is in the view."""
+        """Tell whether cell (x, y) is in the view."""
         return 0 <= x < self.width and 0 <= y < self.height
 
     def centred(self, column: float, row: float) -> "Camera":

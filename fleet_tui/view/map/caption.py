@@ -18,7 +18,7 @@ _BAR = 14  # cells that the scale bar may take
 
 @dataclass(frozen=True, slots=True)
 class Caption:
-    """What the first row says. cursor: where the map's cursor is, x, y in metres."""
+    """The content of the first row. cursor: where the map's cursor is, x, y in metres."""
 
     floor: str
     note: str

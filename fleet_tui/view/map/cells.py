@@ -76,7 +76,7 @@ class Cells:
         self.inks.reshape(-1)[places] = np.repeat(np.frombuffer(bytes(inks), np.uint8), sizes)[kept]
 
     def changes(self, before: "Cells | None") -> list[tuple[int, int, int]]:
-        """Where this differs from `before`: (y, first x, end x) per row that does."""
+        """Return where this differs from `before`: (y, first x, end x) per row that does."""
         height, width = self.codes.shape
         if before is None or before.codes.shape != self.codes.shape:
             return [(y, 0, width) for y in range(height)]

@@ -4,7 +4,7 @@ from enum import Enum
 
 
 class Drawing(Enum):
-    """How the map is drawn: dots per cell 2 x 4, 2 x 2 blocks folded to 1 x 2, or 1."""
+    """The drawing mode of the map: dots per cell 2 x 4, 2 x 2 blocks folded to 1 x 2, or 1."""
 
     BRAILLE = "braille"
     HALF_BLOCK = "half-block"

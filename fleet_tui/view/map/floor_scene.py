@@ -42,7 +42,7 @@ def _drawn(chart: RobotMap) -> Drawn:
 
 
 def chart_robot(state: FleetState, selection: Selection) -> Robot | None:
-    """Whose map and graph stand for the floor: the selected robot's, else the first that knows it."""
+    """Return whose map and graph stand for the floor: the selected robot's, else the first that knows it."""
     selected = state.robots[selection.robot]
     if selection.floor in selected.charts:
         return selected
@@ -130,7 +130,7 @@ def _robot(
 
 
 def _elsewhere(state: FleetState, selection: Selection) -> str:
-    """Where the selected robot is, if not here."""
+    """Return where the selected robot is, if not here."""
     robot = state.robots[selection.robot]
     actual = robot.floor
     if "pose" not in robot.kind.reports:
@@ -143,7 +143,7 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
 
 
 def floor_scene(state: FleetState, selection: Selection) -> Scene:
-    """What the map shows of the selected floor."""
+    """Return what the map shows of the selected floor."""
     owner = chart_robot(state, selection)
     chart = owner.charts[selection.floor] if owner else RobotMap()
     vertices, edges, one_way = _drawn(chart)

@@ -22,7 +22,7 @@ def robot_glyph(robot: SceneRobot, turned: float, plain: bool) -> str:
 
 
 def robot_tag(robot: SceneRobot, plain: bool) -> str:
-    """What stands beside the arrow: the number, then what is special about the robot."""
+    """Return what stands beside the arrow: the number, then what is special about the robot."""
     tag = str(robot.number)
     if plain and robot.cargo:
         tag += "+"

@@ -1,4 +1,4 @@
-"""Where text goes so that it covers no other text: whole, or not at all."""
+"""Placement of labels: whole and without overlap, or not at all."""
 
 from dataclasses import dataclass
 from functools import lru_cache, reduce
@@ -45,7 +45,7 @@ class Room:
             self._taken |= (1 << end - start) - 1 << self._bit(start, y)
 
     def free(self, x: int, y: int, cells: int) -> bool:
-        """Whether they are all in the view and not taken."""
+        """Tell whether they are all in the view and not taken."""
         if not (0 <= y < self._height and x >= 0 and x + cells <= self._width):
             return False
         return not (self._taken | self._texts) >> self._bit(x, y) & (1 << cells) - 1
@@ -129,7 +129,7 @@ def _margins(width: int, height: int) -> int:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Near:
-    """What is near a glyph, as bits counted from a corner that lies `before` bits before it.
+    """The surroundings of a glyph, as bits counted from a corner that lies `before` bits before it.
 
     seen: all cells that count for a tag's place. order: where one may begin, from beside the glyph
     outwards: the bit, and dx, dy from the glyph; starts: all these bits; after_glyph, before_glyph:
@@ -157,10 +157,10 @@ class _Near:
         return None
 
     def places(self, taken: int, texts: int, tags: int) -> tuple[int, int]:
-        """Where a tag may begin so that it touches nothing, else no tag; and so that it is free at all.
+        """Return where a tag may begin so that it touches nothing, else no tag; and so that it is free at
+        all.
 
-        A label may be touched rather than that the tag goes far from its robot.
-        """
+        A label may be touched rather than that the tag goes far from its robot."""
         held = blocked = taken | texts
         for cell in range(1, self.cells):
             blocked |= held >> cell
@@ -204,5 +204,5 @@ def _around(glyph: int, cells: int) -> tuple[tuple[int, int], ...]:
 
 
 def _hidden(inks: Inks) -> int:
-    """How many of the cells hold something: a wall, an edge, a vertex."""
+    """Return how many of the cells hold something: a wall, an edge, a vertex."""
     return int(np.count_nonzero(inks > StyleRole.UNKNOWN))

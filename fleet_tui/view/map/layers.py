@@ -19,7 +19,7 @@ from fleet_tui.view.roles import StyleRole
 
 @dataclass(frozen=True, slots=True)
 class MapOptions:
-    """What the operator chose to see. cursor: where the map's cursor is, x, y in metres; pointed: the
+    """The operator's options for the map. cursor: where the map's cursor is, x, y in metres; pointed: the
     id of the vertex under it."""
 
     drawing: Drawing = Drawing.BRAILLE
@@ -31,7 +31,7 @@ class MapOptions:
 
     @property
     def plain(self) -> bool:
-        """Whether only ASCII may be used."""
+        """Tell whether only ASCII may be used."""
         return self.drawing is Drawing.ASCII
 
 

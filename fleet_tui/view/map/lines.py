@@ -117,7 +117,7 @@ def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
 
 
 def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """Where robots were, as dots that pale and thin out with age."""
+    """Draw trails as dots that pale and thin out with age."""
     if scene.trail is None or not len(scene.trail):
         return
     dots, old = _dots(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED

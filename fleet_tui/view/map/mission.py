@@ -78,7 +78,7 @@ class _Routes:
         return self._line(behind, ahead)
 
     def point(self, vertex: str) -> tuple[float, float]:
-        """Where a vertex is, in metres."""
+        """Return where a vertex is, in metres."""
         return self._places[vertex].x, self._places[vertex].y
 
 
@@ -102,10 +102,10 @@ def targets(robot: Robot, floor: str) -> tuple[str, ...]:
 
 
 def mission(robot: Robot, floor: str) -> Mission | None:
-    """What the robot still has to drive on a floor; a leg to or from another floor ends at an elevator.
+    """Return what the robot still has to drive on a floor; a leg to or from another floor ends at an
+    elevator.
 
-    Cheap enough for every tick: nothing is searched again while robot and orders move on the same edges.
-    """
+    Cheap enough for every tick: nothing is searched again while robot and orders move on the same edges."""
     orders = list(robot.orders.open[:ORDERS_SHOWN])
     routes = _routes(robot.charts[floor]) if floor in robot.charts and orders else None
     if routes is None:

@@ -35,7 +35,7 @@ def backdrop(scene: Scene, camera: Camera, look: MapOptions) -> Cells:
 
 
 def picture(behind: Cells, scene: Scene, camera: Camera, look: MapOptions, tags: Tags | None = None) -> Cells:
-    """What moves, drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`."""
+    """Return what moves, drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`."""
     cells = behind.copy()
     for draw in MOVING:
         draw(cells, scene, camera, look)

@@ -1,4 +1,4 @@
-"""Where things of the world are in the view. Robots send what they like: what is no number is nowhere."""
+"""Places of the world in the view. Coordinates that are no numbers are nowhere."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -99,7 +99,7 @@ def _pooled(level: Classes, first: _Indices, last: _Indices, axis: int) -> Class
 
 
 def _shares(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
-    """How much of each dot is wall, looked at in 2 x 2 points: 0 to 4. Only known inside the map."""
+    """Return how much of each dot is wall, looked at in 2 x 2 points: 0 to 4. Only known inside the map."""
     depth = max(math.floor(math.log2(scale)) - 3, 0)
     level = grid.levels[min(depth, len(grid.levels) - 1)]
     rows, columns = (

@@ -1,4 +1,4 @@
-"""What the map shows at one moment, free of how the fleet keeps it."""
+"""The scene: the content of the map at one moment, independent of the fleet's state."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -45,7 +45,7 @@ class SceneRobot(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Mission:
-    """What the selected robot still has to drive on a floor, along the graph: the current order, and
+    """The remaining route of the selected robot on a floor, along the graph: the current order, and
     those after it. edge: the one that the robot is on, from the vertex behind it to the one ahead, where
     the current way begins."""
 

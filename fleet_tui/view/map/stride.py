@@ -1,4 +1,4 @@
-"""How far a panning key moves: further while it is held."""
+"""The step of a panning key: it grows while the key is held."""
 
 from dataclasses import dataclass
 
@@ -22,5 +22,5 @@ class Stride:
 
     @property
     def times(self) -> int:
-        """How many single steps this one is: longer and longer up to a limit."""
+        """Return how many single steps this one is: longer and longer up to a limit."""
         return min(1 + self.repeats // 3, _LONGEST)

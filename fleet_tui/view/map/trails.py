@@ -1,4 +1,4 @@
-"""Where the robots of each floor were a short while ago."""
+"""Trails: the recent places of the robots of each floor."""
 
 import math
 

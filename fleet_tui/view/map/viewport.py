@@ -1,4 +1,4 @@
-"""What the operator does with the view: which camera each floor has, following, zooming, picking."""
+"""The viewport: the camera of each floor, following, zooming, picking."""
 
 import math
 from dataclasses import dataclass, field
@@ -132,7 +132,8 @@ def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> str | None:
 
 
 def pick(scene: Scene, camera: Camera, x: int, y: int) -> SceneRobot | SceneVertex | None:
-    """What is meant by pointing at cell (x, y): the nearest robot, else labelled vertex, else vertex."""
+    """Return what is meant by pointing at cell (x, y): the nearest robot, else labelled vertex, else
+    vertex."""
     found = _nearest(seen_robots(scene, camera), x, y)
     if found:
         return found

@@ -50,7 +50,7 @@ def _place(alarm: Alarm) -> tuple[bool, bool, int]:
 
 
 def unacknowledged(state: FleetState) -> list[Key]:
-    """What nobody has seen, in the order of the rows."""
+    """Return what nobody has seen, in the order of the rows."""
     return [alarm.key for alarm in sorted(state.alarms, key=_place) if alarm.needs_acknowledgement]
 
 

@@ -18,8 +18,8 @@ COMMANDS = (
 
 
 class Asked(NamedTuple):
-    """How the question at an address stands: `words` tell what was found, or why nothing was, or how far it
-    is; `more` follows below."""
+    """The state of a discovery: `words` tell its result, its problem or its progress; `more` follows
+    below."""
 
     address: str
     words: str

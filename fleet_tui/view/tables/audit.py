@@ -20,7 +20,7 @@ def _vertex(label: str, id_: str, with_id: bool) -> str:
 
 
 def what_text(record: AuditRecord, with_ids: bool = False) -> str:
-    """What a record is about: `robot_0 order Base -> Store`."""
+    """Return what a record is about: `robot_0 order Base -> Store`."""
     words = [record.robot or record.link, record.what]
     if record.end is not None:
         start = [] if record.start is None else [_vertex(record.start_label, record.start, with_ids)]

@@ -74,7 +74,7 @@ def _paused(state: FleetState, robot: Robot) -> str:
 
 
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """What a person should know about a robot, the most urgent first."""
+    """Return what a person should know about a robot, the most urgent first."""
     online = state.is_online(robot)
     if robot.heard is None:
         yield "never seen", StyleRole.DIM
@@ -133,7 +133,7 @@ class _Columns(NamedTuple):
 
 
 def _head(state: FleetState, robot: Robot, selected: bool, columns: _Columns) -> list[Run]:
-    """What every row begins with: whether it is there, which one it is, its battery."""
+    """Return what every row begins with: whether it is there, which one it is, its battery."""
     online = state.is_online(robot)
     ink = StyleRole.TEXT if online else StyleRole.DIM
     dot: Run = (

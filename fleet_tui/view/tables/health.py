@@ -1,4 +1,4 @@
-"""What robots report on /diagnostics: a row for each part, its values below where it is opened."""
+"""Rows of /diagnostics: one for each part, its values below where it is opened."""
 
 from collections import Counter
 from collections.abc import Collection, Hashable, Iterator, Mapping

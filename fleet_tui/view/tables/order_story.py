@@ -1,4 +1,4 @@
-"""Where an order in a queue comes from, as far as this console knows."""
+"""The origin of an order in a queue, as far as this console knows."""
 
 from collections.abc import Callable
 
@@ -11,13 +11,13 @@ NEVER_THERE = frozenset({Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT, Stage.REF
 
 
 def _told(record: CommandRecord) -> str:
-    """What became of a command, stage by stage."""
+    """Return what became of a command, stage by stage."""
     stages = [step.stage.value for step in record.steps if step.stage not in (Stage.CHECKED, Stage.SENT)]
     return ", ".join(stages or ["sent"])
 
 
 def _may_be(record: CommandRecord, order: Order) -> bool:
-    """Whether a command whose order was never recognised could have placed this one."""
+    """Tell whether a command whose order was never recognised could have placed this one."""
     if record.order_id is not None or record.stage in NEVER_THERE:
         return False
     last = record.before.last_serial

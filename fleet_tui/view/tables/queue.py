@@ -41,7 +41,8 @@ def _under_way(state: FleetState, selected: str, all_robots: bool) -> list[Comma
 
 
 def _awaited(state: FleetState, under_way: list[CommandRecord]) -> int:
-    """How many orders were given here that no queue shows yet: one that it shows may lack its answer."""
+    """Return how many orders were given here that no queue shows yet: one that it shows may lack its
+    answer."""
     placed = [
         one for one in under_way if isinstance(one.command, PlaceOrder) and one.stage is not Stage.WAITING
     ]
@@ -158,7 +159,7 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
 
 
 def _empty(robot: Robot) -> str:
-    """What stands where no order does."""
+    """Return what stands where no order does."""
     if not robot.kind.lists_orders:
         return "this kind has no queue"
     if robot.queue is not None:

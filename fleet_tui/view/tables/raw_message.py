@@ -40,7 +40,8 @@ def raw_lines(raw: Raw) -> tuple[str, ...]:
 
 
 def copied(raw: Raw) -> tuple[str, str]:
-    """What is copied of a message, and what to say of that: all of it, whatever the view leaves out."""
+    """Return what is copied of a message, and what to say of that: all of it, whatever the view leaves
+    out."""
     text = "\n".join(sanitize(line) for line in _whole(raw).split("\n"))
     if len(text) <= LONGEST_COPY:
         return text, f"{len(text):,} characters"
@@ -62,7 +63,8 @@ def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Tab
 
 
 def _published(raw: Raw) -> Any:
-    """What was published, without the envelope; `_NOTHING` where it can't be read, or is not all there."""
+    """Return what was published, without the envelope; `_NOTHING` where it can't be read, or is not all
+    there."""
     if not raw.is_whole:
         return _NOTHING
     try:

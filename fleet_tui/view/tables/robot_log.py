@@ -21,7 +21,7 @@ _LOOKS = {
 
 
 def lines_of(links: Links) -> tuple[LogLine, ...]:
-    """What all robots said, in the order in which it came."""
+    """Return what all robots said, in the order in which it came."""
     return tuple(
         sorted((line for _, counter in links for line in snapshot(counter.log)), key=lambda one: one.at)
     )

@@ -1,4 +1,4 @@
-"""What a pane shows: a title and rows of runs, with buttons where the mouse can press."""
+"""Tables: a title and rows of runs, with buttons for the mouse."""
 
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from typing import overload
@@ -56,7 +56,7 @@ class Table(Struct, frozen=True):
 
     @property
     def keys(self) -> Sequence[Hashable]:
-        """Whose the rows are, one after the other."""
+        """Return whose the rows are, one after the other."""
         return self.rows.keys if isinstance(self.rows, LateRows) else [row.key for row in self.rows]
 
 

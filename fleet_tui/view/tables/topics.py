@@ -18,7 +18,7 @@ Entry = tuple[LinkState, TopicCounter]
 
 
 def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: float) -> Run:
-    """How a topic is, in a sign and words."""
+    """Return how a topic is, in a sign and words."""
     if topic.not_subscribed:
         return "✗ not subscribed", StyleRole.ALARM
     if link.phase is not Phase.UP:
