@@ -16,6 +16,8 @@ COMMANDS = (
     ("fleet-tui doctor --url URL", "what is wrong on the way"),
 )
 
+_COUNT = 11  # cells
+
 
 class Asked(NamedTuple):
     """How the question at an address stands: `words` tell what was found, or why nothing was, or how far it
@@ -79,9 +81,9 @@ def arrival_rows(
 
 def _choice(line: Line, is_here: bool, width: int) -> tuple[Run, ...]:
     about = max(16, width * 2 // 5)
-    count = f"  {line.number} of {line.of}" if line.number else f"  none of {line.of}"
+    count = f"{line.number or 'none'} of {line.of}".rjust(_COUNT)
     text = fit(visible(line.text), about)
-    chosen = fit(visible(line.chosen), max(8, width - about - len(count) - 8))
+    chosen = fit(visible(line.chosen), max(8, width - about - _COUNT - 8))
     return (
         (" > " if is_here else "   ", Ink.ACCENT),
         (text, Ink.TITLE_FOCUSED if is_here else Ink.TEXT),
