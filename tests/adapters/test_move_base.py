@@ -103,6 +103,7 @@ class TestHeard:
         [
             (2, "", OrderState.CANCELLED),
             (2, "This goal was canceled because another goal was received by the s", OrderState.REPLACED),
+            (8, "This goal was canceled because another goal was recieved by the s", OrderState.REPLACED),
             (3, "Goal reached.", OrderState.DONE),
             (4, "Failed to find a valid plan.", OrderState.FAILED),
             (5, "", OrderState.REFUSED),

@@ -41,8 +41,8 @@ WORDS = (
     *("pending", "active", "preempted", "succeeded", "aborted"),
     *("rejected", "preempting", "recalling", "recalled", "lost"),
 )
-REPLACED = re.compile(r"another goal was received")
-"""Words of a goal that ends because a newer one came."""
+REPLACED = re.compile(r"because another goal was rec(?:ie|ei)ved")
+"""Words of a goal that ends because a newer one came, as actionlib for C++ and for Python spell them."""
 
 
 def read_status(names: Names) -> Read:

@@ -14,7 +14,7 @@ from fleet_tui.simulator.navigating.messages import Header, headers
 from fleet_tui.simulator.navigating.news import News
 from fleet_tui.simulator.navigating.topics import body_topics, plan_topic, topic_maker
 from fleet_tui.simulator.navigating.world import NavigatingWorld
-from fleet_tui.simulator.ros.actionlib import Status
+from fleet_tui.simulator.ros.actionlib import GoalReport
 from fleet_tui.simulator.ros.dialect import Dialect
 
 Message = dict[str, Any]
@@ -87,16 +87,16 @@ class MoveBaseNews(News[MoveBase]):
         if navigation.alive and now >= self._beat[name] - EARLY:
             late = now - self._beat[name] > BEAT
             self._beat[name] = (now if late else self._beat[name]) + BEAT
-            said.append(navigation.server.list())
+            said.append(navigation.server.listed())
         while said:
             yield self._told(name, said.popleft(), dialect, now)
 
     def _told(
-        self, name: str, said: Status | list[Status], dialect: Dialect, now: float
+        self, name: str, said: GoalReport | list[GoalReport], dialect: Dialect, now: float
     ) -> tuple[str, Payload]:
-        part = RESULT if isinstance(said, Status) else STATUS
+        part = STATUS if isinstance(said, list) else RESULT
         header = dialect.header(next(self._counts[f"{name}/{part}"]), now, "")
-        value = messages.result(said, header) if isinstance(said, Status) else messages.statuses(said, header)
+        value = messages.statuses(said, header) if isinstance(said, list) else messages.result(said, header)
         return self._news(name, part, dialect, now, value)
 
     def _news(

@@ -23,7 +23,7 @@ TOO_OLD = (
 
 
 @dataclass(frozen=True)
-class Status:
+class GoalReport:
     """A goal as the status topic tells it; `stamp` in nanoseconds since 1970."""
 
     id: str
@@ -50,9 +50,9 @@ class ActionlibGoal:
         return self.status in ENDED
 
     @property
-    def told(self) -> Status:
+    def told(self) -> GoalReport:
         """The goal as it stands now."""
-        return Status(self.id, self.stamp, self.status, self.text)
+        return GoalReport(self.id, self.stamp, self.status, self.text)
 
 
 class SimpleActionServer:
@@ -71,7 +71,7 @@ class SimpleActionServer:
         """The goal that waits to be carried out."""
         self.kept = KEPT
         """Seconds for which a goal is listed that it has let go of."""
-        self.said: deque[Status | list[Status]] = deque(maxlen=LISTED)
+        self.said: deque[GoalReport | list[GoalReport]] = deque(maxlen=LISTED)
         """Results and lists of goals that are still to be published, the oldest first."""
         self._last_cancel = 0
         self._made = 0
@@ -81,7 +81,7 @@ class SimpleActionServer:
         """The goals that have not ended, the oldest first."""
         return [goal for goal in self.goals.values() if goal.request is not None and not goal.over]
 
-    def list(self) -> list[Status]:
+    def listed(self) -> list[GoalReport]:
         """The goals as they stand now."""
         return [goal.told for goal in self.goals.values()]
 
@@ -94,7 +94,7 @@ class SimpleActionServer:
                 self.end(known, RECALLED, "")
             return
         goal = ActionlibGoal(id_ or self._new_id(), stamp or self._clock(), request)
-        self._list(goal)
+        self._add(goal)
         if stamp and stamp <= self._last_cancel:
             self._drop(goal, RECALLED, TOO_OLD)
         elif rejected:
@@ -113,7 +113,7 @@ class SimpleActionServer:
                 self._request_cancel(goal)
         if id_ and id_ not in self.goals:
             # Kept for the goal that may follow; without a stamp the server never forgets it.
-            self._list(ActionlibGoal(id_, stamp, None, RECALLING, left=self.kept if stamp else math.inf))
+            self._add(ActionlibGoal(id_, stamp, None, RECALLING, left=self.kept if stamp else math.inf))
         self._last_cancel = max(self._last_cancel, stamp)
 
     def accept(self) -> ActionlibGoal | None:
@@ -128,13 +128,13 @@ class SimpleActionServer:
         self.current = goal
         goal.status = PREEMPTING if goal.status == RECALLING else ACTIVE
         goal.text = TAKEN
-        self.said.append(self.list())
+        self.said.append(self.listed())
         return goal
 
     def end(self, goal: ActionlibGoal, status: int, text: str) -> None:
         """End a goal that has not ended, and publish its result."""
         goal.status, goal.text = status, text
-        self.said += [goal.told, self.list()]
+        self.said += [goal.told, self.listed()]
 
     def age(self, dt: float) -> None:
         """Let dt seconds pass."""
@@ -156,13 +156,13 @@ class SimpleActionServer:
             goal.left = self.kept
         if goal.status in (PENDING, ACTIVE):
             goal.status = RECALLING if goal.status == PENDING else PREEMPTING
-            self.said.append(self.list())
+            self.said.append(self.listed())
 
     def _drop(self, goal: ActionlibGoal, status: int, text: str) -> None:
         goal.left = self.kept
         self.end(goal, status, text)
 
-    def _list(self, goal: ActionlibGoal) -> None:
+    def _add(self, goal: ActionlibGoal) -> None:
         self.goals[goal.id] = goal
         if len(self.goals) > LISTED:
             held = (self.current, self.next)

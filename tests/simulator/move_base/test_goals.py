@@ -33,7 +33,7 @@ from fleet_tui.simulator.ros.actionlib import (
     SUCCEEDED,
     TAKEN,
     TOO_OLD,
-    Status,
+    GoalReport,
     servers_among,
 )
 
@@ -59,12 +59,12 @@ def cancelled(id_: str = "", secs: int = 0) -> Json:
 
 
 def stand(navigation: MoveBase) -> dict[str, int]:
-    return {one.id: one.status for one in navigation.server.list()}
+    return {one.id: one.status for one in navigation.server.listed()}
 
 
 def results(navigation: MoveBase) -> list[tuple[str, int, str]]:
     """The results since the last look."""
-    found = [(one.id, one.status, one.text) for one in navigation.server.said if isinstance(one, Status)]
+    found = [(one.id, one.status, one.text) for one in navigation.server.said if isinstance(one, GoalReport)]
     navigation.server.said.clear()
     return found
 
@@ -81,7 +81,7 @@ def test_a_goal_is_taken_driven_and_reached() -> None:
     navigation.hear_goal(goal("a"))
     assert stand(navigation) == {"a": PENDING}
     it.step(0.1)
-    assert [one for one in navigation.server.list() if one.text == TAKEN and one.status == ACTIVE]
+    assert [one for one in navigation.server.listed() if one.text == TAKEN and one.status == ACTIVE]
     finish(it, navigation)
     assert results(navigation) == [("a", SUCCEEDED, REACHED)]
     assert (navigation.robot.pose.x, navigation.robot.pose.y) == pytest.approx(FAR)
@@ -351,10 +351,10 @@ class Watcher:
         assert len(under_way) <= 1 and len(server.running) <= 2
         assert not self._navigation.robot.driving or under_way == [server.current]
         self.known.update((goal.id, goal.stamp) for goal in server.running)
-        server.said.append(server.list())  # as again and again
+        server.said.append(server.listed())  # as again and again
         while server.said:
             said = server.said.popleft()
-            if isinstance(said, Status):
+            if isinstance(said, GoalReport):
                 self._end(said)
             else:
                 self._list(said)
@@ -363,12 +363,12 @@ class Watcher:
     def has(self, id_: str) -> bool:
         return any(one[0] == id_ for one in self.known | set(self.ends))
 
-    def _end(self, said: Status) -> None:
+    def _end(self, said: GoalReport) -> None:
         assert said.status in ENDED
         self._newest[said.id, said.stamp] = said.status
         self.ends[said.id, said.stamp] += 1
 
-    def _list(self, said: list[Status]) -> None:
+    def _list(self, said: list[GoalReport]) -> None:
         for one in said:
             before = self._newest.get((one.id, one.stamp))
             # Once a goal has ended it stays as it ended, and the result has told it first.
