@@ -130,3 +130,12 @@ def _accept(mute: socket.socket) -> None:
             held.append(mute.accept())
         except OSError:
             return
+
+
+def test_a_demo_needs_no_configuration(terminals: Terminals) -> None:
+    demo = terminals.open("demo", "--robots", "2")
+    demo.shows("2 of 2 online")
+    demo.press(":save\r")
+    demo.shows("nothing to save")
+    demo.press("q")
+    demo.ends()

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from fleet_tui.adapters.discovery import Discovery
 from fleet_tui.adapters.registry import KINDS
+from fleet_tui.discovery.finding import listed
 from fleet_tui.discovery.recognition import Found, assigned, contested
 
 Id = tuple[str, ...]
@@ -64,7 +65,7 @@ def choices_of(claims: Found, found: Found, frames: Mapping[str, str], answers: 
 def _kinds(claims: Found, found: Found) -> Iterator[Choice]:
     for kinds, robots in contested(claims).items():
         chosen = next(kind for kind, one in found.items() if robots[0] in one.robots)
-        yield Choice(("kind", *robots), f"kind of {', '.join(robots)}", kinds, chosen)
+        yield Choice(("kind", *robots), f"kind of {listed(robots)}", kinds, chosen)
 
 
 def _names(kind: str, found: Discovery) -> Iterator[Choice]:

@@ -218,3 +218,15 @@ async def test_loopback_is_not_warned_of(tmp_path: Path) -> None:
     async with serving(tmp_path, "ws://127.0.0.1:1") as it:
         _, said = await it.stop()
     assert "warning" not in said
+
+
+async def test_a_browser_on_what_is_behind_an_address(server: RosbridgeServer, tmp_path: Path) -> None:
+    async with serving(tmp_path, "ws://127.0.0.1:9", "--url", server.url) as it, it.tab() as page:
+        await page.shows("2 robots (oh_ressources), 2 floors. :save keeps it")
+        await page.shows("2 of 2 online")
+    assert not server.calls
+
+
+async def test_what_is_wrong_with_an_address_is_said_before_a_tab_is_open(tmp_path: Path) -> None:
+    dead = await run(tmp_path, "serve", "--port", "0", "--url", "ws://127.0.0.1:9")
+    assert (dead.code, dead.out) == (3, "") and "nothing listens there" in dead.err

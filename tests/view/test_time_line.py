@@ -6,7 +6,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.view.lines.time import MarkKind, ReplayPosition, TimeMark, bar, span, time_at, time_line, told
+from fleet_tui.view.lines.time import (
+    MarkKind,
+    ReplayPosition,
+    TimeMark,
+    bar,
+    span,
+    time_at,
+    time_line,
+    told,
+)
 from fleet_tui.view.roles import StyleRole
 from tests.fleets import text_of
 

@@ -16,6 +16,8 @@ COMMANDS = (
     ("fleet-tui doctor --url URL", "what is wrong on the way"),
 )
 
+_COUNT = 11  # cells
+
 
 class Asked(NamedTuple):
     """The state of a discovery: `words` tell its result, its problem or its progress; `more` follows
@@ -81,9 +83,9 @@ def arrival_rows(
 
 def _choice(line: Line, is_here: bool, width: int) -> tuple[Run, ...]:
     about = max(16, width * 2 // 5)
-    count = f"  {line.number} of {line.of}" if line.number else f"  none of {line.of}"
+    count = f"{line.number or 'none'} of {line.of}".rjust(_COUNT)
     text = fit(sanitize(line.text), about)
-    chosen = fit(sanitize(line.chosen), max(8, width - about - len(count) - 8))
+    chosen = fit(sanitize(line.chosen), max(8, width - about - _COUNT - 8))
     return (
         (" > " if is_here else "   ", StyleRole.ACCENT),
         (text, StyleRole.TITLE_FOCUSED if is_here else StyleRole.TEXT),
