@@ -45,7 +45,7 @@ KEYS: tuple[Key, ...] = (
         hint="command",
     ),
     Key("suspend", ("ctrl+z",), "app.suspend_process", "To the shell; fg comes back"),
-    Key("repaint", ("ctrl+l",), "app.repaint", "Paint the whole screen anew", pane="anywhere"),
+    Key("repaint", ("ctrl+l",), "app.repaint", "Redraw the screen", pane="anywhere"),
     Key("quit", ("q",), "app.quit", "Leave"),
     Key("back", ("escape",), "back", "One level back"),
     Key("next_pane", ("tab",), "app.focus_next", "Next pane"),

@@ -16,7 +16,7 @@ from fleet_tui.state.store import Store
 
 LOG = logging.getLogger(__name__)
 
-RESTARTED = "this console was started anew"
+RESTARTED = "this console was restarted"
 
 MOST_KEPT = 100
 """Orders that wait for one robot."""

@@ -19,7 +19,7 @@ def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing
         remedy = "give floors.graph of this floor: a route graph of Nav2 (GeoJSON)"
         return Finding(floor.name, "graph file", Verdict.WARN, absent, remedy)
     if file.graph is not None and not needing:
-        unused = f"{floor.graph} is for nobody: every robot of the floor publishes its graph"
+        unused = f"{floor.graph} is unused: every robot of the floor publishes its graph"
         return Finding(floor.name, "graph file", Verdict.WARN, unused, "take floors.graph away")
     if file.graph is None:
         remedy = "correct floors.graph of this floor"

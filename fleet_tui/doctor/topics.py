@@ -12,7 +12,7 @@ from fleet_tui.doctor.clocks import falls_behind
 from fleet_tui.doctor.names import near_topic, robots_on
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
-UNSEEN = "without rosapi nobody can tell whether it is there"
+UNSEEN = "without rosapi its existence is not known"
 
 
 def robot_findings(

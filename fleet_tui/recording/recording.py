@@ -126,7 +126,7 @@ class Recording:
             and all(robot.floor in {None, *state.floors} for robot in state.robots.values())
         )
         if not fits:
-            raise RecordingError(f"{self.path}: a keyframe does not fit its configuration: record anew")
+            raise RecordingError(f"{self.path}: a keyframe does not fit its configuration: record again")
         # Recordings of version 1 know no kinds.
         adapters = adapters_of(config)
         robots = {

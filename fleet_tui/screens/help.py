@@ -36,7 +36,7 @@ TYPED = {
 NOTES = """\
 A robot is its name or number, a place its label or id; id=7 is always the id.
 Enter on an order: again, return trip, who gave it. The same order again within 1 s is not sent.
-Questions: y does it; n, Esc and Enter don't.
+Questions: y confirms; n, Esc or Enter declines.
 Mouse: wheel zooms at the pointer, drag pans, click picks; buttons click. To select text with the \
 terminal, hold Shift.
 Pausing from here is not a safety device: use the robot's own stop where people are near."""

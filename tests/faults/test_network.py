@@ -232,7 +232,7 @@ async def test_a_reconnect_storm(server: RosbridgeServer) -> None:
     assert all(later - earlier >= transport.FIRST_DELAY for earlier, later in pairwise(tries))
     gaps = {round(later - earlier, 3) for earlier, later in pairwise(tries)}
     assert len(gaps) > 1, "without chance all consoles would come at once"
-    report("reconnect storm", "accepts and drops at once", "drops us at once, next try", noticed, healed)
+    report("reconnect storm", "accepts and drops at once", "drops us at once, retry", noticed, healed)
 
 
 async def test_a_message_over_the_limit_costs_only_itself(server: RosbridgeServer) -> None:

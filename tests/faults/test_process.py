@@ -234,7 +234,7 @@ def test_a_name_that_is_looked_up_for_ever(tmp_path: Path, key: str) -> None:
         '[rosbridge]\nurl = "ws://slow.example:9090"\n[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n'
     )
     with in_terminal(tmp_path, "--config", str(config), PYTHONPATH=str(tmp_path)) as running:
-        running.shows("trying now")
+        running.shows("connecting")
         noticed = running.until(lambda: "no answer from that address" in running.text())
         if key:
             running.press(key)

@@ -63,7 +63,7 @@ def test_its_word_goes_at_once_though_the_alarm_stays() -> None:
     assert alarm(state, "obstacle").text == "obstacle 4.2 s"
     state = told(state, contact(T0 + 0.1, 0.0), tick(T0 + 0.1))
     assert (alarm(state, "obstacle").text, alarm(state, "obstacle").stage) == (
-        "way is free again",
+        "obstacle cleared",
         AlarmStage.UNACKNOWLEDGED,
     )
     assert alarm(told(state, tick(T0 + 2.9)), "obstacle").stage is AlarmStage.UNACKNOWLEDGED

@@ -170,7 +170,7 @@ def test_obstacle_above_the_limit(seconds: float, alarmed: bool) -> None:
     assert ((R0, "obstacle") in alarms(state)) is alarmed
     assert state.is_obstructed(state.robots[R0]) is alarmed
     free = told(state, events.ObstacleReported(R0, T0 + 1, 0.0), tick(T0 + 1))
-    assert [alarm.text for alarm in free.alarms] == ["way is free again"] * alarmed
+    assert [alarm.text for alarm in free.alarms] == ["obstacle cleared"] * alarmed
 
 
 @pytest.mark.parametrize(

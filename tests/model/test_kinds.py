@@ -184,14 +184,14 @@ def names(state: FleetState) -> list[str]:
 
 def test_no_reason_is_made_of_what_is_never_reported() -> None:
     still = told(heard(BARE), pose(T0 + 9), tick(T0 + 9))
-    assert names(still) == ["no reason is reported"]
-    assert names(told(heard(Kind("silent")), battery(T0 + 9), tick(T0 + 9))) == ["no reason is reported"]
+    assert names(still) == ["cause unknown"]
+    assert names(told(heard(Kind("silent")), battery(T0 + 9), tick(T0 + 9))) == ["cause unknown"]
     assert "queue unknown" in names(told(heard(FULL), pose(T0 + 9), tick(T0 + 9)))
 
 
 def test_a_robot_without_cargo_does_not_load() -> None:
     order = (1, 1, 2, "W")
-    for kind, name in ((GOALS, "no reason is reported"), (FULL, "loading at 1")):
+    for kind, name in ((GOALS, "cause unknown"), (FULL, "loading at 1")):
         driving = told(
             heard(kind), queue(T0 + 1, order, current=1), pose(T0 + 9), queue(T0 + 9, order, current=1)
         )

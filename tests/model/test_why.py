@@ -120,10 +120,10 @@ SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "no link": (lambda: cut_off(driving()).run(9), "no link"),
     "pose stays away": (lambda: driving(then="stale:robot_0").run(9), "pose 9 s old"),
     "localisation lost": (lambda: driving(then="jumping:robot_0").run(6), "localisation jumps"),
-    "stuck": (lambda: driving(then="stuck:robot_0").run(60), "no reason is reported"),
+    "stuck": (lambda: driving(then="stuck:robot_0").run(60), "cause unknown"),
     "stuck at the start": (
         lambda: driving("stuck:robot_0", FROM_HERE).run(60),
-        "no reason is reported",
+        "cause unknown",
     ),
     "loading": (lambda: Planted().run(1).command(FROM_HERE).run(2), "loading at Base"),
     "unloading": (
@@ -259,7 +259,7 @@ def test_robots_in_different_frames_are_not_compared() -> None:
     planted.run(3)
     assert first(planted).name == "waits behind robot_1"
     planted.tell(FrameReceived("robot_1", "floor_0", moved))
-    assert first(planted).name == "no reason is reported"
+    assert first(planted).name == "cause unknown"
 
 
 def test_a_robot_beside_or_behind_is_not_in_the_way() -> None:

@@ -240,13 +240,13 @@ async def test_loss_and_return_of_the_server_are_shown_and_heal() -> None:
     async with console(config_of(first.url, 1)) as it:
         await first.stop()
         await it.shows("no link")
-        await it.shows("next try")
+        await it.shows("retry in")
         await it.press("p")
         await it.shows("not sent")
         second = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True), port=port)
         await second.start()
         await it.until(lambda state: state.links["rosbridge"].phase is Phase.UP)
-        await it.hides("next try")
+        await it.hides("retry in")
         heard = it.store.state.robots["robot_0"].heard or 0.0
         await it.until(lambda state: (state.robots["robot_0"].heard or 0.0) > heard)
         assert second.calls == []

@@ -84,7 +84,7 @@ def test_a_link_that_is_down_says_so_and_since_when_everything_is_old() -> None:
     link.round_trips.unanswered = 4
     state = told(fleet(2), link_up(T0), link_lost(T0 + 10.0, "nothing listens there", NOW + 3.0))
     table = link_table(seen(link, state)[1], NOW)
-    assert "○ no link for 10 s: nothing listens there, next try in 3 s" in row(table, "state")
+    assert "○ no link for 10 s: nothing listens there, retry in 3 s" in row(table, "state")
     assert "20 s ago" in row(table, "last message")
     assert "overdue" in row(table, "trip") and "4 unanswered" in row(table, "trip")
     assert "last lost 10 s ago: the bridge went away" in row(table, "connections")
@@ -121,8 +121,8 @@ def test_topics_in_the_order_of_the_config_each_with_how_it_is() -> None:
     assert row(table, POSE).split()[:7] == ["●", "live", POSE, "10.0", "Hz", "0.0", "s"]
     assert row(table, "robot_1/pose").startswith("○ silent") and "6.0 s ago" in row(table, "robot_1/pose")
     assert row(table, GRAPH).startswith("● came") and "Hz" not in row(table, GRAPH)
-    assert row(table, MAP).startswith("· when shown") and "never" in row(table, MAP)
-    assert row(table, "/rosout").startswith("· when shown")
+    assert row(table, MAP).startswith("· on demand") and "never" in row(table, MAP)
+    assert row(table, "/rosout").startswith("· on demand")
 
 
 def test_bad_data_marks_its_topic_for_a_while_and_its_words_stay() -> None:

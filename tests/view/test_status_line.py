@@ -33,15 +33,15 @@ def line(state: FleetState, *notes: str) -> str:
 
 def test_no_link_says_why_since_when_and_when_it_is_tried_next() -> None:
     state = told(fleet(), link_up(T0), link_lost(T0 + 10, "nothing listens there", T0 + 14), tick(T0 + 12))
-    assert "○ no link nothing listens there, next try 2 s, since 2 s ws://site:9090" in line(state)
+    assert "○ no link for 2 s: nothing listens there, retry in 2 s ws://site:9090" in line(state)
     assert {ink for text, ink in status_line(state, R0) if "no link" in text} == {StyleRole.ALARM}
-    assert "next try 0 s" in line(told(state, tick(T0 + 20)))
+    assert "retry in 0 s" in line(told(state, tick(T0 + 20)))
     trying = told(state, events.LinkChanged(LINK, T0 + 14, Phase.CONNECTING), tick(T0 + 15))
-    assert "nothing listens there, trying now, since 5 s" in line(trying)
+    assert "no link for 5 s: nothing listens there, connecting" in line(trying)
 
 
 def test_before_the_first_connection() -> None:
-    assert "no link trying now, since 3 s ws://site:9090" in line(told(fleet(), tick(T0 + 3)))
+    assert "no link for 3 s: connecting ws://site:9090" in line(told(fleet(), tick(T0 + 3)))
 
 
 def test_a_link_shows_the_age_of_the_last_message() -> None:
@@ -72,9 +72,7 @@ def test_of_several_links_the_worst_is_shown() -> None:
     up = (link_up(T0), events.LinkChanged("b", T0, Phase.UP))
     assert "2 of 2 links up" in line(told(state, *up))
     lost = told(state, *up, events.LinkChanged("b", T0 + 1, Phase.WAITING, "it closed"), tick(T0 + 1))
-    assert "no link it closed, trying now, since 0 s ws://b:2" in line(lost) and "1 of 2 links up" in line(
-        lost
-    )
+    assert "no link for 0 s: it closed, connecting ws://b:2" in line(lost) and "1 of 2 links up" in line(lost)
     dead = told(state, *up, events.CommandPathChanged("b", CommandPath.DEAD, "gone"), tick(T0 + 1))
     assert "ws://b:2" in line(dead) and "commands dead: gone" in line(dead)
     quiet = told(state, *up, events.LinkHeard("b", T0), events.LinkHeard(LINK, T0 + 9), tick(T0 + 9))

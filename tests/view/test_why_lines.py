@@ -24,7 +24,7 @@ It has not moved for 6 s.
     r  Resume the selected robot, at once
 
   2. obstacle 5.7 s  (certain)
-    it is in contact with something: its way must be cleared there
+    obstacle contact: clear the path at the robot
     for 6 s, reported 0.4 s ago
     c  Centre on the selected robot, once
 

@@ -23,7 +23,7 @@ def follow_order(
         words = f"order {record.order_id} is {state or 'in the queue'}"
         words += ", and was not driven yet when the time was up"
         if record.has_further_leg(store.state.robots[record.command.robot].kind):
-            words += "; nobody gives it its other stops now"
+            words += "; its other stops are not given"
         return replace(queued, outcome="not done", words=words, code=NOT_DONE)
     done = record.stage is Stage.DONE
     return replace(

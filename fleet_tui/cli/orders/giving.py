@@ -104,7 +104,7 @@ def _say_what_is_open(given: Sending, say: Say) -> None:
     for record in given.under_way:
         known = f"order {record.order_id} is in the queue, and stays there"
         if record.has_further_leg(given.state.robots[record.command.robot].kind):
-            known += ", but nobody gives the robot its other stops now"
+            known += ", but its other stops are not given"
         known = known if record.is_decided else f"it was {record.stage.value}, and may still be carried out"
         say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
 

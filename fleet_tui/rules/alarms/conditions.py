@@ -31,7 +31,7 @@ def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
     if robot.obstacle is None or not state.was_obstructed(robot):
         return None
     text = obstacle_text(state, robot, robot.obstacle)
-    return Condition(robot.name, "obstacle", Priority.HIGH, text, "way is free again")
+    return Condition(robot.name, "obstacle", Priority.HIGH, text, "obstacle cleared")
 
 
 def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:

@@ -19,7 +19,7 @@ def blocked(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
     held_back = robot.blocked.value
     due = held_back.since + state.limits.obstacle_after
     text = blocked_text(held_back, state.now)
-    return Condition(robot.name, "blocked", Priority.HIGH, text, "way is free again", due)
+    return Condition(robot.name, "blocked", Priority.HIGH, text, "obstacle cleared", due)
 
 
 def not_sure_where(state: FleetState, robot: Robot, held: Held) -> Condition | None:

@@ -93,7 +93,7 @@ def none_current(_state: FleetState, robot: Robot) -> Reason | None:
     waiting = robot.orders.open
     if robot.queue is None or not waiting or robot.orders.current is not None:
         return None
-    evidence = f"it has begun none of them; the first is {mission(robot, waiting[0])}"
+    evidence = f"none of them is started; the first is {mission(robot, waiting[0])}"
     name = f"{len(waiting)} order{'s' * (len(waiting) != 1)} waiting, none current"
     return Reason(name, evidence, Strength.LIKELY, seen=robot.queue.at, keys=("clear", "order"))
 
@@ -102,11 +102,9 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
     """It should drive, and nothing tells why it doesn't."""
     order, since = robot.orders.current, stands_since(robot)
     if order is None and not robot.kind.lists_orders:
-        return Reason(
-            "no reason is reported", "such robots don't tell what they are to do", Strength.POSSIBLE, since
-        )
+        return Reason("cause unknown", "such robots don't tell what they are to do", Strength.POSSIBLE, since)
     if order is None:
         return None
     evidence = f"nothing tells why it does not drive {mission(robot, order)}"
     keys = ("centre", "clear")
-    return Reason("no reason is reported", evidence, Strength.POSSIBLE, since, keys=keys)
+    return Reason("cause unknown", evidence, Strength.POSSIBLE, since, keys=keys)

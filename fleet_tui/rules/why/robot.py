@@ -87,7 +87,7 @@ def obstacle(state: FleetState, robot: Robot) -> Reason | None:
     if contact is None or contact.value <= 0.0 or (is_old and not state.was_obstructed(robot)):
         return None
     strength = Strength.CERTAIN if state.is_obstructed(robot) else Strength.LIKELY
-    evidence = "it is in contact with something: its way must be cleared there"
+    evidence = "obstacle contact: clear the path at the robot"
     return Reason(
         obstacle_text(state, robot, contact),
         evidence if not is_old else "by its last word; none has come since",
@@ -103,7 +103,7 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     if not state.is_online(robot) or state.is_fresh(robot, "pose") or "pose" not in robot.kind.reports:
         return None
     if robot.pose is None:
-        return Reason("no pose", "no pose has come, though other reports do: nobody knows where it is")
+        return Reason("no pose", "no pose has been received, though other reports have: its place is unknown")
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
     silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
     if clock is not None and state.now - clock.at <= silence:

@@ -71,7 +71,7 @@ def _changes(before: _Seen, now: _Seen, robot: SimRobot) -> Iterator[Line]:
     if now.vertex != before.vertex:
         yield DEBUG, "navigation", f"at vertex {now.vertex}"
     if now.obstacle != before.obstacle:
-        words = "obstacle in front of the laser" if now.obstacle else "the way is free again"
+        words = "obstacle in front of the laser" if now.obstacle else "the obstacle is gone"
         yield (WARN if now.obstacle else INFO), "laser", words
     if now.paused != before.paused:
         yield WARN, "drive", "brakes on" if now.paused else "brakes off"

@@ -30,15 +30,15 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
 
 def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.phase is not Phase.UP:
-        yield "○ no link ", StyleRole.ALARM
+        yield f"○ no link for {age(now - link.since)}: ", StyleRole.ALARM
         if link.reason:
             yield f"{sanitize(link.reason)}, ", StyleRole.WARN
         if link.phase is Phase.CONNECTING or link.next_try is None:
-            yield "trying now", StyleRole.TEXT
+            yield "connecting", StyleRole.TEXT
         else:
-            yield f"next try {max(0.0, link.next_try - now):.0f} s", StyleRole.TEXT
+            yield f"retry in {max(0.0, link.next_try - now):.0f} s", StyleRole.TEXT
         heard = "" if link.heard is None else f", last message {age(now - link.heard)} ago"
-        yield f", since {age(now - link.since)}{heard} {address}", StyleRole.DIM
+        yield f"{heard} {address}", StyleRole.DIM
         return
     yield "● ", StyleRole.GOOD
     yield f"{address} ", StyleRole.TEXT

@@ -65,7 +65,7 @@ def _state(link: LinkState, now: float) -> Run:
         return f"● up for {since}", StyleRole.GOOD
     trying = "trying now"
     if link.phase is Phase.WAITING and link.next_try is not None:
-        trying = f"next try in {max(0.0, link.next_try - now):.0f} s"
+        trying = f"retry in {max(0.0, link.next_try - now):.0f} s"
     why = f": {sanitize(link.reason)}" if link.reason else ""
     return f"○ no link for {since}{why}, {trying}", StyleRole.ALARM
 

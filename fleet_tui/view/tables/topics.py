@@ -29,7 +29,7 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
         if topic.on_change:
             return "· on change", StyleRole.DIM
         waits = topic.on_demand or not topic.robot
-        return ("· when shown", StyleRole.DIM) if waits else ("○ nothing yet", StyleRole.WARN)
+        return ("· on demand", StyleRole.DIM) if waits else ("○ nothing yet", StyleRole.WARN)
     if topic.once or topic.on_demand or topic.on_change or not topic.robot:
         return "● came", StyleRole.TEXT
     return ("○ silent", StyleRole.WARN) if now - topic.at > silent_after else ("● live", StyleRole.GOOD)
