@@ -1,8 +1,12 @@
 """Spans of time as a person reads them: one format for the whole program."""
 
+import math
+
 
 def age(seconds: float) -> str:
-    """A time span as an operator reads it: `4 s`, `3 min`, `2 h`."""
+    """Write a span of time in seconds: `4 s`, `3 min`, `2 h`; `never` for an infinite one."""
+    if not math.isfinite(seconds):
+        return "never"
     seconds = max(0.0, seconds)
     if seconds < 100:
         return f"{seconds:.0f} s"

@@ -3,6 +3,7 @@
 import math
 
 from fleet_tui.model.graph import Role
+from fleet_tui.text.durations import age
 from fleet_tui.view.map.scene import SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
@@ -32,7 +33,7 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
         tag += "=" if plain else "‖"
     if robot.other_map:
         tag += "~" if plain else "≈"
-    return tag if robot.online else f"{tag} {age_text(robot.age)}"
+    return tag if robot.online else f"{tag} {age(robot.age)}"
 
 
 def robot_inks(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
@@ -46,15 +47,6 @@ def robot_inks(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
     else:
         return (StyleRole.CARGO if robot.cargo else StyleRole.ROBOT), StyleRole.ROBOT
     return (StyleRole.ROBOT_SELECTED if robot.selected else state), state
-
-
-def age_text(seconds: float) -> str:
-    """An age in the largest unit that still says enough: `41 s`, `5 min`, `3 h`."""
-    if not math.isfinite(seconds):
-        return "never"
-    if seconds < 120:
-        return f"{max(seconds, 0):.0f} s"
-    return f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.0f} h"
 
 
 def vertex_glyph(vertex: SceneVertex, plain: bool) -> tuple[str, StyleRole]:
