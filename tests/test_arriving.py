@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.bench.in_pty import simulator
-from tests.faults.in_terminal import InTerminal
+from tests.support.terminal_session import InTerminal
 
 ON, OFF = b"\x1b[?1049h", b"\x1b[?1049l"
 COLOUR = re.compile(rb"\x1b\[(?:\d+;)*(?:3[0-8]|4[0-8]|9[0-7]|10[0-7])(?:;\d+)*m")

@@ -92,7 +92,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Run]:
     home = {name: str(folder) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME")}
     root = str(Path(__file__).parent.parent)
     with subprocess.Popen(
-        [sys.executable, "-m", "tests.forking"],
+        [sys.executable, "-m", "tests.support.forked_cli"],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         cwd=folder,

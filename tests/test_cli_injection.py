@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.bench.in_pty import serving
-from tests.hostile_fleet import ROBOTS
+from tests.support.hostile_fleet import ROBOTS
 
 ESC = "\x1b]52;c;eA==\x07\x9b31m\u202e"
 IN_TOML = ESC.encode("unicode_escape").decode().replace("\\x", "\\u00")
@@ -103,7 +103,7 @@ def test_a_traceback_that_was_asked_for_is_visible_text(tmp_path: Path) -> None:
 @pytest.fixture
 def hostile(tmp_path: Path) -> Iterator[Path]:
     robots = "".join(f'[[robots]]\nname = "robot_{n}"\n' for n in range(ROBOTS))
-    with serving("tests.hostile_fleet") as (url, _):
+    with serving("tests.support.hostile_fleet") as (url, _):
         floors = '[[floors]]\nname = "floor_0"\n[[floors]]\nname = "floor_1"\n'
         (tmp_path / "config.toml").write_text(f'[rosbridge]\nurl = "{url}"\n{floors}{robots}')
         yield tmp_path

@@ -17,7 +17,7 @@ from fleet_tui.errors import ConfigError, LinkError
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.themes import load_themes
 from fleet_tui.transports.rosbridge.tls import tls_context
-from tests.watched import config_of
+from tests.support.watched_store import config_of
 
 WORDS = "it is no regular file"
 Make = Callable[[Path], None]

@@ -12,7 +12,7 @@ import pytest
 
 from fleet_tui.text.sanitize import sanitize
 from tests.bench.in_pty import Terminal, serving
-from tests.hostile_fleet import CLIPBOARD, EVIL, ROBOTS
+from tests.support.hostile_fleet import CLIPBOARD, EVIL, ROBOTS
 
 EVIL_NAME = r"evil\u001b]52;c;aGFja2Vk\u0007\u202e[red]"
 """As TOML writes it."""
@@ -40,7 +40,7 @@ def hostile_console(home: Path) -> Iterator[Terminal]:
     themes.mkdir(parents=True)
     (themes / "evil\x1b]52;c;eA==\x07\u202e[red].toml").write_text("")
     robots = "".join(f'[[robots]]\nname = "robot_{n}"\n' for n in range(ROBOTS))
-    with serving("tests.hostile_fleet") as (url, _):
+    with serving("tests.support.hostile_fleet") as (url, _):
         (home / "config.toml").write_text(
             f'[rosbridge]\nurl = "{url}"\n[operator]\nname = "{EVIL_NAME}"\n'
             f'[links."{EVIL_NAME}"]\nurl = "ws://127.0.0.1:1"\n'

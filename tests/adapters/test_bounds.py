@@ -22,9 +22,9 @@ from fleet_tui.view.selection import Selection
 from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
-from tests.adapting import adapter_of, event_of
-from tests.fleets import F0, LINK, R0, T0, fleet, link_lost, link_up, pose, tick, told
-from tests.watched import config_of
+from tests.support.adapters import adapter_of, event_of
+from tests.support.fleets import F0, LINK, R0, T0, fleet, link_lost, link_up, pose, tick, told
+from tests.support.watched_store import config_of
 
 MEGABYTE = "x\x1b[2J" * 200_000
 ADAPTER = adapter_of()

@@ -28,7 +28,7 @@ from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, TargetReported
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.model.robot import Robot, RobotMap
-from tests.fleets import graph
+from tests.support.fleets import graph
 
 UNIQUE = "0123456789abcdef0123456789abcdef"
 OWN = "fleet-tui-01234567-89ab-cdef-0123-456789abcdef"

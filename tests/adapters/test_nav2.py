@@ -35,7 +35,7 @@ from fleet_tui.model.navigation_events import (
 )
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.model.robot import Reading, Robot, RobotMap
-from tests.fleets import graph, recording
+from tests.support.fleets import graph, recording
 
 ZERO = "AAAAAAAAAAAAAAAAAAAAAA=="
 UUID = "Cii/ftYHQUKiCFVjZrbQVQ=="

@@ -18,7 +18,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation_events import GoalAnswered
 from fleet_tui.model.order import at_vertices
 from fleet_tui.state.reducer import apply
-from tests.fleets import R0, T0, commanded, fleet, graph, link_up, tick, told
+from tests.support.fleets import R0, T0, commanded, fleet, graph, link_up, tick, told
 
 ADAPTER = Nav2(Profile(kind="nav2", topics={"floor": "/{robot}/floor"}), Site())
 FEEDS = {feed.key: feed for feed in ADAPTER.feeds(R0, ["floor_0"]) if not feed.large}

@@ -21,8 +21,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.state.reducer import apply
-from tests.adapting import adapter_of, event_of
-from tests.fleets import order, order_queue, place_order, recording
+from tests.support.adapters import adapter_of, event_of
+from tests.support.fleets import order, order_queue, place_order, recording
 
 ROBOT = "robot_1"
 UNIT = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}

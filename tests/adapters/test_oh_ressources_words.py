@@ -27,8 +27,8 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Role, Vertex
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.robot import Robot
-from tests.adapting import adapter_of, event_of
-from tests.fleets import WIRE, place_order, recording
+from tests.support.adapters import adapter_of, event_of
+from tests.support.fleets import WIRE, place_order, recording
 
 FIELDS = {f"{message}.{field}" for message, fields in VOCABULARY.fields.items() for field in fields}
 ORDER = place_order("r1", 0, 7)

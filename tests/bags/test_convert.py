@@ -28,9 +28,9 @@ from fleet_tui.recording.play.frames import Frames
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Heard, Keyframe, Told
 from fleet_tui.state.reducer import apply
-from tests.bags.made import KINDS, WALL, Said, bag_config, written
-from tests.fleets import F0, LINK, R0, order, order_queue
-from tests.journal.recordings import plain
+from tests.support.bags import KINDS, WALL, Said, bag_config, written
+from tests.support.fleets import F0, LINK, R0, order, order_queue
+from tests.support.recordings import plain
 
 POSE = "geometry_msgs/msg/PoseStamped"
 FLOAT = "std_msgs/msg/Float32"

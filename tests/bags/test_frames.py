@@ -15,9 +15,9 @@ from fleet_tui.adapters.ros import operations
 from fleet_tui.bags.definitions import typestore
 from fleet_tui.bags.frames import Framer
 from fleet_tui.model import events
-from tests.adapting import adapter_of, event_of
-from tests.bags.made import made, types
-from tests.fleets import F0, R0, order
+from tests.support.adapters import adapter_of, event_of
+from tests.support.bags import made, types
+from tests.support.fleets import F0, R0, order
 
 INTEGERS = {f"{sign}int{bits}": (sign, bits) for sign in ("", "u") for bits in (8, 16, 32, 64)}
 FLOATS: dict[str, Literal[32, 64]] = {"float32": 32, "float64": 64}

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.bags.convert import convert
-from tests.bags.made import Said, bag_config, written
 from tests.bags.test_convert import night
-from tests.playback.replayed import replayed
+from tests.support.bags import Said, bag_config, written
+from tests.support.replay_console import replayed
 
 CONFIG = """
 [[floors]]

@@ -21,7 +21,7 @@ from fleet_tui.themes import load_themes
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
 from tests.bench.rows import Row, row
-from tests.played_terminal import PlayedDriver, paint, terminal_of
+from tests.support.terminal import PlayedDriver, paint, terminal_of
 
 WIDTH, HEIGHT = 200, 61  # 60 rows of map below the caption
 HALL = (48.0, 28.0)  # metres: a cell is 0.24 x 0.48 m, small enough to change often

@@ -17,8 +17,8 @@ from fleet_tui.themes import load_themes
 from fleet_tui.transports.rosbridge.connection import Connection
 from fleet_tui.view.map.drawing import Drawing
 from tests.bench.rows import Row, p95, row
-from tests.console_pilot import Console
-from tests.watched import WatchedStore
+from tests.support.console_pilot import Console
+from tests.support.watched_store import WatchedStore
 
 ORDERS = 60
 # The same order given again within a second is not sent.

@@ -15,7 +15,7 @@ from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.bench.rows import Row, row
-from tests.headless.running import config_file, started
+from tests.support.cli import config_file, started
 
 STARTS = 9
 IMPORT = "import roslibpy, roslibpy.comm.comm_asyncio"

@@ -15,7 +15,7 @@ from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.bench.bench_pause import importing
 from tests.bench.rows import Row, row
-from tests.headless.running import config_file, started
+from tests.support.cli import config_file, started
 
 STARTS = 9
 ROBOTS = 3

@@ -19,7 +19,7 @@ from tests.bench.bench_bytes import CountingDriver
 from tests.bench.driven_fleet import DrivenFleet
 from tests.bench.in_pty import HEIGHT, WIDTH
 from tests.bench.rows import Row, row
-from tests.played_terminal import paint
+from tests.support.terminal import paint
 
 TICKS, WARM, REPEATS = 300, 30, 3
 TARGET = 3.0

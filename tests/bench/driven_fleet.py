@@ -12,8 +12,8 @@ from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.state.store import Store
-from tests.fleets import order, order_queue
-from tests.watched import config_of
+from tests.support.fleets import order, order_queue
+from tests.support.watched_store import config_of
 
 TICK = 0.1
 SLOW = 5  # ticks from one report of what changes rarely to the next

@@ -16,7 +16,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.watched import WatchedStore, config_of
+from tests.support.watched_store import WatchedStore, config_of
 
 WIDTH, HEIGHT = 1500, 1300
 POSE = {"position": {"x": 1.0, "y": 2.0, "z": 0.0}, "orientation": {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}}

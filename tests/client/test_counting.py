@@ -8,8 +8,8 @@ from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.linked import linked, path, phase, ready
-from tests.watched import WatchedStore, config_of
+from tests.support.links import linked, path, phase, ready
+from tests.support.watched_store import WatchedStore, config_of
 
 POSE = "/robot_0/pose"
 

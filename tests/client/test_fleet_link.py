@@ -19,9 +19,9 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.fleets import place_order
-from tests.linked import finished, linked, path, phase, ready
-from tests.watched import config_of
+from tests.support.fleets import place_order
+from tests.support.links import finished, linked, path, phase, ready
+from tests.support.watched_store import config_of
 
 BAD_POSE = {"header": {"frame_id": "floor_0"}, "pose": {"position": {"x": None, "y": 1.0}}}
 

@@ -9,8 +9,8 @@ from fleet_tui.model.fleet import behind_text
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.linked import linked, ready
-from tests.watched import config_of
+from tests.support.links import linked, ready
+from tests.support.watched_store import config_of
 
 ROBOTS = 10
 

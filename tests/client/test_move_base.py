@@ -16,9 +16,9 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, foreign, waiting
 from fleet_tui.simulator.faults import play
 from fleet_tui.transports.rosbridge import connection
-from tests.linked import finished, linked
-from tests.move_base_site import MoveBaseSite, move_base_site
-from tests.nav2_site import keeping, nav2_ready, reached
+from tests.support.links import finished, linked
+from tests.support.move_base_site import MoveBaseSite, move_base_site
+from tests.support.nav2_site import keeping, nav2_ready, reached
 
 R0 = "robot_0"
 FAR = (35.0, 20.0)

@@ -12,8 +12,8 @@ from fleet_tui.simulator.nav2.navigation import TO_POSE, WAYPOINTS
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
 from fleet_tui.state import reducer as apply
 from fleet_tui.transports.rosbridge import connection
-from tests.linked import finished, linked, phase
-from tests.nav2_site import Site, nav2_ready, reached
+from tests.support.links import finished, linked, phase
+from tests.support.nav2_site import Site, nav2_ready, reached
 
 R0 = "robot_0"
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)

@@ -12,8 +12,8 @@ from fleet_tui.simulator.nav2 import faults
 from fleet_tui.simulator.navigating import faults as shared_faults
 from fleet_tui.state import reducer as apply
 from fleet_tui.transports.rosbridge import connection
-from tests.linked import finished, linked
-from tests.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
+from tests.support.links import finished, linked
+from tests.support.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
 
 R0 = "robot_0"
 

@@ -22,8 +22,8 @@ from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, kept_orders, waiting
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from fleet_tui.simulator.ros.goals import CANCELED
 from fleet_tui.transports.rosbridge import connection
-from tests.linked import finished, linked, phase
-from tests.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
+from tests.support.links import finished, linked, phase
+from tests.support.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
 
 R0 = "robot_0"
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)

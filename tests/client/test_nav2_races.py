@@ -15,8 +15,8 @@ from fleet_tui.model.events import CommandIssued
 from fleet_tui.rules.commands.keeping import waiting
 from fleet_tui.state.store import Store
 from tests.client.test_nav2_keeping import R0, kept
-from tests.linked import finished, linked
-from tests.nav2_site import Site, keeping, nav2_ready, reached
+from tests.support.links import finished, linked
+from tests.support.nav2_site import Site, keeping, nav2_ready, reached
 
 
 @pytest.fixture

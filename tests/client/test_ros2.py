@@ -14,9 +14,9 @@ from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.transports.rosbridge import connection
-from tests.fleets import place_order
-from tests.linked import finished, linked, phase, ready
-from tests.watched import WatchedStore, config_of
+from tests.support.fleets import place_order
+from tests.support.links import finished, linked, phase, ready
+from tests.support.watched_store import WatchedStore, config_of
 
 RESTARTS = int(os.environ.get("FLEET_TUI_RESTARTS", "3"))
 LATCHED = ("graph", "labeled_vertices", "map_metadata", "map")

@@ -10,8 +10,8 @@ from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.linked import finished, linked, path, phase, ready
-from tests.watched import config_of
+from tests.support.links import finished, linked, path, phase, ready
+from tests.support.watched_store import config_of
 
 PAUSE, RESUME = "/robot_0/Application_layout/Pause", "/robot_0/Application_layout/Resume"
 

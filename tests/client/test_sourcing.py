@@ -13,9 +13,9 @@ from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.fleets import place_order
-from tests.linked import linked
-from tests.watched import config_of
+from tests.support.fleets import place_order
+from tests.support.links import linked
+from tests.support.watched_store import config_of
 
 
 async def test_a_bridge_without_the_messages_is_told_with_the_remedy(

@@ -5,9 +5,9 @@ import json
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.adapting import adapter_of
-from tests.linked import finished, linked, ready
-from tests.watched import config_of
+from tests.support.adapters import adapter_of
+from tests.support.links import finished, linked, ready
+from tests.support.watched_store import config_of
 
 
 class Ear:

@@ -4,7 +4,7 @@ import pytest
 
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.adapters.profile import Profile
-from tests.adapting import names_of
+from tests.support.adapters import names_of
 
 TOPICS, SERVICES = VOCABULARY.topics, VOCABULARY.services
 FIELDS = {f"{message}.{field}" for message, fields in VOCABULARY.fields.items() for field in fields}

@@ -18,7 +18,7 @@ from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.run import DIALECTS
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import PLANTS
+from tests.support.site_faults import PLANTS
 
 HARMLESS = {"subscribe", "unsubscribe", "call_service"}
 

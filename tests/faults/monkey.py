@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from fleet_tui.keys import KEYS
-from tests.faults.in_terminal import InTerminal, in_terminal
+from tests.support.terminal_session import InTerminal, in_terminal
 
 TROUBLE = "obstacle:robot_0,battery:robot_1,stuck:robot_2,jumping:robot_3,silent:robot_4,paused:robot_5"
 DEMO = ("demo", "--robots", "6", "--fault", TROUBLE)

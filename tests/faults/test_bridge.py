@@ -15,12 +15,12 @@ from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.kept import linked
 from tests.faults.report import report
-from tests.faults.shown import shown
-from tests.faults.through import Holds, Stopwatch, fresh, lost, usual
-from tests.fleets import place_order
-from tests.linked import finished, path, ready
+from tests.support.fleets import place_order
+from tests.support.invariants import linked
+from tests.support.links import finished, path, ready
+from tests.support.proxied_link import Holds, Stopwatch, fresh, lost, usual
+from tests.support.shown_text import shown
 
 UNREGISTERED = "the robots' nodes are not registered: restart them"
 

@@ -11,12 +11,12 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.kept import linked
-from tests.faults.proxy import before, mute
 from tests.faults.report import report
-from tests.faults.through import Stopwatch
-from tests.linked import finished
-from tests.watched import config_of
+from tests.support.fault_proxy import before, mute
+from tests.support.invariants import linked
+from tests.support.links import finished
+from tests.support.proxied_link import Stopwatch
+from tests.support.watched_store import config_of
 
 
 @pytest.fixture

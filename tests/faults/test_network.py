@@ -17,12 +17,12 @@ from fleet_tui.model.events import LinkChanged, MessageRejected
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.transports.rosbridge import connection as transport
-from tests.faults.kept import linked
-from tests.faults.proxy import UPGRADE, Attend, answer, before, drop, goodbye, mute
 from tests.faults.report import report
-from tests.faults.through import Stopwatch, fresh, lost, through
-from tests.linked import finished
-from tests.watched import config_of
+from tests.support.fault_proxy import UPGRADE, Attend, answer, before, drop, goodbye, mute
+from tests.support.invariants import linked
+from tests.support.links import finished
+from tests.support.proxied_link import Stopwatch, fresh, lost, through
+from tests.support.watched_store import config_of
 
 
 async def test_a_refused_port(server: RosbridgeServer) -> None:

@@ -4,12 +4,12 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.kept import linked
 from tests.faults.report import report
-from tests.faults.shown import shown
-from tests.faults.through import Holds, Stopwatch, usual
-from tests.fleets import place_order
-from tests.linked import finished, ready
+from tests.support.fleets import place_order
+from tests.support.invariants import linked
+from tests.support.links import finished, ready
+from tests.support.proxied_link import Holds, Stopwatch, usual
+from tests.support.shown_text import shown
 
 ORDER = place_order("robot_0", 19, 0)
 

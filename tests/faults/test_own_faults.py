@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from tests.faults.in_terminal import exists, in_terminal
 from tests.faults.monkey import DEMO, play
 from tests.faults.report import report
+from tests.support.terminal_session import exists, in_terminal
 
 BREAKS = """
 import os

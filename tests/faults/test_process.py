@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.faults import in_terminal as in_terminal_module
-from tests.faults.in_terminal import InTerminal, exists, in_terminal
 from tests.faults.report import report
+from tests.support import terminal_session as in_terminal_module
+from tests.support.terminal_session import InTerminal, exists, in_terminal
 
 RESTORED = "the shell, its terminal as before"
 SOON = 4.0

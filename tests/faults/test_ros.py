@@ -13,11 +13,11 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.kept import linked
 from tests.faults.report import report
-from tests.faults.through import PLANTED, Holds, Stopwatch, fresh, through
-from tests.linked import finished, path, ready
-from tests.watched import config_of
+from tests.support.invariants import linked
+from tests.support.links import finished, path, ready
+from tests.support.proxied_link import PLANTED, Holds, Stopwatch, fresh, through
+from tests.support.watched_store import config_of
 
 
 def online(count: int) -> Holds:

@@ -12,13 +12,13 @@ from fleet_tui.simulator.faults import play, wire
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.kept import linked
 from tests.faults.report import report
-from tests.faults.shown import shown
 from tests.faults.test_bridge import all_online, raised
-from tests.faults.through import Stopwatch, lost, usual
-from tests.fleets import place_order
-from tests.linked import finished, ready
+from tests.support.fleets import place_order
+from tests.support.invariants import linked
+from tests.support.links import finished, ready
+from tests.support.proxied_link import Stopwatch, lost, usual
+from tests.support.shown_text import shown
 
 
 @pytest.fixture

@@ -22,10 +22,10 @@ from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import ConfigError
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.records import Keyframe
-from tests.faults.in_terminal import in_terminal
-from tests.faults.kept import linked
-from tests.faults.through import lost
-from tests.watched import config_of
+from tests.support.invariants import linked
+from tests.support.proxied_link import lost
+from tests.support.terminal_session import in_terminal
+from tests.support.watched_store import config_of
 
 WORD = "Bearer s3same-0pen"
 SHARED = "0123456789abcdef"

@@ -25,8 +25,8 @@ with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"])
     from fleet_tui.recording.records import Keyframe, RecordingError
     from fleet_tui.text.sanitize import cell_width, fit, sanitize
     from fleet_tui.themes import load_themes, read_theme
-    from tests.adapting import adapter_of
-    from tests.journal.recordings import header, keyframe, packed
+    from tests.support.adapters import adapter_of
+    from tests.support.recordings import header, keyframe, packed
 
 SLOWEST = 1.0
 """Seconds of the processor: a busy machine is no failure. What waits for ever, libFuzzer ends."""

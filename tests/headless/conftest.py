@@ -9,7 +9,7 @@ from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.running import config_file
+from tests.support.cli import config_file
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.audit.log import encode
-from tests.journal.records import record
+from tests.support.records import record
 
 
 @pytest.fixture

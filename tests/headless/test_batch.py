@@ -7,7 +7,7 @@ import pytest
 
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.running import asked, audited, config_file, run
+from tests.support.cli import asked, audited, config_file, run
 
 TWICE = "# the same order twice\n\n  robot_0 Base > Consumidores\nrobot_0 Base > Consumidores\n"
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.running import config_file, run
+from tests.support.cli import config_file, run
 
 
 def packed(folder: Path) -> dict[str, str]:

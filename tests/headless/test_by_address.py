@@ -16,8 +16,8 @@ from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import PLANTS
-from tests.headless.running import asked, run
+from tests.support.cli import asked, run
+from tests.support.site_faults import PLANTS
 
 
 @contextmanager

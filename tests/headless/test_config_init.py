@@ -18,8 +18,8 @@ from fleet_tui.config.schema import Config, Link
 from fleet_tui.discovery.config_text import render
 from fleet_tui.discovery.recognition import discover
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import PLANTS, only_listened_to, renamed, retyped
-from tests.headless.running import Ended, run
+from tests.support.cli import Ended, run
+from tests.support.site_faults import PLANTS, only_listened_to, renamed, retyped
 
 TOPICS, SERVICES = VOCABULARY.topics, VOCABULARY.services
 

@@ -16,8 +16,8 @@ from fleet_tui.discovery.recognition import discover
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import renamed
-from tests.headless.running import run
+from tests.support.cli import run
+from tests.support.site_faults import renamed
 
 ODOM, AMCL = "nav_msgs/msg/Odometry", "geometry_msgs/msg/PoseWithCovarianceStamped"
 BATTERY, MAP, TEXT = "sensor_msgs/msg/BatteryState", "nav_msgs/msg/OccupancyGrid", "std_msgs/msg/String"

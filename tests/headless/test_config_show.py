@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from fleet_tui.cli.config.origins import lines_of, values
 from fleet_tui.config.schema import Config, Link
-from tests.headless.running import run
+from tests.support.cli import run
 
 TEXT = """\
 [rosbridge]

@@ -17,8 +17,8 @@ from PIL import Image
 from fleet_tui.config.schema import Config
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import PLANTS, renamed, retyped
-from tests.headless.running import config_file, run, started
+from tests.support.cli import config_file, run, started
+from tests.support.site_faults import PLANTS, renamed, retyped
 
 TEXT = ("subject", "check", "verdict", "measured")
 

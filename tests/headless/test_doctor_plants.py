@@ -21,7 +21,7 @@ from fleet_tui.doctor.run import doctor
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros_types import ServiceType
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.plants import (
+from tests.support.site_faults import (
     NAV2_PLANTS,
     PLANTS,
     ROS_2_PLANTS,
@@ -31,7 +31,7 @@ from tests.headless.plants import (
     tls_server,
     web_server,
 )
-from tests.watched import config_of
+from tests.support.watched_store import config_of
 
 TIMEOUT = 9.0
 IS_ACTIVE = "/robot_0/lifecycle_manager_navigation/is_active"

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.running import asked, run
+from tests.support.cli import asked, run
 
 
 async def test_it_waits_until_it_is_driven(server: RosbridgeServer, folder: Path) -> None:

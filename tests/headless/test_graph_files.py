@@ -11,7 +11,7 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.records import Told
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.warehouse import build_floor
-from tests.headless.running import asked, config_file, run
+from tests.support.cli import asked, config_file, run
 
 MUTE = 'graph = ""\nlabels = ""\n'
 NOWHERE = {"properties": {"id": 999, "startid": 0, "endid": 77}, "geometry": {"type": "LineString"}}

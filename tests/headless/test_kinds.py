@@ -13,8 +13,8 @@ from fleet_tui.cli.status.status import status
 from fleet_tui.config.schema import Config
 from fleet_tui.doctor.run import doctor
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.running import asked, run
-from tests.made_up import mixed
+from tests.support.cli import asked, run
+from tests.support.made_up_kind import mixed
 
 
 @pytest.fixture

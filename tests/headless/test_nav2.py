@@ -10,8 +10,8 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.records import Keyframe
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from fleet_tui.simulator.ros.goals import EXECUTING, SUCCEEDED
-from tests.headless.running import audited, run
-from tests.nav2_site import Site, nav2_site
+from tests.support.cli import audited, run
+from tests.support.nav2_site import Site, nav2_site
 
 FAR = (35.0, 20.0)
 

@@ -16,7 +16,7 @@ from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.frames import Frame, Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.running import Ended, asked, audited, config_file, run, started
+from tests.support.cli import Ended, asked, audited, config_file, run, started
 
 STAGES = ("checked", "sent", "accepted", "confirmed")
 ORDER = ("order", "robot_0", "Base", "Consumidores")

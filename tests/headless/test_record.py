@@ -11,7 +11,7 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Heard, Keyframe, RecordingError, Sent, Told
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.running import config_file, run, started
+from tests.support.cli import config_file, run, started
 
 
 async def grown(path: Path, records: int, within: float = 20.0) -> Recording:

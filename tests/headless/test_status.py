@@ -13,8 +13,8 @@ from msgspec.structs import replace
 
 from fleet_tui.cli.status.report import attention, changes, report
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.fleets import LINK, T0, fleet, link_up, tick, told
-from tests.headless.running import config_file, run, started
+from tests.support.cli import config_file, run, started
+from tests.support.fleets import LINK, T0, fleet, link_up, tick, told
 
 
 async def test_all_well_is_0_and_the_whole_fleet(server: RosbridgeServer, tmp_path: Path) -> None:

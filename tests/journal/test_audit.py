@@ -31,7 +31,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.events import AlarmAcknowledged, CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
-from tests.fleets import (
+from tests.support.fleets import (
     F0,
     R0,
     T0,
@@ -45,8 +45,8 @@ from tests.fleets import (
     tick,
     told,
 )
-from tests.journal.records import ANA, known_fleet, read, record, watched
-from tests.watched import config_of
+from tests.support.records import ANA, known_fleet, read, record, watched
+from tests.support.watched_store import config_of
 
 ORDER = place_order(R0, 1, 2)
 

@@ -14,7 +14,7 @@ import pytest
 from fleet_tui.audit.file import KEPT, AuditFile, part
 from fleet_tui.audit.log import encode
 from fleet_tui.audit.reader import AuditReader
-from tests.journal.records import record
+from tests.support.records import record
 
 # Appends numbered records, and says each number once the record is written.
 WRITER = """

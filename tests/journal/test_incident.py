@@ -15,7 +15,7 @@ from fleet_tui.audit.log import Audit, encode
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.recording.incident import Incident, collect, examined
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.watched import config_of
+from tests.support.watched_store import config_of
 
 
 def opened(path: Path) -> dict[str, str]:

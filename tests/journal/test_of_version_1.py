@@ -36,7 +36,7 @@ from fleet_tui.recording.records import RecordingError, Told, decode
 from fleet_tui.rules.language.grammar import written
 from fleet_tui.view.tables.audit import line_text
 from fleet_tui.view.tables.queue import queue_table
-from tests.fleets import order, order_queue, text_of
+from tests.support.fleets import order, order_queue, text_of
 
 FILES = Path(__file__).parent / "of_version_1"
 RECORDING = FILES / "recording.jsonl.gz"

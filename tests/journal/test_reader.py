@@ -13,7 +13,7 @@ from fleet_tui.audit import reader
 from fleet_tui.audit.file import part
 from fleet_tui.audit.log import encode
 from fleet_tui.audit.reader import AuditReader
-from tests.journal.records import record
+from tests.support.records import record
 
 WHOLE = encode(record("r"))
 FOREIGN = [

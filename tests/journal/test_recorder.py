@@ -30,10 +30,10 @@ from fleet_tui.recording.taps import Taps
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.reducer import apply
 from fleet_tui.state.store import Store
-from tests.fleets import T0, WALL, fleet
-from tests.journal.recordings import plain
-from tests.linked import finished, ready
-from tests.watched import WatchedStore, config_of
+from tests.support.fleets import T0, WALL, fleet
+from tests.support.links import finished, ready
+from tests.support.recordings import plain
+from tests.support.watched_store import WatchedStore, config_of
 
 ORIGIN = Origin("ana", "here:1", "r")
 CONFIG = config_of("ws://site:9090")

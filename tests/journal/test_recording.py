@@ -19,8 +19,8 @@ from fleet_tui.model.events import LinkHeard, TimePassed
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.parts import part_path, parts_beside
 from fleet_tui.recording.records import Heard, Keyframe, Lost, Mark, Record, RecordingError, Told, encode
-from tests.fleets import LINK, T0, WALL, fleet, told
-from tests.journal.recordings import PACKER, header, keyframe, packed, plain, written
+from tests.support.fleets import LINK, T0, WALL, fleet, told
+from tests.support.recordings import PACKER, header, keyframe, packed, plain, written
 
 ENTRY = Origin("ana", "here:1", "r").record(WALL, kind="alarm", what="offline", change="raised")
 

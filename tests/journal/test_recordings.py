@@ -16,8 +16,8 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.recordings import Recordings, remove_stale
 from fleet_tui.recording.records import RecordingError
 from fleet_tui.state.store import Store
-from tests.fleets import T0, WALL, fleet
-from tests.watched import config_of
+from tests.support.fleets import T0, WALL, fleet
+from tests.support.watched_store import config_of
 
 CONFIG = config_of("ws://site:9090")
 

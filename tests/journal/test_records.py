@@ -27,10 +27,10 @@ from fleet_tui.recording.records import (
     encode,
     public,
 )
-from tests.fleets import battery, fleet, graph, labels, pose, tick, told
-from tests.journal.recordings import header, keyframe, plain
 from tests.model.test_fleet_properties import ANY, FACTS
-from tests.watched import config_of
+from tests.support.fleets import battery, fleet, graph, labels, pose, tick, told
+from tests.support.recordings import header, keyframe, plain
+from tests.support.watched_store import config_of
 
 NUMBERS = st.floats()
 GRID = build_grid(MapFrame(0.05, 5, 3, Pose(-1.0, 2.0)), np.arange(15, dtype=np.uint8).reshape(3, 5) % 3)

@@ -15,8 +15,8 @@ from fleet_tui.audit.export import COLUMNS, cell, export, write_csv
 from fleet_tui.audit.search import moment, search_of
 from fleet_tui.errors import FleetError
 from fleet_tui.model.audit_record import AuditRecord
-from tests.fleets import WALL
-from tests.journal.records import ANA, record
+from tests.support.fleets import WALL
+from tests.support.records import ANA, record
 
 NOW = datetime.fromtimestamp(WALL, UTC) + timedelta(hours=3)
 REFUSED = record("no way", change="refused", what="order", start="1", start_label="Base", end="3", id=42)

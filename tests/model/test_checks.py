@@ -18,7 +18,7 @@ from fleet_tui.model.order import Stop, vertices_of
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request, chain
 from fleet_tui.rules.commands.checks import CHECKS, FIRST, problems, repeated
-from tests.fleets import (
+from tests.support.fleets import (
     F0,
     LINK,
     R0,

@@ -20,7 +20,19 @@ from fleet_tui.model.events import CommandAdvanced, Event, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.request import chain
-from tests.fleets import R0, T0, commanded, fleet, link_lost, link_up, place_order, pose, queue, tick, told
+from tests.support.fleets import (
+    R0,
+    T0,
+    commanded,
+    fleet,
+    link_lost,
+    link_up,
+    place_order,
+    pose,
+    queue,
+    tick,
+    told,
+)
 
 ORDER = place_order(R0, 1, 2)
 SENT, ACCEPTED, UNKNOWN, NO_ANSWER = Stage.SENT, Stage.ACCEPTED, Stage.UNKNOWN, Stage.NO_ANSWER

@@ -7,7 +7,7 @@ from fleet_tui.model import events
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from tests.fleets import (
+from tests.support.fleets import (
     LINK,
     R0,
     T0,

@@ -18,7 +18,7 @@ from fleet_tui.model.counters import (
     TopicCounter,
 )
 from fleet_tui.model.ros_logs import LogLine, PartDiagnosis
-from tests.fleets import T0
+from tests.support.fleets import T0
 
 
 def flow(times: list[float], size: int = 100) -> Flow:

@@ -12,7 +12,7 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.state.command_events import COMMANDS_KEPT
 from fleet_tui.text.durations import age
-from tests.fleets import (
+from tests.support.fleets import (
     F0,
     LINK,
     R0,

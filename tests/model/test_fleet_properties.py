@@ -25,7 +25,7 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
-from tests.fleets import LINK, T0, fleet, told
+from tests.support.fleets import LINK, T0, fleet, told
 
 AT = st.floats(T0, T0 + 1e4)
 NUMBERS = st.floats(allow_nan=False, allow_infinity=False)

@@ -5,7 +5,7 @@ from msgspec.structs import replace
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
-from tests.fleets import F0, fleet, graph, labels, told
+from tests.support.fleets import F0, fleet, graph, labels, told
 
 FILE = FloorGraphLoaded(F0, graph(1, 2).graph, {"1": "Base"}, "graph g.json: vertex 1 is there twice")
 

@@ -19,7 +19,7 @@ from fleet_tui.model.kind import ORDER_TO, Kind
 from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
 from fleet_tui.rules.language.completion import complete, is_command
 from fleet_tui.rules.language.grammar import parse, parse_words, written
-from tests.fleets import R0, commanded, fleet, graph, labels, of_kinds, place_order, queue, told
+from tests.support.fleets import R0, commanded, fleet, graph, labels, of_kinds, place_order, queue, told
 
 NAMED = {1: "Base", 2: "Consumidores", 3: "Dock 7", 4: "Lab > base", 5: "Joe's", 6: "x-"}
 R1 = "robot_1"

@@ -27,7 +27,7 @@ from fleet_tui.rules.commands.keeping import next_to_send, waiting
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.lines.questions import question
 from fleet_tui.view.tables.fleet import fleet_table
-from tests.fleets import (
+from tests.support.fleets import (
     R0,
     T0,
     commanded,
@@ -41,7 +41,7 @@ from tests.fleets import (
     text_of,
     tick,
 )
-from tests.fleets import told as after
+from tests.support.fleets import told as after
 
 KIND = Kind(
     "goals",

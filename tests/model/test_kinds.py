@@ -18,7 +18,7 @@ from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
 from fleet_tui.rules.language.completion import complete
 from fleet_tui.rules.language.lookup import destination_only, may_skip_start
 from fleet_tui.rules.why.why import reasons
-from tests.fleets import (
+from tests.support.fleets import (
     R0,
     T0,
     battery,

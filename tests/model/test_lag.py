@@ -2,7 +2,7 @@
 
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.fleet import FleetState
-from tests.fleets import LINK, R0, T0, WALL, battery, fleet, link_up, pose, queue, told
+from tests.support.fleets import LINK, R0, T0, WALL, battery, fleet, link_up, pose, queue, told
 
 
 def tick(at: float, behind: float = 0.0) -> TimePassed:

@@ -20,7 +20,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.model.request import given_now
 from fleet_tui.rules.commands.keeping import foreign, next_to_send, to_keep
-from tests.fleets import F0, R0, T0, fleet, graph, link_up, tick, told
+from tests.support.fleets import F0, R0, T0, fleet, graph, link_up, tick, told
 
 KIND = MoveBase(Profile(kind="move_base"), Site()).kind
 ON, DONE, FAILED, OFF, REFUSED = (

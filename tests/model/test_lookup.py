@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from fleet_tui.model.events import CargoReported
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, destination_only, matches, places, plain_id
-from tests.fleets import F0, R0, T0, fleet, graph, labels, pose, queue, told
+from tests.support.fleets import F0, R0, T0, fleet, graph, labels, pose, queue, told
 
 NAMED = {1: "Base", 2: "Consumidores", 3: "Dock 7", 7: "Lab base"}
 

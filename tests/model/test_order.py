@@ -32,7 +32,7 @@ from fleet_tui.model.order import (
     route_text,
 )
 from fleet_tui.rules.commands.pauses import WAITS
-from tests.fleets import R0, T0, commanded, fleet, graph, link_up, place_order, pose, tick, told
+from tests.support.fleets import R0, T0, commanded, fleet, graph, link_up, place_order, pose, tick, told
 
 GOAL = "3f2a-77"
 ORDER = place_order(R0, "dock A", "7b")

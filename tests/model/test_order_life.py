@@ -14,7 +14,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported, QueueReported
 from fleet_tui.model.fleet import FleetState
-from tests.fleets import (
+from tests.support.fleets import (
     R0,
     T0,
     commanded,

@@ -9,7 +9,7 @@ from fleet_tui.model.events import Event, GraphReceived, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Reading, Robot
-from tests.fleets import F0, R0, T0, battery, commanded, fleet, graph, labels, pose, queue, tick, told
+from tests.support.fleets import F0, R0, T0, battery, commanded, fleet, graph, labels, pose, queue, tick, told
 
 HOURS = 3600.0
 

@@ -30,7 +30,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.robot import SimOrder
-from tests.fleets import (
+from tests.support.fleets import (
     R0,
     T0,
     battery,
@@ -46,7 +46,7 @@ from tests.fleets import (
     tick,
     told,
 )
-from tests.planted import Planted
+from tests.support.planted_fleet import Planted
 
 BASE, CONSUMIDORES, PACKING, CHARGER = 0, 19, 17, 15
 AWAY = place_order(R0, CONSUMIDORES, BASE)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from fleet_tui.config.load import read
 from fleet_tui.recording.indexing import open_recording
-from tests.faults.in_terminal import exists, in_terminal
+from tests.support.terminal_session import exists, in_terminal
 
 
 def test_what_one_console_packs_another_replays(tmp_path: Path) -> None:

@@ -10,11 +10,11 @@ from fleet_tui.app import FleetApp
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import console
-from tests.fleets import R0, T0, WALL
-from tests.playback.replayed import replayed
-from tests.playback.taped import MadeUp, shift
-from tests.watched import config_of
+from tests.support.console_pilot import console
+from tests.support.fleets import R0, T0, WALL
+from tests.support.replay_console import replayed
+from tests.support.tapes import MadeUp, shift
+from tests.support.watched_store import config_of
 
 
 def clock(second: float) -> str:

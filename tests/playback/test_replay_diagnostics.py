@@ -6,11 +6,11 @@ import pytest
 
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording.records import Heard
-from tests.fleets import LINK, R0, T0, WALL, link_up
-from tests.playback.replayed import replayed
-from tests.playback.taped import MadeUp
 from tests.playback.test_replay_console import at
-from tests.watched import config_of
+from tests.support.fleets import LINK, R0, T0, WALL, link_up
+from tests.support.replay_console import replayed
+from tests.support.tapes import MadeUp
+from tests.support.watched_store import config_of
 
 POSE = f"/{R0}/pose"
 FRAME = (

@@ -23,11 +23,11 @@ from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Told
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.fleets import place_order
-from tests.journal.recordings import plain
-from tests.linked import finished, phase, ready
-from tests.playback.taped import ORIGIN, shift
-from tests.watched import WatchedStore, config_of
+from tests.support.fleets import place_order
+from tests.support.links import finished, phase, ready
+from tests.support.recordings import plain
+from tests.support.tapes import ORIGIN, shift
+from tests.support.watched_store import WatchedStore, config_of
 
 
 async def eventful(link: FleetLink, store: WatchedStore, server: RosbridgeServer, image: Path) -> None:

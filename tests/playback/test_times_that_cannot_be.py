@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.model.events import TimePassed
-from tests.fleets import T0, link_up
-from tests.playback.replayed import replayed
-from tests.playback.taped import MadeUp
-from tests.watched import config_of
+from tests.support.fleets import T0, link_up
+from tests.support.replay_console import replayed
+from tests.support.tapes import MadeUp
+from tests.support.watched_store import config_of
 
 
 @pytest.mark.parametrize("wall", [1e308, -1e308, math.inf, math.nan])

@@ -18,10 +18,10 @@ from fleet_tui.recording.records import Heard, Told
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.journal.recordings import plain
-from tests.playback.taped import ORIGIN
 from tests.playback.test_same_states import Ticking
-from tests.watched import config_of
+from tests.support.recordings import plain
+from tests.support.tapes import ORIGIN
+from tests.support.watched_store import config_of
 
 SIDE = 3000
 """Large enough for a process of its own."""

@@ -5,8 +5,8 @@ import pytest
 from fleet_tui.model.commands import Stage
 from fleet_tui.simulator.faults import wire
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import console
-from tests.scenarios.stage import (
+from tests.support.console_pilot import console
+from tests.support.scenario import (
     NO_ANSWER_AFTER,
     R0,
     calls,

@@ -4,8 +4,8 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import console
-from tests.scenarios.stage import R0, calls, ended, hasty, heard_anew, order, patient, plant, stages
+from tests.support.console_pilot import console
+from tests.support.scenario import R0, calls, ended, hasty, heard_anew, order, patient, plant, stages
 
 SENT = [Stage.CHECKED, Stage.SENT]
 

@@ -9,10 +9,10 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import console
-from tests.fleets import place_order
-from tests.scenarios.stage import R0, calls, ended, order, patient, requests, stages
-from tests.watched import WatchedStore
+from tests.support.console_pilot import console
+from tests.support.fleets import place_order
+from tests.support.scenario import R0, calls, ended, order, patient, requests, stages
+from tests.support.watched_store import WatchedStore
 
 SENT = [Stage.CHECKED, Stage.SENT]
 BASE, CONSUMIDORES = 0, 19

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.nav2_site import Site, nav2_site
+from tests.support.nav2_site import Site, nav2_site
 
 
 @pytest.fixture

@@ -7,8 +7,8 @@ import msgspec
 
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import Console, console
-from tests.watched import config_of
+from tests.support.console_pilot import Console, console
+from tests.support.watched_store import config_of
 
 
 @asynccontextmanager

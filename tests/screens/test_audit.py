@@ -15,9 +15,9 @@ from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import auditing, encode
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import Console, console
-from tests.journal.records import record
-from tests.watched import config_of
+from tests.support.console_pilot import Console, console
+from tests.support.records import record
+from tests.support.watched_store import config_of
 
 
 @asynccontextmanager

@@ -12,8 +12,8 @@ from fleet_tui.model.link import Phase
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import Console, console
-from tests.watched import config_of
+from tests.support.console_pilot import Console, console
+from tests.support.watched_store import config_of
 
 
 def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:

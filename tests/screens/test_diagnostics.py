@@ -12,8 +12,8 @@ import pytest
 from fleet_tui.log_file import TAIL
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import Console, console
-from tests.watched import config_of
+from tests.support.console_pilot import Console, console
+from tests.support.watched_store import config_of
 
 OVERHEARD = ["/rosout", "/diagnostics"]
 BATTERY = "/robot_0/battery"

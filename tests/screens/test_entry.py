@@ -8,10 +8,10 @@ from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import Console, console
-from tests.fleets import place_order
 from tests.screens.test_commands import one_packet, place, sent, vertex
-from tests.watched import config_of
+from tests.support.console_pilot import Console, console
+from tests.support.fleets import place_order
+from tests.support.watched_store import config_of
 
 
 def wish(it: Console) -> str:

@@ -11,7 +11,7 @@ from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import console
+from tests.support.console_pilot import console
 
 
 @pytest.fixture

@@ -10,9 +10,9 @@ from fleet_tui.config.schema import Config
 from fleet_tui.screens import held
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
-from tests import console_pilot
-from tests.console_pilot import console
-from tests.watched import config_of
+from tests.support import console_pilot
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
 
 
 @pytest.fixture

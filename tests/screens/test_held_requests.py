@@ -7,7 +7,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.request import Request
 from fleet_tui.screens.held import LINK_WITHIN, PAUSE_WITHIN, Held
-from tests.fleets import fleet, place_order
+from tests.support.fleets import fleet, place_order
 
 UP = LinkState("far", "ws://far:9090", Phase.UP, commands_connected=True)
 STARTING = LinkState("far", "ws://far:9090")

@@ -5,8 +5,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import console
-from tests.watched import config_of
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
 
 
 async def test_a_key_packs_and_says_where(server: RosbridgeServer, tmp_path: Path) -> None:

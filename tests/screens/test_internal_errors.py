@@ -13,8 +13,8 @@ from fleet_tui.screens import main
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.tables.fleet import fleet_table
-from tests.console_pilot import console
-from tests.watched import config_of
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
 
 SAID = "internal error: broken here (details in the log file)"
 

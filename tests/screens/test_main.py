@@ -5,8 +5,8 @@ import pytest
 from fleet_tui.keys import KEYS
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.map.drawing import Drawing
-from tests.console_pilot import console
-from tests.watched import config_of
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
 
 
 @pytest.mark.parametrize("size", [(120, 40), (80, 24)])

@@ -14,8 +14,8 @@ from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
 from fleet_tui.view.tables.table import Table
-from tests.console_pilot import Console, console
-from tests.mixed_site import MOVE_BASE, NAV2, OH, MixedSite, mixed_site
+from tests.support.console_pilot import Console, console
+from tests.support.mixed_site import MOVE_BASE, NAV2, OH, MixedSite, mixed_site
 
 KINDS = {OH: "oh_ressources", MOVE_BASE: "move_base", NAV2: "nav2"}
 WIDE = 400

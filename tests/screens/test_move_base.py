@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.model.commands import Stage
-from tests.console_pilot import console
-from tests.move_base_site import MoveBaseSite, move_base_site
-from tests.nav2_site import placed
+from tests.support.console_pilot import console
+from tests.support.move_base_site import MoveBaseSite, move_base_site
+from tests.support.nav2_site import placed
 
 
 @pytest.fixture

@@ -5,8 +5,8 @@ import pytest
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.nav2.navigation import TO_POSE
-from tests.console_pilot import Console, console
-from tests.nav2_site import Holds, Site, placed
+from tests.support.console_pilot import Console, console
+from tests.support.nav2_site import Holds, Site, placed
 
 R0 = "robot_0"
 WIDE = (220, 40)

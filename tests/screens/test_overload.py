@@ -8,8 +8,8 @@ from fleet_tui.adapters.ros.reading import FrameReader, Read
 from fleet_tui.client import telemetry
 from fleet_tui.model.commands import Stage
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import console
-from tests.watched import config_of
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
 
 LARGE = '{"op":"publish","topic":"/robot_1/cargo","msg":{"data":true}%s}' % (" " * 150_000)
 

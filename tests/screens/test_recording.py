@@ -6,8 +6,8 @@ from pathlib import Path
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.records import Heard, Keyframe, Mark, Sent
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import Console, console
-from tests.watched import config_of
+from tests.support.console_pilot import Console, console
+from tests.support.watched_store import config_of
 
 
 async def record(running: Console) -> None:

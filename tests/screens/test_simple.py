@@ -7,9 +7,9 @@ from fleet_tui.model.events import LabelsReceived
 from fleet_tui.screens.simple import Simple
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.sanitize import sanitize
-from tests.console_pilot import Console, console
 from tests.screens.test_commands import sent, vertex
-from tests.watched import config_of
+from tests.support.console_pilot import Console, console
+from tests.support.watched_store import config_of
 
 
 async def pick_by_arrows(it: Console, label: str) -> None:

@@ -12,9 +12,9 @@ from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
-from tests.console_pilot import console
-from tests.played_terminal import PlayedDriver, shown, terminal_of
-from tests.watched import config_of
+from tests.support.console_pilot import console
+from tests.support.terminal import PlayedDriver, shown, terminal_of
+from tests.support.watched_store import config_of
 
 
 def test_the_first_picture_needs_no_numpy() -> None:

@@ -8,8 +8,8 @@ from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.why import Why
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import Console, console
-from tests.watched import config_of
+from tests.support.console_pilot import Console, console
+from tests.support.watched_store import config_of
 
 
 def plant(server: RosbridgeServer, faults: str) -> None:

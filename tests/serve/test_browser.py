@@ -9,8 +9,8 @@ import pytest
 from PIL import Image
 
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.serve.browser import CHROMIUM, browser
-from tests.serve.serving import serving, until
+from tests.support.browser import CHROMIUM, browser
+from tests.support.serve import serving, until
 
 pytestmark = [
     pytest.mark.skipif(CHROMIUM is None, reason="no chromium is installed"),

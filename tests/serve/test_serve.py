@@ -16,8 +16,8 @@ from websockets.typing import Origin
 
 from fleet_tui.serve.run import MOST_TABS
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.headless.running import config_file, run
-from tests.serve.serving import Serving, about, serving, until
+from tests.support.cli import config_file, run
+from tests.support.serve import Serving, about, serving, until
 
 
 async def get(serving: Serving, path: str = "", **headers: str) -> tuple[int, str, str]:

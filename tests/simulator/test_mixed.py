@@ -23,7 +23,7 @@ from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED, Crew, SitedBridge, faults_of, site_of
-from tests.simulator.nav2.wire import Json, call, listen, until
+from tests.support.nav2_client import Json, call, listen, until
 
 URLS = "ws://one:1", "ws://two:2"
 

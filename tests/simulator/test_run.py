@@ -17,7 +17,7 @@ from fleet_tui.demo import demo_config, simulated
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.adapting import names_of
+from tests.support.adapters import names_of
 
 PROGRAM = """
 from fleet_tui.simulator.run import run

@@ -11,9 +11,9 @@ from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.words import DIAGNOSTICS, Talk
 from tests.client.test_counting import counter, until
-from tests.fleets import WALL
-from tests.linked import linked, ready
-from tests.watched import config_of
+from tests.support.fleets import WALL
+from tests.support.links import linked, ready
+from tests.support.watched_store import config_of
 
 # genmsg's field lists of rosgraph_msgs/Log and diagnostic_msgs/DiagnosticStatus.
 LOG_FIELDS = {"header", "level", "name", "msg", "file", "function", "line", "topics"}

@@ -10,8 +10,8 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.terminal.annunciator import Annunciator, notification
 from fleet_tui.terminal.lean_app import LeanApp
-from tests.fleets import R0, T0, battery, fleet, link_up, tick, told
-from tests.played_terminal import PlayedDriver, paint, shown, terminal_of
+from tests.support.fleets import R0, T0, battery, fleet, link_up, tick, told
+from tests.support.terminal import PlayedDriver, paint, shown, terminal_of
 
 ALL = ["high", "medium", "low"]
 

@@ -20,7 +20,7 @@ from fleet_tui.terminal.lean_app import LeanApp, textual_fits
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
-from tests.played_terminal import PlayedDriver, intended, paint, shown, terminal_of
+from tests.support.terminal import PlayedDriver, intended, paint, shown, terminal_of
 
 SIDE = 300
 STYLES = load_themes()[0]["dark"].styles()

@@ -14,8 +14,8 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
-from tests.played_terminal import PlayedDriver, shown, terminal_of
-from tests.watched import config_of
+from tests.support.terminal import PlayedDriver, shown, terminal_of
+from tests.support.watched_store import config_of
 
 
 @pytest.fixture

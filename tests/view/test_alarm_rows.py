@@ -4,7 +4,7 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
-from tests.fleets import LINK, R0, T0, WALL, battery, fleet, link_lost, link_up, text_of, tick, told
+from tests.support.fleets import LINK, R0, T0, WALL, battery, fleet, link_lost, link_up, text_of, tick, told
 
 
 def clock(wall: float) -> str:

@@ -14,7 +14,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.lines.commands import command_text, message_line
 from fleet_tui.view.roles import StyleRole
-from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, text_of, tick, told
+from tests.support.fleets import R0, T0, commanded, fleet, graph, labels, place_order, text_of, tick, told
 
 WIDE = 300
 

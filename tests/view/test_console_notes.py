@@ -1,7 +1,7 @@
 """What the console says of itself."""
 
 from fleet_tui.view.lines.status import console_notes
-from tests.fleets import fleet
+from tests.support.fleets import fleet
 
 
 def test_a_calm_console_says_nothing() -> None:

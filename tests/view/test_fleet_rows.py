@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import CARGO, fleet_table, mission
 from fleet_tui.view.tables.table import Run
-from tests.fleets import (
+from tests.support.fleets import (
     R0,
     T0,
     battery,

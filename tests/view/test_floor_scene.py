@@ -13,7 +13,7 @@ from fleet_tui.model.occupancy import build_grid, grid_from_ros
 from fleet_tui.view.map.floor_scene import chart_robot, floor_scene
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.selection import Selection
-from tests.fleets import F0, R0, T0, battery, fleet, graph, labels, pose, queue, tick, told
+from tests.support.fleets import F0, R0, T0, battery, fleet, graph, labels, pose, queue, tick, told
 
 FRAME = MapFrame(0.5, 4, 2, Pose(-1.0, -1.0))
 GRID = grid_from_ros(FRAME, bytes(8))

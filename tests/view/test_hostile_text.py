@@ -22,7 +22,7 @@ from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import CANCEL, queue_table
 from fleet_tui.view.tables.table import Row, Run, Table, column, cut, width_of
-from tests.fleets import (
+from tests.support.fleets import (
     F0,
     LINK,
     R0,

@@ -18,7 +18,7 @@ from fleet_tui.view.tables.fleet import CARGO, fleet_table
 from fleet_tui.view.tables.queue import CANCEL as CANCEL_BUTTON
 from fleet_tui.view.tables.queue import CLEAR as CLEAR_BUTTON
 from fleet_tui.view.tables.queue import queue_table
-from tests.fleets import (
+from tests.support.fleets import (
     R0,
     T0,
     battery,

@@ -13,7 +13,7 @@ from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.map.scene import Mission, Scene
 from fleet_tui.view.selection import Selection
-from tests.fleets import F0, R0, T0, fleet, graph, pose, queue, tick, told
+from tests.support.fleets import F0, R0, T0, fleet, graph, pose, queue, tick, told
 
 F1 = "floor_1"
 Metres = tuple[float, float]

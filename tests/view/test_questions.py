@@ -7,8 +7,8 @@ from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request, chain
 from fleet_tui.view.lines.questions import losses, question, wish_text
 from fleet_tui.view.tables.order_story import origin
-from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, queue, tick, told
-from tests.fleets import order as listed
+from tests.support.fleets import R0, T0, commanded, fleet, graph, labels, place_order, queue, tick, told
+from tests.support.fleets import order as listed
 
 STATE = told(
     fleet(2), graph(1, 2, 3), labels({1: "Base", 2: "Store"}), queue(T0, (4, 1, 2, "W"), (5, 2, 1, "Q"))

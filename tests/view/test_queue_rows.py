@@ -12,7 +12,19 @@ from fleet_tui.text.sanitize import cells_of
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.queue import CANCEL, CLEAR, queue_table
 from fleet_tui.view.tables.table import Button, Run, width_of
-from tests.fleets import R0, T0, commanded, fleet, graph, labels, place_order, queue, text_of, tick, told
+from tests.support.fleets import (
+    R0,
+    T0,
+    commanded,
+    fleet,
+    graph,
+    labels,
+    place_order,
+    queue,
+    text_of,
+    tick,
+    told,
+)
 
 WIDTHS = range(20, 121)
 ORDERS = ((11, 1, 2, "Q"), (12, 2, 3, "W"), (15, 3, 99, "X"))

@@ -17,7 +17,7 @@ from fleet_tui.view.tables.raw_message import (
     raw_lines,
     raw_table,
 )
-from tests.fleets import T0
+from tests.support.fleets import T0
 from tests.view.test_hostile_text import TEXTS, harmless
 
 PLAIN = st.recursive(

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.view.selection import Selection, first_selection
-from tests.fleets import F0, R0, T0, battery, fleet, pose, told
+from tests.support.fleets import F0, R0, T0, battery, fleet, pose, told
 
 
 def test_the_first_robot_of_the_config_and_its_first_floor() -> None:

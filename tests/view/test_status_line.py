@@ -12,7 +12,7 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.view.lines.hints import hints
 from fleet_tui.view.lines.status import status_line
 from fleet_tui.view.roles import StyleRole
-from tests.fleets import (
+from tests.support.fleets import (
     LINK,
     R0,
     T0,
@@ -24,7 +24,7 @@ from tests.fleets import (
     tick,
     told,
 )
-from tests.watched import config_of
+from tests.support.watched_store import config_of
 
 
 def line(state: FleetState, *notes: str) -> str:

@@ -17,7 +17,7 @@ from fleet_tui.view.lines.time import (
     told,
 )
 from fleet_tui.view.roles import StyleRole
-from tests.fleets import text_of
+from tests.support.fleets import text_of
 
 ALARM = TimeMark(150.0, MarkKind.ALARM, "robot_0 offline")
 COMMAND = TimeMark(150.0, MarkKind.COMMAND, "robot_0 pause")

@@ -4,8 +4,8 @@ from fleet_tui.keymap import keymap
 from fleet_tui.model.events import CargoReported, PoseReported
 from fleet_tui.model.geometry import Pose
 from fleet_tui.view.lines.why import SHOWN, why_lines
-from tests.fleets import R0, T0, fleet, graph, labels, link_up, pose, queue, tick, told
-from tests.planted import Planted
+from tests.support.fleets import R0, T0, fleet, graph, labels, link_up, pose, queue, tick, told
+from tests.support.planted_fleet import Planted
 
 KEYS, _ = keymap({})
 REMAPPED, _ = keymap({"resume": "f5", "clear": "ctrl+x"})

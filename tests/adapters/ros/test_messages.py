@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros.operations import Publish, decode, decode_cbor
 from fleet_tui.errors import WireError
-from tests.fleets import recording
+from tests.support.fleets import recording
 
 POSE: dict[str, Any] = {
     "header": {"seq": 1, "stamp": {"secs": 12, "nsecs": 500_000_000}, "frame_id": "ground"},

@@ -25,7 +25,7 @@ from fleet_tui.adapters.ros.operations import (
     unsubscribe,
 )
 from fleet_tui.errors import WireError
-from tests.fleets import WIRE, recording
+from tests.support.fleets import WIRE, recording
 
 TEXTS = ["telemetry-and-orders.jsonl", "rosapi-and-scan.jsonl", "map-json.jsonl.gz"]
 

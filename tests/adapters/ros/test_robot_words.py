@@ -17,7 +17,7 @@ from fleet_tui.adapters.ros.robot_words import (
 )
 from fleet_tui.errors import WireError
 from fleet_tui.model.ros_logs import Health, Severity
-from tests.fleets import T0
+from tests.support.fleets import T0
 
 ROS1_LOG = {
     "header": {"seq": 7, "stamp": {"secs": 1, "nsecs": 2}, "frame_id": ""},

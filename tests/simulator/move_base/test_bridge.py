@@ -12,7 +12,7 @@ from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.move_base.navigation import INVALID, NO_PLAN, REACHED
 from fleet_tui.simulator.ros.actionlib import REPLACED
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.simulator.move_base.wire import (
+from tests.support.move_base_client import (
     BASE,
     CANCEL,
     FEEDBACK,
@@ -27,7 +27,7 @@ from tests.simulator.move_base.wire import (
     result,
     told,
 )
-from tests.simulator.nav2.wire import Json, call, listen, settle, until
+from tests.support.nav2_client import Json, call, listen, settle, until
 
 FAR, NEAR = pose(35.0, 20.0), pose(8.0, 0.0)
 STAMP = {"secs": int, "nsecs": int}

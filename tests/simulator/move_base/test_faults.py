@@ -14,7 +14,7 @@ from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.move_base.navigation import NO_CONTROL, NO_PLAN, REACHED
 from fleet_tui.simulator.navigating.faults import EVERY
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.simulator.move_base.wire import (
+from tests.support.move_base_client import (
     CANCEL,
     FEEDBACK,
     GOAL,
@@ -28,7 +28,7 @@ from tests.simulator.move_base.wire import (
     result,
     told,
 )
-from tests.simulator.nav2.wire import call, listen, settle, until
+from tests.support.nav2_client import call, listen, settle, until
 
 FAR, NEAR = pose(35.0, 20.0), pose(8.0, 0.0)
 

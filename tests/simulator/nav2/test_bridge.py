@@ -16,7 +16,7 @@ from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.simulator.nav2.wire import (
+from tests.support.nav2_client import (
     TO_POSE,
     WAYPOINTS,
     ZERO,

@@ -14,7 +14,7 @@ from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.navigating.faults import EVERY
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.simulator.nav2.wire import TO_POSE, call, give, listen, pose, result, settle, statuses, until
+from tests.support.nav2_client import TO_POSE, call, give, listen, pose, result, settle, statuses, until
 
 FAR, NEAR = pose(35.0, 20.0), pose(8.0, 0.0)
 STATUS, FEEDBACK = f"{TO_POSE}/_action/status", f"{TO_POSE}/_action/feedback"

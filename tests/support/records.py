@@ -9,7 +9,7 @@ from fleet_tui.audit.reader import AuditReader
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
-from tests.fleets import R0, T0, WALL, fleet, graph, labels, link_up, pose, told
+from tests.support.fleets import R0, T0, WALL, fleet, graph, labels, link_up, pose, told
 
 ANA = Origin("ana", "host:1", "run1")
 

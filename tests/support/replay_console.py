@@ -9,8 +9,8 @@ from fleet_tui.console import replaying
 from fleet_tui.recording.play.start import playing
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
-from tests.console_pilot import Console
-from tests.watched import WatchedStore
+from tests.support.console_pilot import Console
+from tests.support.watched_store import WatchedStore
 
 
 @asynccontextmanager

@@ -15,7 +15,7 @@ from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.nav2.navigation import SimNavigation
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.watched import WatchedStore
+from tests.support.watched_store import WatchedStore
 
 LONG_AGO = 10.0
 """Seconds: such a bridge has discovered every publisher."""

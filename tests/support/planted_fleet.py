@@ -19,8 +19,8 @@ from fleet_tui.simulator.messages import topics_of
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.reducer import apply
-from tests.fleets import LINK, R0, T0, WALL, link_up, tick
-from tests.watched import config_of
+from tests.support.fleets import LINK, R0, T0, WALL, link_up, tick
+from tests.support.watched_store import config_of
 
 STEP = 0.1
 

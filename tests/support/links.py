@@ -13,7 +13,7 @@ from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.commands import Command, CommandRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
-from tests.watched import WatchedStore
+from tests.support.watched_store import WatchedStore
 
 
 @asynccontextmanager

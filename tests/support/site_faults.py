@@ -18,7 +18,7 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.ros_types import ServiceError, ServiceType
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.certificates import sign
+from tests.support.certificates import sign
 
 Plant = Callable[[RosbridgeServer, Config], Config]
 Message = dict[str, Any]

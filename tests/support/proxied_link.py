@@ -13,10 +13,10 @@ from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.kept import linked
-from tests.faults.proxy import FaultProxy, before
-from tests.linked import ready
-from tests.watched import WatchedStore, config_of
+from tests.support.fault_proxy import FaultProxy, before
+from tests.support.invariants import linked
+from tests.support.links import ready
+from tests.support.watched_store import WatchedStore, config_of
 
 PLANTED = ("robot_1", "battery")
 """The alarm that is there before the fault."""

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import pyte
 
-from tests.faults.kept import log_is_whole
+from tests.support.invariants import log_is_whole
 
 LIBC = ctypes.CDLL(None)
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1  # linux/prctl.h, linux/capability.h

@@ -6,7 +6,7 @@ from typing import Any
 
 from websockets.asyncio.client import ClientConnection
 
-from tests.simulator.nav2.wire import Json, until
+from tests.support.nav2_client import Json, until
 
 BASE = "/robot_0/move_base"
 GOAL, CANCEL, STATUS, RESULT, FEEDBACK = (

@@ -19,7 +19,7 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.recording.recordings import Recordings
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
-from tests.watched import WatchedStore
+from tests.support.watched_store import WatchedStore
 
 
 class Console:

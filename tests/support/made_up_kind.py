@@ -11,7 +11,7 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS, Registered
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.model.kind import CANCEL, ORDER, ORDER_TO
-from tests.watched import config_of
+from tests.support.watched_store import config_of
 
 PLAIN = "plain"
 NEVER = ("cargo", "obstacle", "paused")

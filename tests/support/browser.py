@@ -16,7 +16,7 @@ from urllib.request import urlopen
 
 from websockets.asyncio.client import ClientConnection, connect
 
-from tests.serve.serving import until
+from tests.support.serve import until
 
 PATIENCE = 30.0
 

@@ -19,8 +19,8 @@ from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
-from tests.linked import linked as plainly_linked
-from tests.watched import WatchedStore
+from tests.support.links import linked as plainly_linked
+from tests.support.watched_store import WatchedStore
 
 OPEN = (Stage.NO_ANSWER, Stage.UNKNOWN)
 ENDS = {stage.value for stage in Stage if stage not in commands.OPEN} | {"console closed"}

@@ -12,8 +12,8 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.recording.records import VERSION, Keyframe, Packer, Record, RecordingHeader, encode, public
-from tests.fleets import T0, WALL, fleet
-from tests.watched import config_of
+from tests.support.fleets import T0, WALL, fleet
+from tests.support.watched_store import config_of
 
 PACKER = Packer()
 

@@ -14,9 +14,9 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Keyframe, Lost, Mark, Record, Told
 from fleet_tui.state.reducer import apply
-from tests.fleets import LINK, R0, T0, WALL, battery, commanded, graph, labels, link_up, pose, queue
-from tests.journal.recordings import PACKER, header, written
-from tests.watched import config_of
+from tests.support.fleets import LINK, R0, T0, WALL, battery, commanded, graph, labels, link_up, pose, queue
+from tests.support.recordings import PACKER, header, written
+from tests.support.watched_store import config_of
 
 ORIGIN = Origin("ana", "here:1", "r")
 

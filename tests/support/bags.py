@@ -14,7 +14,7 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.schema import Config
-from tests.watched import config_of
+from tests.support.watched_store import config_of
 
 WALL = 1_700_000_000
 KINDS = ["ros1", "ros1-bz2", "ros1-lz4", "sqlite3", "sqlite3-message", "sqlite3-file", "mcap", "mcap-storage"]

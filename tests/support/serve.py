@@ -14,7 +14,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 from websockets.typing import Origin
 
-from tests.headless.running import config_file, started
+from tests.support.cli import config_file, started
 
 WIDTH, HEIGHT = 120, 40
 

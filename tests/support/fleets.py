@@ -34,13 +34,13 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.order import Order, OrderQueue, at_vertices
 from fleet_tui.state.reducer import apply
 from fleet_tui.view.tables.table import Run
-from tests.watched import config_of
+from tests.support.watched_store import config_of
 
 T0 = 1000.0
 WALL = 1_700_000_000.0
 LINK = "rosbridge"
 R0, F0 = "robot_0", "floor_0"
-WIRE = Path(__file__).parent / "wire"
+WIRE = Path(__file__).parents[1] / "wire"
 
 
 def fleet(robots: int = 1, floors: int = 1) -> FleetState:

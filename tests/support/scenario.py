@@ -10,8 +10,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.console_pilot import Console
-from tests.watched import config_of
+from tests.support.console_pilot import Console
+from tests.support.watched_store import config_of
 
 R0 = "robot_0"
 NO_ANSWER_AFTER = 0.5  # seconds, where an answer is not expected

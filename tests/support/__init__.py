@@ -1,0 +1,1 @@
+"""Support for tests: sites, links, terminals, peers, recordings."""
