@@ -1,14 +1,18 @@
-"""Fixtures that several rooms share."""
+"""Fixtures that several packages' tests share."""
 
 import signal
 from collections.abc import AsyncIterator, Iterator
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
 
+from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.terminal import steady_app
+from tests.support.cli import config_file
 
 # In the background of a shell SIGINT is ignored; programs that a test interrupts would inherit that.
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -35,3 +39,31 @@ def no_own_faults(request: pytest.FixtureRequest, caplog: pytest.LogCaptureFixtu
         records = caplog.get_records("call")
         faults = [record for record in records if record.name == steady_app.__name__]
         assert not faults, [record.exc_text or record.getMessage() for record in faults]
+
+
+@pytest.fixture
+async def ros_2() -> AsyncIterator[RosbridgeServer]:
+    """Two quiet simulated robots on two floors behind a bridge of ROS 2."""
+    running = RosbridgeServer(World(robots=2, floors=2, seed=1, quiet=True), dialect=ROS2)
+    await running.start()
+    yield running
+    await running.stop()
+
+
+@pytest.fixture
+async def nav2() -> AsyncIterator[RosbridgeServer]:
+    """A quiet simulated robot with Nav2 behind a bridge that has been up for long."""
+    running = RosbridgeServer(Nav2Fleet(1, 1, seed=1, quiet=True), dialect=ROS2)
+    await running.start()
+    running.started -= 10.0
+    yield running
+    await running.stop()
+
+
+@pytest.fixture
+def folder(server: RosbridgeServer, tmp_path: Path) -> Path:
+    """A config for two robots on two floors, in which what is not answered or seen ends soon."""
+    text = "[alarms]\nno_answer_after = 1.0\nnot_confirmed_after = 1.0\n"
+    path = config_file(tmp_path, server.url, 2, 2)
+    path.write_text(text + path.read_text())
+    return tmp_path

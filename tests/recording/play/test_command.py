@@ -12,11 +12,11 @@ from fleet_tui.errors import FleetError
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording.play.times import moment_of
 from fleet_tui.recording.records import VERSION
+from tests.cli.test_cli import run
 from tests.support.fleets import T0
 from tests.support.recordings import header, keyframe, written
 from tests.support.tapes import MadeUp, shift
 from tests.support.watched_store import config_of
-from tests.test_cli import run
 
 
 def refused(folder: Path, *args: str) -> str:

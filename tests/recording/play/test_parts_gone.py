@@ -10,7 +10,7 @@ from fleet_tui.recording import indexing
 from fleet_tui.recording.gzip_members import open_plain
 from fleet_tui.recording.parts import part_path
 from fleet_tui.recording.records import Keyframe, RecordingError
-from tests.playback.test_replay_console import at
+from tests.recording.play.test_console import at
 from tests.support.fleets import LINK, T0, WALL, link_up
 from tests.support.recordings import header, written
 from tests.support.replay_console import replayed

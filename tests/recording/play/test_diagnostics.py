@@ -6,7 +6,7 @@ import pytest
 
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording.records import Heard
-from tests.playback.test_replay_console import at
+from tests.recording.play.test_console import at
 from tests.support.fleets import LINK, R0, T0, WALL, link_up
 from tests.support.replay_console import replayed
 from tests.support.tapes import MadeUp
