@@ -19,8 +19,8 @@ from fleet_tui.bags.frames import Framer
 from fleet_tui.bags.opening import BagError, is_bag
 from fleet_tui.errors import FleetError
 from fleet_tui.recording.indexing import open_recording
-from tests.bags.test_convert import battery, made_of, night, played, pose
-from tests.bags.test_frames import LINE, Connection
+from tests.support.bag_frames import LINE, Connection
+from tests.support.bag_replay import battery, made_of, night, played, pose
 from tests.support.bags import KINDS, Said, bag_config, made, written
 from tests.support.fleets import R0
 

@@ -16,6 +16,7 @@ from fleet_tui.bags.definitions import typestore
 from fleet_tui.bags.frames import Framer
 from fleet_tui.model import events
 from tests.support.adapters import adapter_of, event_of
+from tests.support.bag_frames import LINE, Connection
 from tests.support.bags import made, types
 from tests.support.fleets import F0, R0, order
 
@@ -65,16 +66,6 @@ def written(kind: str, value: Any) -> Any:
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
-class Connection:
-    """What rosbags says of a connection, as far as it matters here."""
-
-    def __init__(self, msgtype: str, text: str, form: str = "MSG") -> None:
-        from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
-
-        self.msgtype, self.msgdef = msgtype, MessageDefinition(MessageDefinitionFormat[form], text)
-
-
-LINE = "=" * 80
 PARTS = f"\n{LINE}\nMSG: OH_ressources/Part\nstring words # what\n\nint8 LEFT=1\nint32 import\n"
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.bags.convert import convert
-from tests.bags.test_convert import night
+from tests.support.bag_replay import night
 from tests.support.bags import Said, bag_config, written
 from tests.support.replay_console import replayed
 

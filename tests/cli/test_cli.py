@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.simulator.faults import FAULTS
+from tests.support.command_line import run
 
 BAD = """
 [rosbridge]
@@ -30,18 +31,6 @@ RECORD = (
     '"kind":"console","what":"console","change":"opened"}\n'
 )
 GOOD = '[[floors]]\nname = "floor_0"\n[[robots]]\nname = "robot_0"\n'
-
-
-def run(*args: str, cwd: Path, **env: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "fleet_tui", *args],
-        cwd=cwd,
-        env={**os.environ, "XDG_CONFIG_HOME": str(cwd), "XDG_STATE_HOME": str(cwd), **env},
-        capture_output=True,
-        text=True,
-        check=False,
-        stdin=subprocess.DEVNULL,
-    )
 
 
 def test_every_problem_at_once_with_the_nearest_name(tmp_path: Path) -> None:

@@ -1,25 +1,14 @@
 """What the counters of a link say of a real server: rates, losses, bad data, the robots' log."""
 
-from collections.abc import Callable
-
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros import reading
-from fleet_tui.client.fleet_link import FleetLink
-from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.counting import counter, until
 from tests.support.links import linked, path, phase, ready
-from tests.support.watched_store import WatchedStore, config_of
+from tests.support.watched_store import config_of
 
 POSE = "/robot_0/pose"
-
-
-def counter(link: FleetLink) -> LinkCounter:
-    return link.counters["rosbridge"]
-
-
-async def until(store: WatchedStore, holds: Callable[[], object]) -> None:
-    await store.until(lambda _: holds())
 
 
 async def test_topics_are_counted_with_their_rates_and_last_messages(server: RosbridgeServer) -> None:

@@ -24,6 +24,7 @@ from fleet_tui.simulator.ros.goals import CANCELED
 from fleet_tui.transports.rosbridge import connection
 from tests.support.links import finished, linked, phase
 from tests.support.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
+from tests.support.queue_files import kept
 
 R0 = "robot_0"
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
@@ -39,11 +40,6 @@ def soon(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def held(reason: str) -> Holds:
     return lambda state: state.robots[R0].held == reason
-
-
-def kept(folder: Path) -> list[Kept]:
-    path = folder / FILE
-    return msgspec.json.decode(path.read_bytes(), type=list[Kept]) if path.exists() else []
 
 
 async def test_a_second_order_waits_here_and_leaves_when_the_first_is_done(

@@ -14,9 +14,10 @@ from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, Stage
 from fleet_tui.model.events import CommandIssued
 from fleet_tui.rules.commands.keeping import waiting
 from fleet_tui.state.store import Store
-from tests.client.test_nav2_keeping import R0, kept
+from tests.support.fleets import R0
 from tests.support.links import finished, linked
 from tests.support.nav2_site import Site, keeping, nav2_ready, reached
+from tests.support.queue_files import kept
 
 
 @pytest.fixture

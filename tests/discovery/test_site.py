@@ -8,9 +8,7 @@ from contextlib import asynccontextmanager
 import pytest
 
 from fleet_tui.config.load import from_text
-from fleet_tui.config.schema import Link
 from fleet_tui.discovery.rosapi import AT_ONCE
-from fleet_tui.discovery.site import DiscoveredSite, start_discovery
 from fleet_tui.errors import FleetError, LinkError
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
@@ -18,15 +16,10 @@ from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.run import DIALECTS
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.discovering import discovered
 from tests.support.site_faults import PLANTS
 
 HARMLESS = {"subscribe", "unsubscribe", "call_service"}
-
-
-async def discovered(url: str, watch: list[tuple[int, int, str]] | None = None) -> DiscoveredSite:
-    told: list[tuple[int, int, str]] = [] if watch is None else watch
-    future = start_discovery(Link(url), watch=lambda *progress: told.append(progress))
-    return await asyncio.wrap_future(future)
 
 
 @asynccontextmanager

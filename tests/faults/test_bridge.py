@@ -6,7 +6,6 @@ import pytest
 
 from fleet_tui.adapters.ros.reading import FrameReader, Read
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
-from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
@@ -16,23 +15,14 @@ from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.faults.report import report
+from tests.support.bridge_faults import all_online, raised
 from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, path, ready
-from tests.support.proxied_link import Holds, Stopwatch, fresh, lost, usual
+from tests.support.proxied_link import Stopwatch, fresh, lost, usual
 from tests.support.shown_text import shown
 
 UNREGISTERED = "the robots' nodes are not registered: restart them"
-
-
-def raised(kind: str) -> Holds:
-    """There is an alarm of this kind that holds."""
-    return lambda state: any(alarm.condition.kind == kind and alarm.holds for alarm in state.alarms)
-
-
-def all_online(state: FleetState) -> bool:
-    """No robot counts as offline."""
-    return all(map(state.is_online, state.robots.values()))
 
 
 @pytest.mark.parametrize(

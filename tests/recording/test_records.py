@@ -27,7 +27,7 @@ from fleet_tui.recording.records import (
     encode,
     public,
 )
-from tests.state.test_reducer_properties import ANY, FACTS
+from tests.support.any_events import ANY, FACTS
 from tests.support.fleets import battery, fleet, graph, labels, pose, tick, told
 from tests.support.recordings import header, keyframe, plain
 from tests.support.watched_store import config_of

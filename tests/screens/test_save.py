@@ -11,8 +11,8 @@ from fleet_tui.config.load import from_text, load
 from fleet_tui.config.saving import Saving
 from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.discovery.test_site import discovered
 from tests.support.console_pilot import Console, console
+from tests.support.discovering import discovered
 from tests.support.watched_store import config_of
 
 

@@ -16,9 +16,7 @@ from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.simulator.test_server import call, client, frames_before_an_answer, read, send, server
-
-__all__ = ["client", "server"]  # fixtures
+from tests.support.bridge_client import call, frames_before_an_answer, read, send
 
 Json = dict[str, Any]
 POSE, MAP = "/robot_0/pose", "/robot_0/floor_0/map"

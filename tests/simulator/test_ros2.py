@@ -16,8 +16,9 @@ from fleet_tui.simulator.faults import parse_faults, play, wire
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.simulator.test_server import call, frames_before_an_answer, read, read_until, send
-from tests.simulator.test_transcript import frames, ours, parsed, recording, shape, until_answer
+from tests.support.bridge_client import call, frames_before_an_answer, read, read_until, send
+from tests.support.ros2_transcripts import theirs
+from tests.support.transcripts import frames, parsed, recording, shape, until_answer
 
 Json = dict[str, Any]
 
@@ -50,11 +51,6 @@ def given_up() -> str:
         for answer in recorded_answers("ros2-frozen-node.jsonl.gz").values()
         if not answer["result"]
     )
-
-
-def theirs(text: str) -> str:
-    """What the recording's client sent, in our names."""
-    return ours(text).replace("/upper", "/floor_1")
 
 
 def recorded_answers(name: str) -> dict[str, Json]:

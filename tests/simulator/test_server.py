@@ -5,9 +5,7 @@ import base64
 import io
 import json
 import math
-from collections.abc import AsyncIterator, Callable
 from itertools import pairwise
-from typing import Any
 
 import cbor2
 import pytest
@@ -16,9 +14,16 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 from fleet_tui.errors import FleetError
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros_types import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.bridge_client import (
+    Json,
+    call,
+    frames_before_an_answer,
+    read,
+    read_until,
+    send,
+)
 
 POSE, POSE_TYPE = "/robot_0/pose", "geometry_msgs/PoseStamped"
 GRAPH, GRAPH_TYPE = "/robot_0/floor_0/graph", "OH_ressources/Graph"
@@ -27,54 +32,10 @@ ORDER = "/robot_0/Application_layout/Execute_order"
 PAUSE = "/robot_0/Application_layout/Pause"
 ARGS = {"request_id": 1, "initial_point": 2, "end_point": 5}
 
-Json = dict[str, Any]
-
-
-@pytest.fixture
-async def server() -> AsyncIterator[RosbridgeServer]:
-    server = RosbridgeServer(World(2, 2, seed=1, quiet=True), rate=50.0)
-    await server.start()
-    yield server
-    await server.stop()
-
-
-@pytest.fixture
-async def client(server: RosbridgeServer) -> AsyncIterator[ClientConnection]:
-    async with connect(server.url, max_size=None) as client:
-        yield client
-
-
-async def send(client: ClientConnection, op: str, **fields: object) -> None:
-    await client.send(json.dumps({"op": op} | fields))
-
 
 async def subscribe(client: ClientConnection, topic: str, type_: str | None, **fields: object) -> None:
     typed = {} if type_ is None else {"type": type_}
     await send(client, "subscribe", topic=topic, queue_length=1, **typed, **fields)
-
-
-async def read(client: ClientConnection) -> Json:
-    found: Json = json.loads(await client.recv())
-    return found
-
-
-async def read_until(client: ClientConnection, wanted: Callable[[Json], bool]) -> list[Json]:
-    """All frames up to the first that is wanted, this one included."""
-    found = [await read(client)]
-    while not wanted(found[-1]):
-        found.append(await read(client))
-    return found
-
-
-async def call(client: ClientConnection, service: str, args: object = None, id_: str = "c") -> Json:
-    await send(client, "call_service", service=service, args=args, id=id_)
-    return (await read_until(client, lambda frame: frame.get("id") == id_))[-1]
-
-
-async def frames_before_an_answer(client: ClientConnection) -> list[Json]:
-    """Everything that is said until a call sent now is answered: what is not in it was not said."""
-    await send(client, "call_service", service="/rosapi/get_time", id="last")
-    return (await read_until(client, lambda frame: frame.get("id") == "last"))[:-1]
 
 
 async def test_poses_flow_to_every_client_alike(server: RosbridgeServer, client: ClientConnection) -> None:

@@ -15,8 +15,8 @@ from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.simulator.test_ros2 import theirs
-from tests.simulator.test_transcript import frames, parsed, recording
+from tests.support.ros2_transcripts import theirs
+from tests.support.transcripts import frames, parsed, recording
 
 Json = dict[str, Any]
 

@@ -1,66 +1,17 @@
 """The simulator against recordings of a real bridge: same answers, same shapes, same bytes on the wire."""
 
 import base64
-import gzip
-import json
 from collections.abc import AsyncIterator
-from pathlib import Path
-from typing import Any
 
 import cbor2
 import pytest
-from websockets.asyncio.client import ClientConnection, connect
+from websockets.asyncio.client import connect
 
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.transcripts import Json, frames, ours, parsed, recording, shape, until_answer
 
-WIRE = Path(__file__).parent.parent / "wire"
-# The recording's robots and floors, and ours that stand for them.
-NAMES = {"/ground": "/floor_0", "/first": "/floor_1"}
 ELSEWHERE = ("scan", "camera", "connected_clients")  # topics the simulated robots don't have
-
-Json = dict[str, Any]
-
-
-def recording(name: str) -> list[Json]:
-    path = WIRE / name
-    text = gzip.decompress(path.read_bytes()).decode() if path.suffix == ".gz" else path.read_text()
-    return [json.loads(line) for line in text.splitlines()]
-
-
-def ours(text: str) -> str:
-    for theirs, name in NAMES.items():
-        text = text.replace(theirs, name)
-    return text
-
-
-def shape(value: object) -> object:
-    """What a value is made of: the names and their order, and the types of what they hold."""
-    if isinstance(value, dict):
-        return [(name, shape(inner)) for name, inner in value.items()]
-    if isinstance(value, list):
-        return [shape(inner) for inner in value[:1]]
-    return type(value)
-
-
-def frames(lines: list[Json], direction: str) -> list[str]:
-    return [line["text"] for line in lines if line["dir"] == direction and "text" in line]
-
-
-def parsed(text: str) -> Json:
-    try:
-        value: Json = json.loads(text)
-    except ValueError:
-        return {}
-    return value
-
-
-async def until_answer(client: ClientConnection, id_: str) -> Json:
-    while True:
-        frame = json.loads(await client.recv())
-        if frame.get("id") == id_:
-            answer: Json = frame
-            return answer
 
 
 @pytest.fixture

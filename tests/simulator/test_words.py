@@ -10,7 +10,7 @@ from fleet_tui.simulator.oh_ressources.words import Changes
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.words import DIAGNOSTICS, Talk
-from tests.client.test_counting import counter, until
+from tests.support.counting import counter, until
 from tests.support.fleets import WALL
 from tests.support.links import linked, ready
 from tests.support.watched_store import config_of

@@ -1,6 +1,5 @@
 """Labels, statuses and reasons come from robots: no row may be bent by them."""
 
-import unicodedata
 from collections.abc import Iterable
 
 import pytest
@@ -39,24 +38,7 @@ from tests.support.fleets import (
     tick,
     told,
 )
-
-HOSTILE = [
-    "\x1b[2J\x1b[31mred",
-    "[red]markup[/red] [@click=app.quit]x[/]",
-    "\u202eevil\u2066\u200f",
-    "a\nb\r\tc\x00\x7f\x9b",
-    "仓库" * 40,
-    "👩\u200d👩\u200d👧 ✈\ufe0f",
-    "e" + "\u0301" * 300,
-    "\u0301\u0301starts with marks",
-    "\ud800",
-    "Consumidores " * 30,
-    "\u3164\u2800\u115f",
-    "-> ->",
-    "",
-]
-TEXTS = st.text(max_size=30) | st.sampled_from(HOSTILE)
-WIDTHS = [20, 21, 40, 79, 120]
+from tests.support.hostile_text import HOSTILE, TEXTS, WIDTHS, harmless
 
 
 def facts(text: str) -> list[events.Event]:
@@ -108,10 +90,6 @@ def lines(state: FleetState) -> Iterable[tuple[Run, ...]]:
     for table in tables(state):
         yield table.title
         yield from (row.runs for row in table.rows)
-
-
-def harmless(text: str) -> bool:
-    return not {unicodedata.category(letter) for letter in text} & {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
 @pytest.mark.parametrize("text", HOSTILE, ids=ascii)

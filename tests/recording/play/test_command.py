@@ -12,7 +12,7 @@ from fleet_tui.errors import FleetError
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording.play.times import moment_of
 from fleet_tui.recording.records import VERSION
-from tests.cli.test_cli import run
+from tests.support.command_line import run
 from tests.support.fleets import T0
 from tests.support.recordings import header, keyframe, written
 from tests.support.tapes import MadeUp, shift

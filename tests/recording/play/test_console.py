@@ -1,7 +1,6 @@
 """The console on a recording: what it shows, that it moves in time, and that nothing leaves it."""
 
 import socket
-import time
 from pathlib import Path
 
 import pytest
@@ -13,17 +12,9 @@ from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.fleets import R0, T0, WALL
 from tests.support.replay_console import replayed
+from tests.support.replay_times import at, clock
 from tests.support.tapes import MadeUp, shift
 from tests.support.watched_store import config_of
-
-
-def clock(second: float) -> str:
-    """The wall clock of a recorded second, as everywhere on the screen."""
-    return time.strftime("%H:%M:%S", time.localtime(WALL + second))
-
-
-def at(second: float) -> str:
-    return f"REPLAY {time.strftime('%Y-%m-%d', time.localtime(WALL + second))} {clock(second)}"
 
 
 @pytest.fixture

@@ -6,9 +6,9 @@ import pytest
 
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording.records import Heard
-from tests.recording.play.test_console import at
 from tests.support.fleets import LINK, R0, T0, WALL, link_up
 from tests.support.replay_console import replayed
+from tests.support.replay_times import at
 from tests.support.tapes import MadeUp
 from tests.support.watched_store import config_of
 

@@ -10,10 +10,10 @@ from fleet_tui.recording import indexing
 from fleet_tui.recording.gzip_members import open_plain
 from fleet_tui.recording.parts import part_path
 from fleet_tui.recording.records import Keyframe, RecordingError
-from tests.recording.play.test_console import at
 from tests.support.fleets import LINK, T0, WALL, link_up
 from tests.support.recordings import header, written
 from tests.support.replay_console import replayed
+from tests.support.replay_times import at
 from tests.support.tapes import MadeUp
 from tests.support.watched_store import config_of
 

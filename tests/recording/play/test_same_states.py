@@ -11,7 +11,7 @@ from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
-from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, Event, FloorGraphLoaded, TimePassed
+from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, FloorGraphLoaded, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import Phase
@@ -27,6 +27,7 @@ from tests.support.fleets import place_order
 from tests.support.links import finished, phase, ready
 from tests.support.recordings import plain
 from tests.support.tapes import ORIGIN, shift
+from tests.support.ticking import Ticking
 from tests.support.watched_store import WatchedStore, config_of
 
 
@@ -58,19 +59,6 @@ async def eventful(link: FleetLink, store: WatchedStore, server: RosbridgeServer
     heard = store.state.now
     await store.until(lambda state: (state.robots["robot_1"].heard or 0.0) > heard)
     await other.stop()
-
-
-class Ticking(WatchedStore):
-    """Keeps the state after every tick, by its time."""
-
-    def __init__(self, state: FleetState) -> None:
-        super().__init__(state)
-        self.ticks: dict[float, FleetState] = {}
-
-    def tell(self, event: Event) -> None:
-        super().tell(event)
-        if isinstance(event, TimePassed):
-            self.ticks[event.at] = self.state
 
 
 async def lived(folder: Path, server: RosbridgeServer) -> tuple[Recording, dict[float, FleetState]]:

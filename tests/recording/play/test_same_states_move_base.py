@@ -16,12 +16,12 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.records import Told
-from tests.recording.play.test_same_states import Ticking
 from tests.support.links import finished
 from tests.support.move_base_site import MoveBaseSite, move_base_site
 from tests.support.nav2_site import keeping, nav2_ready, reached
 from tests.support.recordings import plain
 from tests.support.tapes import ORIGIN
+from tests.support.ticking import Ticking
 
 R0, R1 = "robot_0", "robot_1"
 

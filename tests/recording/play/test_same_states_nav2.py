@@ -17,11 +17,11 @@ from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.records import Told
 from fleet_tui.transports.rosbridge import connection
-from tests.recording.play.test_same_states import Ticking
 from tests.support.links import finished, phase
 from tests.support.nav2_site import Site, keeping, nav2_ready, nav2_site, reached
 from tests.support.recordings import plain
 from tests.support.tapes import ORIGIN
+from tests.support.ticking import Ticking
 
 R0, R1 = "robot_0", "robot_1"
 

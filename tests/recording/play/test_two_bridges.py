@@ -18,9 +18,9 @@ from fleet_tui.recording.records import Heard, Told
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.recording.play.test_same_states import Ticking
 from tests.support.recordings import plain
 from tests.support.tapes import ORIGIN
+from tests.support.ticking import Ticking
 from tests.support.watched_store import config_of
 
 SIDE = 3000

@@ -6,8 +6,8 @@ import pytest
 from websockets.asyncio.client import ClientConnection
 
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from tests.simulator.test_transcript import frames, parsed, recording, shape, until_answer
 from tests.support.nav2_client import Json, listen, result, settle, statuses, until
+from tests.support.transcripts import frames, parsed, recording, shape, until_answer
 
 STATUS, FEEDBACK = (f"/robot_0/navigate_to_pose/_action/{part}" for part in ("status", "feedback"))
 

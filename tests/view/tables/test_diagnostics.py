@@ -18,7 +18,7 @@ from fleet_tui.view.tables.robot_log import lines_of, robot_log_table
 from fleet_tui.view.tables.table import Run, Table, cut, width_of
 from fleet_tui.view.tables.topics import topic_table
 from tests.support.fleets import LINK, R0, T0, fleet, link_lost, link_up, of_kinds, tick, told
-from tests.view.test_hostile_text import TEXTS, WIDTHS, harmless
+from tests.support.hostile_text import TEXTS, WIDTHS, harmless
 
 POSE, GRAPH, MAP, BATTERY = "/robot_0/pose", "/robot_0/f/graph", "/robot_0/f/map", "/robot_0/battery"
 NOW = T0 + 20.0

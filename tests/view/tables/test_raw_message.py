@@ -18,7 +18,7 @@ from fleet_tui.view.tables.raw_message import (
     raw_table,
 )
 from tests.support.fleets import T0
-from tests.view.test_hostile_text import TEXTS, harmless
+from tests.support.hostile_text import TEXTS, harmless
 
 PLAIN = st.recursive(
     st.none() | st.booleans() | st.integers(-(2**53), 2**53) | st.text(max_size=20),

@@ -1,0 +1,25 @@
+"""Fixtures of the simulator's tests."""
+
+from collections.abc import AsyncIterator
+
+import pytest
+from websockets.asyncio.client import ClientConnection, connect
+
+from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.server import RosbridgeServer
+
+
+@pytest.fixture
+async def server() -> AsyncIterator[RosbridgeServer]:
+    """Two quiet simulated robots on two floors, at 50 Hz."""
+    server = RosbridgeServer(World(2, 2, seed=1, quiet=True), rate=50.0)
+    await server.start()
+    yield server
+    await server.stop()
+
+
+@pytest.fixture
+async def client(server: RosbridgeServer) -> AsyncIterator[ClientConnection]:
+    """A client of it."""
+    async with connect(server.url, max_size=None) as client:
+        yield client

@@ -1,0 +1,175 @@
+"""Any event, for property tests."""
+
+from hypothesis import strategies as st
+
+from fleet_tui.model import events, navigation_events
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.navigation import Goal, Progress
+from fleet_tui.model.occupancy import grid_from_ros
+from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
+from tests.support.fleets import LINK, T0
+
+AT = st.floats(T0, T0 + 1e4)
+
+
+NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
+
+
+NUMBERED = st.integers(-(2**31), 2**31 - 1) | st.integers(-1, 4)
+
+
+IDS = st.text(max_size=3) | NUMBERED.map(str)
+
+
+PLACES = st.builds(Pose, NUMBERS, NUMBERS)
+
+
+STOPS = st.lists(st.builds(Stop, IDS) | st.builds(Stop, pose=PLACES), max_size=4).map(tuple)
+
+
+ROBOTS = st.sampled_from(["robot_0", "robot_1", "stranger"])
+
+
+FLOORS = st.sampled_from(["floor_0", "floor_1", "attic"])
+
+
+FRAME = MapFrame(0.05, 1, 1)
+
+
+STATES = st.none() | st.sampled_from(OrderState)
+
+
+ORDERS = st.builds(Order, IDS, STOPS, STATES, st.text(max_size=3), NUMBERED)
+
+
+QUEUES = st.builds(OrderQueue, NUMBERED, IDS, st.lists(ORDERS, max_size=4).map(tuple), NUMBERED)
+
+
+COMMANDS = st.one_of(
+    st.builds(PlaceOrder, ROBOTS, STOPS.filter(len)),
+    st.builds(CancelOrder, ROBOTS, IDS),
+    *(st.builds(kind, ROBOTS) for kind in (ClearOrders, PauseRobot, ResumeRobot)),
+)
+
+
+COMMAND_IDS = st.integers(1, 5)
+
+
+GOALS = st.builds(
+    Goal, IDS, IDS, st.just("navigate_to_pose"), STATES, st.text(max_size=3), st.none() | NUMBERS
+)
+
+
+FEW = st.none() | NUMBERS
+
+
+FACTS: dict[type, st.SearchStrategy[events.Event]] = {
+    navigation_events.OdometryReported: st.builds(
+        navigation_events.OdometryReported, ROBOTS, AT, PLACES, FEW
+    ),
+    navigation_events.LocalisationReported: st.builds(
+        navigation_events.LocalisationReported, ROBOTS, AT, PLACES, st.text(max_size=4), FEW, FEW
+    ),
+    navigation_events.BlockedReported: st.builds(
+        navigation_events.BlockedReported,
+        ROBOTS,
+        AT,
+        st.sampled_from(["", "stop", "limit"]),
+        st.text(max_size=4),
+    ),
+    navigation_events.ProgressReported: st.builds(
+        navigation_events.ProgressReported,
+        ROBOTS,
+        AT,
+        st.builds(Progress, IDS, FEW, FEW, FEW, st.none(), NUMBERED),
+    ),
+    navigation_events.GoalsReported: st.builds(
+        navigation_events.GoalsReported,
+        ROBOTS,
+        AT,
+        st.sampled_from(["follow_waypoints", "navigate_to_pose"]),
+        st.lists(GOALS, max_size=4).map(tuple),
+    ),
+    navigation_events.GoalsUnknown: st.builds(
+        navigation_events.GoalsUnknown, ROBOTS, AT, st.lists(GOALS.map(lambda goal: goal.uuid)).map(tuple)
+    ),
+    navigation_events.PlanReported: st.builds(navigation_events.PlanReported, ROBOTS, AT, PLACES),
+    navigation_events.TargetReported: st.builds(navigation_events.TargetReported, ROBOTS, AT, PLACES),
+    navigation_events.Alive: st.builds(navigation_events.Alive, ROBOTS, AT),
+    navigation_events.Unmeasured: st.builds(navigation_events.Unmeasured, ROBOTS, AT, st.text(max_size=4)),
+    navigation_events.FloorReported: st.builds(navigation_events.FloorReported, ROBOTS, AT, FLOORS),
+    navigation_events.QueueHeld: st.builds(navigation_events.QueueHeld, ROBOTS, st.text(max_size=4)),
+    navigation_events.GoalAnswered: st.builds(
+        navigation_events.GoalAnswered,
+        COMMAND_IDS,
+        st.sampled_from([Stage.DONE, Stage.FAILED]),
+        AT,
+        st.text(max_size=4),
+    ),
+    events.PoseReported: st.builds(
+        events.PoseReported,
+        ROBOTS,
+        AT,
+        st.builds(Pose, NUMBERS, NUMBERS, NUMBERS),
+        FLOORS | st.text(max_size=4),
+        st.none() | NUMBERS,
+    ),
+    events.BatteryReported: st.builds(events.BatteryReported, ROBOTS, AT, NUMBERS),
+    events.CargoReported: st.builds(events.CargoReported, ROBOTS, AT, st.booleans()),
+    events.ObstacleReported: st.builds(events.ObstacleReported, ROBOTS, AT, NUMBERS),
+    events.QueueReported: st.builds(events.QueueReported, ROBOTS, AT, QUEUES),
+    events.PausedReported: st.builds(events.PausedReported, ROBOTS, AT, st.booleans()),
+    events.FrameReceived: st.builds(events.FrameReceived, ROBOTS, FLOORS, st.just(FRAME)),
+    events.GraphReceived: st.builds(
+        events.GraphReceived, ROBOTS, FLOORS, st.just(RouteGraph()), st.integers(0, 3), st.text(max_size=9)
+    ),
+    events.LabelsReceived: st.builds(
+        events.LabelsReceived, ROBOTS, FLOORS, st.dictionaries(IDS, st.text(max_size=9), max_size=3)
+    ),
+    events.GridReceived: st.builds(events.GridReceived, ROBOTS, FLOORS, st.just(grid_from_ros(FRAME, b"\0"))),
+    events.MessageRejected: st.builds(events.MessageRejected, ROBOTS, st.text(max_size=9)),
+    events.FrameRejected: st.builds(events.FrameRejected, st.just(LINK), st.text(max_size=9)),
+    events.FloorMapLoaded: st.builds(
+        events.FloorMapLoaded, st.just("floor_0"), st.none(), st.text(max_size=9), st.booleans()
+    ),
+    events.FloorGraphLoaded: st.builds(
+        events.FloorGraphLoaded,
+        st.sampled_from(["floor_0", "floor_1"]),
+        st.none() | st.just(RouteGraph()),
+        st.dictionaries(IDS, st.text(max_size=9), max_size=3),
+        st.text(max_size=9),
+    ),
+    events.LinkChanged: st.builds(
+        events.LinkChanged, st.just(LINK), AT, st.sampled_from(Phase), st.text(max_size=9), st.none() | AT
+    ),
+    events.LinkHeard: st.builds(events.LinkHeard, st.just(LINK), AT),
+    events.MessagesUnsourced: st.builds(events.MessagesUnsourced, st.just(LINK), st.text(max_size=9)),
+    events.CommandPathChanged: st.builds(
+        events.CommandPathChanged, st.just(LINK), st.sampled_from(CommandPath), st.text(max_size=9)
+    ),
+    events.CommandIssued: st.builds(events.CommandIssued, COMMAND_IDS, COMMANDS, AT, AT),
+    events.CommandAdvanced: st.builds(
+        events.CommandAdvanced, COMMAND_IDS, st.sampled_from(Stage), AT, st.text(max_size=9), IDS
+    ),
+    events.AlarmAcknowledged: st.builds(
+        events.AlarmAcknowledged,
+        st.sampled_from(["", "robot_0", LINK]),
+        st.sampled_from(["", "offline", "link"]),
+    ),
+    events.AlarmShelved: st.builds(events.AlarmShelved, ROBOTS, st.sampled_from(["offline", "battery"]), AT),
+    events.AlarmUnshelved: st.builds(events.AlarmUnshelved, ROBOTS, st.sampled_from(["offline", "battery"])),
+    events.TimePassed: st.builds(events.TimePassed, AT, AT),
+}
+
+
+ANY = st.lists(st.one_of(*FACTS.values()), max_size=40)
