@@ -3,10 +3,11 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
+PURE := $(addprefix tests/,text model rules state view adapters config test_house.py test_keys.py)
 # They wait more than they work: several at once.
 FAULTS := -q -n 6 --maxschedchunk 1 tests/faults
 
-.PHONY: demo test lint types unit bench faults fuzz soak picture lock format clean
+.PHONY: demo test quick lint types unit bench faults fuzz soak picture lock format clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -20,6 +21,10 @@ lint: $(READY)
 
 types: $(READY)
 	@$(BIN)/mypy
+
+# The developer's loop: no processes, no sockets.
+quick: $(READY)
+	@$(BIN)/pytest -q -n 2 $(PURE)
 
 unit: $(READY)
 	@$(BIN)/pytest -q -n 2 --ignore tests/faults
