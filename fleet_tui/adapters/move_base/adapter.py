@@ -6,7 +6,7 @@ from typing import assert_never
 
 import msgspec
 
-from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
+from fleet_tui.adapters.adapter import Feed, Outgoing, Site
 from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.move_base import reading
 from fleet_tui.adapters.move_base.goals import cancel, cancel_all, cancel_own, order
@@ -15,12 +15,9 @@ from fleet_tui.adapters.move_base.settings import MoveBaseSettings
 from fleet_tui.adapters.move_base.vocabulary import VOCABULARY
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.facts import read_map
-from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation import feeds
-from fleet_tui.adapters.ros_navigation.kinds import READERS, kind_of_goals
-from fleet_tui.adapters.ros_navigation.pauses import Pauses
-from fleet_tui.model import events
+from fleet_tui.adapters.ros_navigation.base import NavigationAdapter
+from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -34,25 +31,21 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.robot import Robot
 
 
-class MoveBase:
+class MoveBase(NavigationAdapter):
     """Robots that drive one goal at a time, which is published; they list the state of each."""
 
     def __init__(self, profile: Profile, site: Site) -> None:
-        self.names = names = Names(VOCABULARY, profile, site.table)
-        self._site = site
-        settings = msgspec.convert(profile.settings.get("move_base", {}), MoveBaseSettings)
-        self._pauses = Pauses(names, settings)
-        self._read_map = read_map(names)
-        self._readers = {
-            **{key: make(names) for key, make in READERS.items()},
-            "status": reading.read_status(names),
-            "target": reading.read_target(names),
-            "feedback": reading.read_feedback(names),
+        super().__init__("move_base", VOCABULARY, profile, site, MoveBaseSettings)
+        self.readers = {
+            **self.readers,
+            "status": reading.read_status(self.names),
+            "target": reading.read_target(self.names),
+            "feedback": reading.read_feedback(self.names),
         }
         self.kind = self._kind()
 
     def _kind(self) -> Kind:
-        kind = kind_of_goals("move_base", self.names, self._pauses, ("map", "queue"), {})
+        kind = kind_of_goals("move_base", self.names, self.pauses, ("map", "queue"), {})
         kind = msgspec.structs.replace(kind, gives_stops=True)
         if "pose" in kind.reports or not self.names.topic("feedback", "robot"):
             return kind
@@ -63,7 +56,7 @@ class MoveBase:
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
         """Return what to listen to, the most urgent first."""
-        names, site = self.names, self._site
+        names, site = self.names, self.site
         slow = Feed("", (robot,), "", "", "", site.status_ms)
         yield from feeds.feed(names, robot, slow, "status")
         yield from feeds.feed(names, robot, slow._replace(rate_ms=0, silent=True), "target")
@@ -72,22 +65,12 @@ class MoveBase:
         yield from feeds.battery(names, site, robot)
         yield from feeds.surroundings(names, robot, floors)
 
-    def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
-        """Return the facts that a message tells. Raises WireError."""
-        if feed.key == "map":
-            return (self._read_map(feed.robot, feed.floor, msg, at),)
-        return self._readers[feed.key](feed.robot, msg, at)
-
-    def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
-        """Return key, name and type of each service, pauses first."""
-        return self._pauses.services(robot)
-
     def publications(self, robot: str) -> Iterable[tuple[str, str]]:
         """Return name and type of the topics of goals, of cancellations and of a lock."""
         for key in ("goal", "cancel"):
             if topic := self.names.topic(key, robot):
                 yield topic, self.names.type(key)
-        yield from self._pauses.publications(robot)
+        yield from super().publications(robot)
 
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return what decides whether such a robot can be driven."""
@@ -106,9 +89,9 @@ class MoveBase:
             case ClearOrders():
                 return cancel_own(self.names, robot)
             case PauseRobot():
-                return self._pauses.switch("pause", robot.name) or cancel_all(self.names, robot)
+                return self.pauses.switch("pause", robot.name) or cancel_all(self.names, robot)
             case ResumeRobot():
-                return self._pauses.switch("resume", robot.name)
+                return self.pauses.switch("resume", robot.name)
             case _:
                 assert_never(command)
 
@@ -117,12 +100,6 @@ class MoveBase:
     ) -> tuple[Stage, str]:
         """Return what the answer of a service that pauses or resumes means; nothing else is answered."""
         return judge(command, values, result, ())
-
-    def learned(
-        self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
-    ) -> Iterable[events.Event]:
-        """Topics tell everything."""
-        return ()
 
 
 ADAPTER = MoveBase

@@ -4,8 +4,6 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import assert_never
 
-import msgspec
-
 from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
 from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.nav2 import reading
@@ -16,11 +14,9 @@ from fleet_tui.adapters.nav2.settings import Nav2Settings
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.facts import read_map
-from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation import feeds
-from fleet_tui.adapters.ros_navigation.kinds import READERS, kind_of_goals
-from fleet_tui.adapters.ros_navigation.pauses import Pauses
+from fleet_tui.adapters.ros_navigation.base import NavigationAdapter
+from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.commands import (
     CancelOrder,
@@ -44,28 +40,24 @@ FEEDBACK_TYPES = {
 }
 
 
-class Nav2:
+class Nav2(NavigationAdapter):
     """Robots that drive one goal at a time, and give each goal's state to all clients."""
 
     def __init__(self, profile: Profile, site: Site) -> None:
-        self.names = names = Names(VOCABULARY, profile, site.table)
-        self._site = site
-        settings = msgspec.convert(profile.settings.get("nav2", {}), Nav2Settings)
-        self._pauses = Pauses(names, settings)
-        self._read_map = read_map(names)
-        self._readers = {
-            **{key: make(names) for key, make in READERS.items()},
-            "blocked": reading.read_blocked(names),
+        super().__init__("nav2", VOCABULARY, profile, site, Nav2Settings)
+        self.readers = {
+            **self.readers,
+            "blocked": reading.read_blocked(self.names),
             **{action: reading.read_goals(action) for action in ACTIONS},
             **{f"{action} feedback": reading.read_feedback() for action in FEEDBACK_TYPES},
         }
         silence = {"queue": math.inf, "blocked": math.inf}
-        self.kind = kind_of_goals("nav2", names, self._pauses, REPORTS, silence)
+        self.kind = kind_of_goals("nav2", self.names, self.pauses, REPORTS, silence)
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
         """Return what to listen to, the most urgent first. A bridge subscribes one by one: the goals come
         before the first sign of life, so that an order to a robot that is heard replaces nobody's."""
-        names, site = self.names, self._site
+        names, site = self.names, self.site
         yield from self._statuses(robot, DRIVES)
         yield from feeds.places(names, site, robot)
         yield from self._feedback(robot)
@@ -84,21 +76,7 @@ class Nav2:
         for action, type_ in FEEDBACK_TYPES.items():
             if name := self.names.action(action, robot):
                 address, key = f"{name}/_action/feedback", f"{action} feedback"
-                yield Feed(key, (robot,), "", address, type_, self._site.status_ms, silent=True)
-
-    def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
-        """Return the facts that a message tells. Raises WireError."""
-        if feed.key == "map":
-            return (self._read_map(feed.robot, feed.floor, msg, at),)
-        return self._readers[feed.key](feed.robot, msg, at)
-
-    def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
-        """Return key, name and type of each service, pauses first. Those of actions are in no list."""
-        return self._pauses.services(robot)
-
-    def publications(self, robot: str) -> Iterable[tuple[str, str]]:
-        """Return the topic of a lock, if pauses go over one."""
-        return self._pauses.publications(robot)
+                yield Feed(key, (robot,), "", address, type_, self.site.status_ms, silent=True)
 
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return what decides whether such a robot can be driven."""
@@ -117,9 +95,9 @@ class Nav2:
             case ClearOrders():
                 return cancel_own(self.names, robot)
             case PauseRobot():
-                return self._pauses.switch("pause", robot.name) or cancel_all(self.names, robot)
+                return self.pauses.switch("pause", robot.name) or cancel_all(self.names, robot)
             case ResumeRobot():
-                return self._pauses.switch("resume", robot.name)
+                return self.pauses.switch("resume", robot.name)
             case _:
                 assert_never(command)
 
