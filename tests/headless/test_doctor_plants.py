@@ -181,8 +181,9 @@ def assert_harmless(server: RosbridgeServer, *queries: str) -> None:
 @pytest.mark.parametrize("plant", OTHER_SERVERS)
 async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
     async with OTHER_SERVERS[plant](tmp_path) as url:
-        file = tmp_path / "config.toml"
-        config = msgspec.structs.replace(config_of("", 2, 2), rosbridge=Link(url), path=file)
+        config = msgspec.structs.replace(
+            config_of("", 2, 2), rosbridge=Link(url), path=tmp_path / "config.toml"
+        )
         assert_as_promised(plant, *await complaint(config))
 
 
