@@ -5,7 +5,8 @@ import pytest
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.keeping import hold_all, next_to_send
+from fleet_tui.model.keeping import all_orders, hold_all, next_to_send
+from fleet_tui.model.order import at_vertices
 from tests.fleets import R0, T0, link_lost, link_up, tick, told
 from tests.model.test_legs import DONE, OFF, goal, lived, record, sent, site
 
@@ -57,3 +58,9 @@ def test_a_console_that_is_disarmed_on_the_way_holds_the_next_stop() -> None:
     state = lived(lived(state, T0 + 1.5, goal(FIRST)), T0 + 2, goal(FIRST, DONE))
     assert record(state).stage is Stage.WAITING
     assert state.robots[R0].held == "this console is not armed" and not leaves(state)
+
+
+def test_a_goal_that_reached_its_stop_is_not_shown_as_the_whole_order_done() -> None:
+    state = lived(on_its_first_leg(), T0 + 2, goal(FIRST, DONE))
+    shown = [(order.stops, order.state_text) for order in all_orders(state, state.robots[R0])]
+    assert shown == [(at_vertices("1"), "done"), (at_vertices("1", "2"), "waiting here")]
