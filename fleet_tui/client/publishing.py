@@ -22,7 +22,8 @@ class Publishing:
     def __init__(self, connection: Connection, usual: Iterable[tuple[str, str]]) -> None:
         self._connection, self._usual = connection, tuple(usual)
         self._advertised: dict[str, float] = {}
-        self._repeats: set[asyncio.TimerHandle] = set()
+        self._repeats: list[bytes] = []
+        self._timer: asyncio.TimerHandle | None = None
 
     def start(self) -> None:
         """Advertise: the bridge remembers nothing of us."""
@@ -40,15 +41,29 @@ class Publishing:
             self._advertise(one.address, one.type)
         frame = operations.publish(one.address, one.type, one.message)
         self._connection.send(frame)
-        wait = self._advertised[one.address] + KNOWN_AFTER - time.monotonic()
-        if wait > 0.0:
-            loop = asyncio.get_running_loop()
-            self._repeats = {one for one in self._repeats if one.when() > loop.time()}
-            self._repeats.add(loop.call_later(wait, self._connection.send, frame))
+        known_at = self._advertised[one.address] + KNOWN_AFTER
+        # What follows something that comes twice comes again after it: a pause has the last word.
+        if self._repeats or known_at > time.monotonic():
+            self._repeats.append(frame)
+            self._repeat_at(known_at)
+
+    def _repeat_at(self, at: float) -> None:
+        loop = asyncio.get_running_loop()
+        when = loop.time() + at - time.monotonic()
+        if self._timer is not None:
+            when = max(when, self._timer.when())
+            self._timer.cancel()
+        self._timer = loop.call_at(when, self._repeat)
+
+    def _repeat(self) -> None:
+        frames, self._repeats, self._timer = self._repeats, [], None
+        with suppress(LinkError):
+            for frame in frames:
+                self._connection.send(frame)
 
     def stop(self) -> None:
         """There is no connection any more."""
-        for repeat in self._repeats:
-            repeat.cancel()
-        self._repeats.clear()
+        if self._timer is not None:
+            self._timer.cancel()
+        self._repeats, self._timer = [], None
         self._advertised.clear()
