@@ -17,9 +17,11 @@ class Sent:
 
     def __init__(self) -> None:
         self.frames: list[dict[str, Any]] = []
+        self.came = asyncio.Event()
 
     def send(self, frame: bytes) -> None:
         self.frames.append(json.loads(frame))
+        self.came.set()
 
     def published(self) -> list[object]:
         return [one["msg"]["data"] for one in self.frames if one["op"] == "publish"]
@@ -43,7 +45,8 @@ def publisher(sent: Sent, monkeypatch: pytest.MonkeyPatch) -> Publishing:
 async def until_repeated(sent: Sent, count: int) -> None:
     async with asyncio.timeout(2.0):
         while len(sent.published()) < count:
-            await asyncio.sleep(0.005)
+            sent.came.clear()
+            await sent.came.wait()
 
 
 async def test_what_was_given_last_is_repeated_last(publisher: Publishing, sent: Sent) -> None:
