@@ -40,3 +40,8 @@ async def test_it_ends_when_the_next_stop_is_refused(site: MoveBaseSite, tmp_pat
     site.server.fleet_of("robot_0").troubles.append(refuse_the_second)
     done = await run(tmp_path, *ORDER, "--timeout", "60")
     assert done.code == 1 and "not done (refused: " in done.err
+
+
+async def test_status_only_listens(site: MoveBaseSite, tmp_path: Path) -> None:
+    done = await run(tmp_path, "status")
+    assert "robot_0" in done.out and not site.advertised()
