@@ -14,6 +14,10 @@ from fleet_tui.transports.rosbridge.connection import Connection
 KNOWN_AFTER = 0.3
 """Seconds until subscribers have come to a topic that was advertised: what leaves before may be lost."""
 
+AT_ONCE, BETWEEN = 20, 0.2
+"""Topics that are advertised together, of which a real bridge needs up to 10 ms for each, and the seconds until
+the next ones."""
+
 
 class Publishing:
     """Runs on the network loop. `usual` are names and types of topics that are advertised on each
@@ -24,12 +28,21 @@ class Publishing:
         self._advertised: dict[str, float] = {}
         self._repeats: list[bytes] = []
         self._timer: asyncio.TimerHandle | None = None
+        self._next: asyncio.TimerHandle | None = None
 
     def start(self) -> None:
         """Advertise: the bridge remembers nothing of us."""
-        for topic, type_ in self._usual:
-            with suppress(LinkError):
-                self._advertise(topic, type_)
+        self._advertise_next(list(self._usual))
+
+    def _advertise_next(self, left: list[tuple[str, str]]) -> None:
+        """Advertise a few, then the others: of a large fleet all at once would delay a pause."""
+        for topic, type_ in left[:AT_ONCE]:
+            if topic not in self._advertised:
+                with suppress(LinkError):
+                    self._advertise(topic, type_)
+        if left := left[AT_ONCE:]:
+            loop = asyncio.get_running_loop()
+            self._next = loop.call_later(BETWEEN, self._advertise_next, left)
 
     def _advertise(self, topic: str, type_: str) -> None:
         self._connection.send(operations.advertise(topic, type_))
@@ -63,7 +76,8 @@ class Publishing:
 
     def stop(self) -> None:
         """There is no connection any more."""
-        if self._timer is not None:
-            self._timer.cancel()
-        self._repeats, self._timer = [], None
+        for timer in (self._timer, self._next):
+            if timer is not None:
+                timer.cancel()
+        self._repeats, self._timer, self._next = [], None, None
         self._advertised.clear()

@@ -76,3 +76,20 @@ async def test_nothing_is_repeated_on_another_connection(publisher: Publishing, 
     await asyncio.sleep(2 * publishing.KNOWN_AFTER)
     publisher.start()
     assert sent.published() == ["goal"]
+
+
+async def test_a_pause_does_not_wait_until_a_large_fleet_is_advertised(
+    sent: Sent, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(publishing, "BETWEEN", 0.02)
+    topics = [(f"/robot_{n}/cancel", "std_msgs/Bool") for n in range(100)]
+    publisher = Publishing(cast("Connection", sent), topics)
+    publisher.start()
+    publisher.send(lock(True, "/robot_99/cancel"))
+    assert len(sent.frames) <= publishing.AT_ONCE + 2 and sent.published() == [True]
+    async with asyncio.timeout(2.0):
+        while len({one["topic"] for one in sent.frames}) < len(topics):
+            sent.came.clear()
+            await sent.came.wait()
+    publisher.stop()
+    assert [one["topic"] for one in sent.frames if one["op"] == "advertise"].count("/robot_99/cancel") == 1
