@@ -15,8 +15,8 @@ KNOWN_AFTER = 0.3
 """Seconds until subscribers have come to a topic that was advertised: what leaves before may be lost."""
 
 AT_ONCE, BETWEEN = 20, 0.2
-"""Topics that are advertised together, of which a real bridge needs up to 10 ms for each, and the seconds until
-the next ones."""
+"""Topics that are advertised together, of which a real bridge needs up to 10 ms for each, and the seconds
+until the next ones."""
 
 
 class Publishing:
