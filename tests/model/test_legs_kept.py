@@ -64,3 +64,14 @@ def test_a_goal_that_reached_its_stop_is_not_shown_as_the_whole_order_done() -> 
     state = lived(on_its_first_leg(), T0 + 2, goal(FIRST, DONE))
     shown = [(order.stops, order.state_text) for order in all_orders(state, state.robots[R0])]
     assert shown == [(at_vertices("1"), "done"), (at_vertices("1", "2"), "waiting here")]
+
+
+def test_a_clear_is_not_confirmed_while_a_goal_that_it_takes_back_may_still_appear() -> None:
+    state = asked(sent(site(), T0 + 1, FIRST), T0 + 1.1, ClearOrders(R0))
+    state = lived(state, T0 + 1.2)
+    assert record(state, 8).stage is Stage.ACCEPTED
+    driven = lived(state, T0 + 1.4, goal(FIRST))
+    assert record(driven, 8).stage is Stage.ACCEPTED
+    assert record(lived(driven, T0 + 2, goal(FIRST, OFF)), 8).stage is Stage.CONFIRMED
+    never = lived(lived(state, T0 + 30), T0 + 30.1)
+    assert [record(never, one).stage for one in (7, 8)] == [Stage.NOT_CONFIRMED, Stage.CONFIRMED]
