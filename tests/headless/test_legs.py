@@ -45,3 +45,10 @@ async def test_it_ends_when_the_next_stop_is_refused(site: MoveBaseSite, tmp_pat
 async def test_status_only_listens(site: MoveBaseSite, tmp_path: Path) -> None:
     done = await run(tmp_path, "status")
     assert "robot_0" in done.out and not site.advertised()
+
+
+async def test_a_clear_loses_no_goal_of_others(site: MoveBaseSite, tmp_path: Path) -> None:
+    site.server.speed = 1.0
+    site.navigation().give(35.0, 20.0)
+    done = await run(tmp_path, "clear", "robot_0")
+    assert "robot_0 has no orders of this console" in done.err and "would lose" not in done.err
