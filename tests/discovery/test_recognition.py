@@ -9,6 +9,7 @@ from fleet_tui.adapters.registry import KINDS
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.recognition import claimed
 from fleet_tui.discovery.site import DiscoveredSite
+from fleet_tui.errors import FleetError
 
 MANY, WITHIN = 3000, 5.0
 STATUS = "actionlib_msgs/GoalStatusArray"
@@ -44,3 +45,13 @@ def test_names_that_no_config_can_hold_are_left_out() -> None:
     site = DiscoveredSite(Link("ws://robot:9090"), claimed(Listed(topics, {})), {}, len(topics))
     assert [robot.name for robot in site.config.robots] == ["robot_1"]
     assert site.text.isascii() and "armed" not in site.text
+
+
+def test_names_that_mean_two_things_are_said_with_the_address_and_a_remedy() -> None:
+    topics = {"/a/move_base/status": STATUS, "/a/move_base/feedback": "sensor_msgs/BatteryState"}
+    site = DiscoveredSite(Link("ws://robot:9090"), claimed(Listed(topics, {})), {}, len(topics))
+    with pytest.raises(
+        FleetError, match="^ws://robot:9090: .* config init --from-live ws://robot:9090$"
+    ) as said:
+        assert site.config
+    assert "/a/move_base/feedback is feedback of a and battery of a" in str(said.value)
