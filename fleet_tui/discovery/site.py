@@ -50,8 +50,8 @@ class DiscoveredSite:
 
     @cached_property
     def config(self) -> Config:
-        """The configuration that this text is. Raises FleetError where no robot was found, or where names mean
-        two things."""
+        """The configuration that this text is. Raises FleetError where no robot was found, or where names
+        mean two things."""
         if not any(one.robots for one in self.found.values()):
             raise FleetError(
                 f"{self.bridge.shown}: no robot found among {self.topics} topics: start the robots' nodes, or"

@@ -50,8 +50,8 @@ def test_names_that_no_config_can_hold_are_left_out() -> None:
 def test_names_that_mean_two_things_are_said_with_the_address_and_a_remedy() -> None:
     topics = {"/a/move_base/status": STATUS, "/a/move_base/feedback": "sensor_msgs/BatteryState"}
     site = DiscoveredSite(Link("ws://robot:9090"), claimed(Listed(topics, {})), {}, len(topics))
-    with pytest.raises(
-        FleetError, match="^ws://robot:9090: .* config init --from-live ws://robot:9090$"
-    ) as said:
+    with pytest.raises(FleetError) as said:
         assert site.config
-    assert "/a/move_base/feedback is feedback of a and battery of a" in str(said.value)
+    words = str(said.value)
+    assert words.startswith("ws://robot:9090: ") and words.endswith("--from-live ws://robot:9090")
+    assert "/a/move_base/feedback is feedback of a and battery of a" in words
