@@ -17,7 +17,7 @@ from fleet_tui.journal.audit import auditing
 from fleet_tui.log_file import state_folder
 from fleet_tui.model.batches import summary
 from fleet_tui.model.checks import no_link
-from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grammar import ALL, find_robot, parse_words
 from fleet_tui.model.problem import Rights
@@ -105,7 +105,10 @@ def _say_what_is_open(given: Sending, say: Say) -> None:
         known = f"order {record.order_id} is in the queue, and stays there"
         if record.has_further_leg(given.state.robots[record.command.robot].kind):
             known += ", but nobody gives the robot its other stops now"
-        known = known if record.is_decided else f"it was {record.stage.value}, and may still be carried out"
+        if record.stage is Stage.WAITING:
+            known = "it waited here, and nobody gives it any more"
+        elif not record.is_decided:
+            known = f"it was {record.stage.value}, and may still be carried out"
         say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
 
 

@@ -20,6 +20,7 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.keeping import clearable
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.problem import Problem, Rights
 from fleet_tui.model.robot import Robot
@@ -68,8 +69,7 @@ def _losses(state: FleetState, wish: Wish) -> Iterator[Problem]:
     """Warn of a clear: whoever types it sees no queue."""
     for command in wish.commands:
         robot = state.robots.get(command.robot)
-        if isinstance(command, ClearOrders) and robot is not None and robot.orders.open:
-            count = len(robot.orders.open)
+        if isinstance(command, ClearOrders) and robot is not None and (count := len(clearable(state, robot))):
             text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
             yield Problem("losses", text, blocks=False)
 

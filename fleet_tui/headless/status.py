@@ -5,6 +5,7 @@ import shutil
 import time
 from collections.abc import Callable
 
+from fleet_tui.config.fleet import watching
 from fleet_tui.config.schema import Config
 from fleet_tui.headless.report import attention, changes, report
 from fleet_tui.headless.session import WaitingStore, has_link, is_known, session
@@ -80,7 +81,7 @@ def _watch(store: WaitingStore, state: FleetState, as_json: bool, oneline: bool,
 
 def status(config: Config, timeout: float, as_json: bool, oneline: bool, watch: bool, say: Say) -> int:
     """Print how the fleet is; the exit code."""
-    with session(config) as (_, store):
+    with session(watching(config)) as (_, store):
         store.wait(is_known, timeout)
         # Alarms ripen at the next tick of the clock.
         known_at = time.monotonic()

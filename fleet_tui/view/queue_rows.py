@@ -6,7 +6,7 @@ from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.confirmation import find_order
 from fleet_tui.model.fleet import FleetState, age
-from fleet_tui.model.keeping import all_orders, kept_orders
+from fleet_tui.model.keeping import all_orders
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.command_line import stage_text
@@ -99,7 +99,7 @@ def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots:
     runs.append(("all robots" if all_robots else robot.name, Ink.TITLE))
     if all_robots or robot.kind.lists_orders:
         runs.append((f" {count} order{'s' * (count != 1)}", Ink.DIM))
-    if ours and robot.held and kept_orders(state, robot):
+    if ours and robot.held:
         runs.append((f" held: {robot.held}", Ink.WARN))
     if placed:
         runs.append((f" +{placed} not seen here yet", Ink.WARN))
