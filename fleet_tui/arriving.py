@@ -23,7 +23,7 @@ def open_with(
     except NoConfigError:
         config = None
     if config is None:
-        site = _arrive(url, drawing, debug)
+        site = _arrive(url, read_only, drawing, debug)
         if site is None:
             return
         config = site.config
@@ -32,7 +32,7 @@ def open_with(
     open_console(config, read_only, drawing, debug, site=site)
 
 
-def _arrive(url: str | None, drawing: str | None, debug: bool) -> "DiscoveredSite | None":
+def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) -> "DiscoveredSite | None":
     """Find out what is there, and ask a person about what is not certain; None where they leave."""
     from fleet_tui.discovery.address import bridge_at
     from fleet_tui.discovery.awaiting import Discovering
@@ -46,7 +46,9 @@ def _arrive(url: str | None, drawing: str | None, debug: bool) -> "DiscoveredSit
     site = discovering.result() if discovering else None
     if site is not None:
         certain = bool(site.config.robots) and not (site.choices or site.lacks)
-        # A browser's tab takes the pictures of one app alone.
+        # A browser's tab takes the pictures of one app alone: nothing can be asked there.
+        if IN_BROWSER in os.environ and site.unclear and not read_only:
+            raise ConfigError(site.unclear)
         if certain or IN_BROWSER in os.environ:
             return site
     return ask_first(site, drawing)

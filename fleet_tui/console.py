@@ -12,11 +12,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import msgspec
-
 from fleet_tui.app import FleetApp
 from fleet_tui.backend import Backend, connect_live
 from fleet_tui.config.access import access_problems, unsafe_places
+from fleet_tui.config.fleet import watching
 from fleet_tui.config.load import user_folder
 from fleet_tui.config.saving import Saving
 from fleet_tui.config.schema import Config, Ui
@@ -110,9 +109,7 @@ def open_console(
     the configuration comes from that is in no file."""
     saving = None if demo else Saving(config, site)
     if read_only:
-        config = msgspec.structs.replace(
-            config, operator=msgspec.structs.replace(config.operator, read_only=True)
-        )
+        config = watching(config)
     store = Store(initial_state(config, time.monotonic()))
     app = _ready(config, drawing, debug, partial(FleetApp, config, store))
     app.main.saving = saving

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 from difflib import get_close_matches
 from typing import NamedTuple
 
+from fleet_tui.text.limits import LONGEST_NAME
+
 NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
 """ROS graph names, and what is harmless beside them."""
 
@@ -90,4 +92,5 @@ def natural(name: str) -> list[tuple[int, str]]:
 
 def _is_sane(name: str, type_: str) -> bool:
     parts = name.split("/")
-    return not parts[0] and all(map(NAME.fullmatch, parts[1:])) and bool(NAME.fullmatch(type_ or "none"))
+    is_name = len(name) <= LONGEST_NAME and not parts[0] and all(map(NAME.fullmatch, parts[1:]))
+    return is_name and bool(NAME.fullmatch(type_ or "none"))

@@ -9,12 +9,11 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
 
-import msgspec
-
 from fleet_tui.audit.log import new_origin
 from fleet_tui.cli.session import WaitingStore, has_link, session
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.access import access_problems
+from fleet_tui.config.fleet import watching
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import ConfigError
@@ -141,8 +140,7 @@ def record(
 ) -> int:
     """Record for so many seconds, until SIGTERM or Ctrl-C; the exit code. Without a link within `timeout`
     seconds it ends. Raises RecordingError where the file can't be made, ConfigError for an unsafe secret."""
-    operator = msgspec.structs.replace(config.operator, read_only=True)
-    config = msgspec.structs.replace(config, operator=operator)
+    config = watching(config)
     problems = access_problems(config)
     if problems:
         # Before there is a file.

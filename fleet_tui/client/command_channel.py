@@ -21,6 +21,7 @@ from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.model.commands import UNANSWERED, Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
+from fleet_tui.rules.commands.keeping import withdrawn
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.rosbridge.connection import Connection
 
@@ -118,6 +119,10 @@ class CommandChannel:
     async def _submit_in_turn(self, command_id: int, command: Command, given_at: float) -> None:
         async with self._in_turn:
             await self._services.settle()
+            # A pause waits for nothing: the goal that it overtook must not drive the robot on.
+            if reason := withdrawn(self._writer.store.state, command_id, given_at):
+                self._advance(command_id, Stage.NOT_SENT, reason)
+                return
             self._submit(command_id, command, given_at)
 
     def _submit(self, command_id: int, command: Command, given_at: float) -> None:

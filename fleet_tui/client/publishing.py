@@ -14,6 +14,10 @@ from fleet_tui.transports.rosbridge.connection import Connection
 KNOWN_AFTER = 0.3
 """Seconds until subscribers have come to a topic that was advertised: what leaves before may be lost."""
 
+AT_ONCE, BETWEEN = 20, 0.2
+"""Topics that are advertised together, of which a real bridge needs up to 10 ms for each, and the seconds
+until the next ones."""
+
 
 class Publishing:
     """Runs on the network loop. `usual` are names and types of topics that are advertised on each
@@ -22,13 +26,23 @@ class Publishing:
     def __init__(self, connection: Connection, usual: Iterable[tuple[str, str]]) -> None:
         self._connection, self._usual = connection, tuple(usual)
         self._advertised: dict[str, float] = {}
-        self._repeats: set[asyncio.TimerHandle] = set()
+        self._repeats: list[bytes] = []
+        self._timer: asyncio.TimerHandle | None = None
+        self._next: asyncio.TimerHandle | None = None
 
     def start(self) -> None:
         """Advertise: the bridge remembers nothing of us."""
-        for topic, type_ in self._usual:
-            with suppress(LinkError):
-                self._advertise(topic, type_)
+        self._advertise_next(list(self._usual))
+
+    def _advertise_next(self, left: list[tuple[str, str]]) -> None:
+        """Advertise a few, then the others: of a large fleet all at once would delay a pause."""
+        for topic, type_ in left[:AT_ONCE]:
+            if topic not in self._advertised:
+                with suppress(LinkError):
+                    self._advertise(topic, type_)
+        if left := left[AT_ONCE:]:
+            loop = asyncio.get_running_loop()
+            self._next = loop.call_later(BETWEEN, self._advertise_next, left)
 
     def _advertise(self, topic: str, type_: str) -> None:
         self._connection.send(operations.advertise(topic, type_))
@@ -40,15 +54,30 @@ class Publishing:
             self._advertise(one.address, one.type)
         frame = operations.publish(one.address, one.type, one.message)
         self._connection.send(frame)
-        wait = self._advertised[one.address] + KNOWN_AFTER - time.monotonic()
-        if wait > 0.0:
-            loop = asyncio.get_running_loop()
-            self._repeats = {one for one in self._repeats if one.when() > loop.time()}
-            self._repeats.add(loop.call_later(wait, self._connection.send, frame))
+        known_at = self._advertised[one.address] + KNOWN_AFTER
+        # What follows something that comes twice comes again after it: a pause has the last word.
+        if self._repeats or known_at > time.monotonic():
+            self._repeats.append(frame)
+            self._repeat_at(known_at)
+
+    def _repeat_at(self, at: float) -> None:
+        loop = asyncio.get_running_loop()
+        when = loop.time() + at - time.monotonic()
+        if self._timer is not None:
+            when = max(when, self._timer.when())
+            self._timer.cancel()
+        self._timer = loop.call_at(when, self._repeat)
+
+    def _repeat(self) -> None:
+        frames, self._repeats, self._timer = self._repeats, [], None
+        with suppress(LinkError):
+            for frame in frames:
+                self._connection.send(frame)
 
     def stop(self) -> None:
         """Cancel repeats and forget the advertisements of a lost connection."""
-        for repeat in self._repeats:
-            repeat.cancel()
-        self._repeats.clear()
+        for timer in (self._timer, self._next):
+            if timer is not None:
+                timer.cancel()
+        self._repeats, self._timer, self._next = [], None, None
         self._advertised.clear()

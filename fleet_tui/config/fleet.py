@@ -3,6 +3,8 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+import msgspec
+
 from fleet_tui.adapters.adapter import Adapter, Feed, Limit, Site
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
@@ -29,6 +31,13 @@ def adapters_of(config: Config) -> dict[str, Adapter]:
             made[table] = KINDS[kind_of(profile)].adapter(profile, site)
         found[robot.name] = made[table]
     return found
+
+
+def watching(config: Config) -> Config:
+    """Return the same configuration for a console that only watches: nothing is advertised, no command
+    leaves."""
+    operator = msgspec.structs.replace(config.operator, read_only=True)
+    return msgspec.structs.replace(config, operator=operator)
 
 
 def feeds_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> list[Feed]:

@@ -20,7 +20,7 @@ from fleet_tui.discovery.recognition import Found, assigned, claimed
 from fleet_tui.discovery.rosapi import look_around
 from fleet_tui.discovery.tools import rosapi_remedy
 from fleet_tui.discovery.wire import BridgeConnection
-from fleet_tui.errors import FleetError, LinkError
+from fleet_tui.errors import ConfigError, FleetError, LinkError
 from fleet_tui.transports.loop import network_loop
 
 WITHIN = 20.0
@@ -50,13 +50,18 @@ class DiscoveredSite:
 
     @cached_property
     def config(self) -> Config:
-        """The configuration that this text is. Raises FleetError where no robot was found."""
+        """The configuration that this text is. Raises FleetError where no robot was found, or where names
+        mean two things."""
         if not any(one.robots for one in self.found.values()):
             raise FleetError(
                 f"{self.bridge.shown}: no robot found among {self.topics} topics: start the robots' nodes, or"
                 f" name their topics: fleet-tui config init --from-live {self.bridge.shown}"
             )
-        return from_text(self.text)
+        try:
+            return from_text(self.text)
+        except ConfigError as problem:
+            edit = f"correct it in a file: fleet-tui config init --from-live {self.bridge.shown}"
+            raise FleetError(f"{self.bridge.shown}: {problem.problems[0]}; {edit}") from None
 
     @property
     def choices(self) -> list[Choice]:

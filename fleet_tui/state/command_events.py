@@ -32,7 +32,17 @@ def confirm_commands(state: FleetState) -> FleetState:
         looked = follow_up(state, record) if record.is_decided else confirm(state, record)
         if looked is not record:
             state = _after_step(_with_record(state, looked), looked)
+        if looked.leg > record.leg:
+            state = _at_stop(state, record)
     return state
+
+
+def _at_stop(state: FleetState, record: CommandRecord) -> FleetState:
+    """Its goal led to one stop, and only there is it done."""
+    robot, command = state.robots[record.command.robot], record.command
+    assert isinstance(command, PlaceOrder) and record.order_id is not None
+    stop = command.stops[record.leg : record.leg + 1]
+    return with_robot(state, know_stops(robot, record.order_id, stop, is_ours=True))
 
 
 def _with_record(state: FleetState, record: CommandRecord) -> FleetState:

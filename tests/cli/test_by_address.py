@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.config.schema import Config
+from fleet_tui.console import IN_BROWSER
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
@@ -146,7 +147,9 @@ async def test_the_doctor_of_a_site_never_seen(server: RosbridgeServer, tmp_path
     assert (dead.code, first["check"]) == (3, "tcp") and "correct the address" in first["remedy"]
 
 
-async def test_robots_of_no_certain_kind_are_not_commanded_unseen(tmp_path: Path) -> None:
+async def test_robots_of_no_certain_kind_are_not_commanded_unseen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     both: list[Fleet] = [
         OhFleet(World(robots=1, floors=1, seed=1, quiet=True)),
         Nav2Fleet(1, 1, seed=1, quiet=True),
@@ -157,6 +160,9 @@ async def test_robots_of_no_certain_kind_are_not_commanded_unseen(tmp_path: Path
     assert done.code == 2 and "kind of robot_0: oh_ressources, could be nav2" in done.err
     seen = await run(tmp_path, "status", "--url", server.url)
     assert "warning: kind of robot_0: oh_ressources, could be nav2" in seen.err and "robot_0" in seen.out
+    monkeypatch.setenv(IN_BROWSER, "textual.drivers.web_driver:WebDriver")
+    tab = await run(tmp_path, server.url)
+    assert tab.code == 2 and "kind of robot_0: oh_ressources, could be nav2" in tab.err
     assert not server.calls
     await server.stop()
 

@@ -1,5 +1,6 @@
 """Orders of robots with move_base, over a real loopback bridge: given, confirmed, driven, cancelled."""
 
+import asyncio
 from collections.abc import AsyncIterator
 from pathlib import Path
 
@@ -8,6 +9,7 @@ import pytest
 
 from fleet_tui.client import publishing
 from fleet_tui.client.queue_file import FILE, Kept
+from fleet_tui.client.services import Services
 from fleet_tui.config.schema import Operator
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
@@ -15,6 +17,7 @@ from fleet_tui.model.order import at_vertices
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, foreign, waiting
 from fleet_tui.simulator.faults import play
+from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.rosbridge import connection
 from tests.support.links import finished, linked
 from tests.support.move_base_site import MoveBaseSite, move_base_site
@@ -174,6 +177,26 @@ async def test_a_first_message_that_is_lost_is_repeated(
     sent = site.published("/goal")
     assert len(sent) == 2 and sent[0] == sent[1] and len(site.navigation().received) == 1
     assert site.server.guests.connects_in < publishing.KNOWN_AFTER
+
+
+async def test_a_goal_that_waits_for_a_new_connection_is_overtaken_by_a_pause(
+    site: MoveBaseSite, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told = asyncio.Event()
+
+    async def settle(_: Services) -> None:
+        await told.wait()
+
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(known)
+        monkeypatch.setattr(Services, "is_new", True)
+        monkeypatch.setattr(Services, "settle", settle)
+        order = link.submit(site.to("Consumidores"))
+        await reached(store, link.submit(PauseRobot(R0)), Stage.ACCEPTED, Stage.CONFIRMED)
+        network_loop().call_soon_threadsafe(told.set)
+        ended = await reached(store, order, Stage.NOT_SENT, Stage.CONFIRMED)
+    assert (ended.stage, ended.words) == (Stage.NOT_SENT, "its robot was paused before it left")
+    assert not site.published("/goal")
 
 
 async def test_a_goal_that_nobody_hears_is_not_confirmed(site: MoveBaseSite) -> None:

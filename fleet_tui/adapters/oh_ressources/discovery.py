@@ -1,6 +1,7 @@
 """These robots and their floors, recognised by the names and types of topics and services."""
 
-from collections.abc import Iterator, Mapping
+from collections import defaultdict
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from fleet_tui.adapters.discovery import Discovery, Listed, natural
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
@@ -11,6 +12,8 @@ QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]
 PAUSED = "{robot}/paused"
 # Types whose one field is read alike.
 ALIKE = {"std_msgs/Float32": ("std_msgs/Float64",)}
+Below = Mapping[tuple[str, str], Sequence[str]]
+"""The rest of the names in the namespaces of robots, by robot and type."""
 
 
 def discover(listed: Listed) -> Discovery:
@@ -21,15 +24,18 @@ def discover(listed: Listed) -> Discovery:
     site = Discovery({robot: [] for robot in robots}, is_guess=is_guess)
     site.types |= other_types
     site.service_types |= other_service_types
+    below = _below(robots, topics)
     for robot, floors in site.robots.items():
-        floors += dict.fromkeys(_floors(robot, topics))
+        floors += dict.fromkeys(_floors(robot, below))
     for key in TOPICS:
-        _topic(site, key, topics)
+        _topic(site, key, topics, below)
+    of_services = _below(robots, services)
     for key in SERVICES:
-        _service(site, key, services)
+        _service(site, key, services, of_services)
+    all_floors = set(site.floors)
     for name, type_ in topics.items():
         if type_ == TOPICS["map"][1]:
-            site.live_maps |= {floor for floor in site.floors if f"/{floor}/" in name}
+            site.live_maps |= all_floors.intersection(name.split("/")[1:-1])
     return site
 
 
@@ -63,38 +69,42 @@ def _robots(topics: Mapping[str, str]) -> tuple[list[str], bool]:
     return [], True
 
 
-def _below(robot: str, topics: Mapping[str, str], type_: str) -> Iterator[str]:
-    """The rest of the names in a robot's namespace of topics or services of a type."""
-    prefix = f"/{robot}/"
-    return (
-        name[len(prefix) :] for name, other in topics.items() if name.startswith(prefix) and other == type_
-    )
+def _below(robots: Collection[str], topics: Mapping[str, str]) -> Below:
+    """Look up the names of topics or services once for all robots, however many there are."""
+    found, known = defaultdict[tuple[str, str], list[str]](list), set(robots)
+    for name, type_ in topics.items():
+        parts = name.removeprefix("/").split("/", 2)
+        for n in range(1, len(parts)):
+            if (robot := "/".join(parts[:n])) in known:
+                found[robot, type_].append("/".join(parts[n:]))
+    return found
 
 
-def _floors(robot: str, topics: Mapping[str, str]) -> Iterator[str]:
+def _floors(robot: str, below: Below) -> Iterator[str]:
     """The floors for which a robot gives graphs, labels or maps."""
     for key in ("graph", "labels", "map_metadata", "map"):
-        for rest in _below(robot, topics, TOPICS[key][1]):
+        for rest in below.get((robot, TOPICS[key][1]), ()):
             if rest.count("/") == 1:
                 yield rest.partition("/")[0]
 
 
-def _templates(site: Discovery, key: str, topics: Mapping[str, str]) -> dict[str, int]:
+def _templates(site: Discovery, key: str, below: Below) -> dict[str, int]:
     """Every template by which topics of a key's type can be named, and how many robots name one so."""
     found = dict[str, int]()
     for robot, floors in site.robots.items():
-        rests = set[str]()
-        for rest in _below(robot, topics, TOPICS[key][1]):
-            floor = next((floor for floor in floors if rest.startswith(f"{floor}/")), "")
-            if bool(floor) == (key in FLOOR_TOPICS):
-                rests.add("{floor}" + rest[len(floor) :] if floor else rest)
+        rests, known = set[str](), set(floors)
+        for rest in below.get((robot, TOPICS[key][1]), ()):
+            first, slash, after = rest.partition("/")
+            is_of_floor = bool(slash) and first in known
+            if is_of_floor == (key in FLOOR_TOPICS):
+                rests.add(f"{{floor}}/{after}" if is_of_floor else rest)
         for rest in rests:
             found["/{robot}/" + rest] = found.get("/{robot}/" + rest, 0) + 1
     return found
 
 
-def _topic(site: Discovery, key: str, topics: Mapping[str, str]) -> None:
-    found, (usual, type_) = _templates(site, key, topics), TOPICS[key]
+def _topic(site: Discovery, key: str, topics: Mapping[str, str], below: Below) -> None:
+    found, (usual, type_) = _templates(site, key, below), TOPICS[key]
     if key == "paused":
         if f"/{PAUSED}" in found:
             site.topics[key] = f"/{PAUSED}"
@@ -116,14 +126,14 @@ def _alike(site: Discovery, key: str, topics: Mapping[str, str]) -> bool:
     return False
 
 
-def _service(site: Discovery, key: str, services: Mapping[str, str]) -> None:
+def _service(site: Discovery, key: str, services: Mapping[str, str], below: Below) -> None:
     usual, type_ = SERVICES[key]
     there = {services[name] for robot in site.robots if (name := usual.replace("{robot}", robot)) in services}
     if there:
         if type_ not in there and there != {""}:
             site.note("service_types", f'{key} = "{min(there)}"   # if its fields are the same')
         return
-    found = {"/{robot}/" + rest for robot in site.robots for rest in _below(robot, services, type_)}
+    found = {"/{robot}/" + rest for robot in site.robots for rest in below.get((robot, type_), ())}
     known = {template for template, _ in SERVICES.values()} | set(site.services.values())
     if chosen := site.choose("services", key, found - known, usual, type_):
         site.services[key] = chosen

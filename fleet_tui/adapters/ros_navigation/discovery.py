@@ -27,12 +27,12 @@ def _templates(spaces: Sequence[str], names: Iterable[str]) -> set[str]:
     """Names in the namespaces of robots as a profile has them."""
     if spaces == [""]:
         return set(names)
-    return {
-        f"/{{robot}}/{name.removeprefix(f'/{space}/')}"
-        for name in names
-        for space in spaces
-        if name.startswith(f"/{space}/")
-    }
+    known, found = set(spaces), set[str]()
+    for name in names:
+        parts = name.removeprefix("/").split("/")
+        cuts = [n for n in range(1, len(parts)) if "/".join(parts[:n]) in known]
+        found |= {"/".join(("/{robot}", *parts[n:])) for n in cuts}
+    return found
 
 
 def _of_type(listed: Listed, type_: str) -> list[str]:

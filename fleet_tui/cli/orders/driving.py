@@ -5,7 +5,8 @@ from dataclasses import replace
 
 from fleet_tui.cli.orders.outcome import DONE, NOT_DONE, Outcome
 from fleet_tui.cli.session import WaitingStore
-from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
+from fleet_tui.model.commands import CommandRecord, Stage
+from fleet_tui.model.fleet import FleetState
 
 
 def follow_order(
@@ -15,16 +16,10 @@ def follow_order(
     newest record of the command that placed it."""
     if latest().order_id is None:
         return queued
-    store.wait(lambda _: latest().stage in ORDER_ENDS, seconds)
+    store.wait(lambda state: _is_over(latest()) or _is_stuck(state, latest()), seconds)
     record = latest()
-    if record.stage not in ORDER_ENDS:
-        listed = store.state.robots[record.command.robot].orders.orders
-        state = next((order.state_text for order in listed if order.id == record.order_id), "")
-        words = f"order {record.order_id} is {state or 'in the queue'}"
-        words += ", and was not driven yet when the time was up"
-        if record.has_further_leg(store.state.robots[record.command.robot].kind):
-            words += "; its other stops are not given"
-        return replace(queued, outcome="not done", words=words, code=NOT_DONE)
+    if not _is_over(record):
+        return replace(queued, outcome="not done", words=_where(store.state, record), code=NOT_DONE)
     done = record.stage is Stage.DONE
     return replace(
         queued,
@@ -33,3 +28,25 @@ def follow_order(
         code=DONE if done else NOT_DONE,
         seconds=round(record.at - record.issued_at, 3),
     )
+
+
+def _is_over(record: CommandRecord) -> bool:
+    """Tell whether nothing more comes of an order: its next stop may have been refused, too."""
+    return record.is_decided and not record.has_open_order
+
+
+def _is_stuck(state: FleetState, record: CommandRecord) -> bool:
+    """Tell whether its next stop is held back: nobody resumes the queue of this command."""
+    return record.stage is Stage.WAITING and bool(state.robots[record.command.robot].held)
+
+
+def _where(state: FleetState, record: CommandRecord) -> str:
+    robot = state.robots[record.command.robot]
+    if record.stage is Stage.WAITING:
+        words = f"order {record.order_id} waits here"
+    else:
+        listed = (order.state_text for order in robot.orders.orders if order.id == record.order_id)
+        words = f"order {record.order_id} is {next(listed, '') or 'in the queue'}"
+    words += f": {robot.held}" if robot.held else ", and was not driven yet when the time was up"
+    is_left = record.stage is Stage.WAITING or record.has_further_leg(robot.kind)
+    return words + "; its other stops are not given" * is_left

@@ -15,7 +15,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import CommandError
 from fleet_tui.log_file import state_folder
-from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
@@ -105,7 +105,10 @@ def _say_what_is_open(given: Sending, say: Say) -> None:
         known = f"order {record.order_id} is in the queue, and stays there"
         if record.has_further_leg(given.state.robots[record.command.robot].kind):
             known += ", but its other stops are not given"
-        known = known if record.is_decided else f"it was {record.stage.value}, and may still be carried out"
+        if record.stage is Stage.WAITING:
+            known = "it waited here, and nobody gives it any more"
+        elif not record.is_decided:
+            known = f"it was {record.stage.value}, and may still be carried out"
         say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
 
 

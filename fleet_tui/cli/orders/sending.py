@@ -24,6 +24,7 @@ from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
+from fleet_tui.rules.commands.keeping import clearable
 
 LINK_WITHIN = 5.0
 """Seconds to wait at most for a link and for what a robot reports."""
@@ -68,8 +69,7 @@ def _losses(state: FleetState, wish: Request) -> Iterator[Problem]:
     """Warn of a clear: whoever types it sees no queue."""
     for command in wish.commands:
         robot = state.robots.get(command.robot)
-        if isinstance(command, ClearOrders) and robot is not None and robot.orders.open:
-            count = len(robot.orders.open)
+        if isinstance(command, ClearOrders) and robot is not None and (count := len(clearable(state, robot))):
             text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
             yield Problem("losses", text, blocks=False)
 

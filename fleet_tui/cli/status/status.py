@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from fleet_tui.cli.session import WaitingStore, has_link, is_known, session
 from fleet_tui.cli.status.report import attention, changes, report
+from fleet_tui.config.fleet import watching
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.sanitize import sanitize
@@ -80,7 +81,7 @@ def _watch(store: WaitingStore, state: FleetState, as_json: bool, oneline: bool,
 
 def status(config: Config, timeout: float, as_json: bool, oneline: bool, watch: bool, say: Say) -> int:
     """Print how the fleet is; the exit code."""
-    with session(config) as (_, store):
+    with session(watching(config)) as (_, store):
         store.wait(is_known, timeout)
         # Alarms ripen at the next tick of the clock.
         known_at = time.monotonic()

@@ -5,7 +5,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import Held
-from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, waiting
+from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, to_keep
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
 """Variance of x and y in square metres above which a robot does not know where it is, and below which it
@@ -37,7 +37,7 @@ def held_orders(state: FleetState, robot: Robot, _held: Held) -> Condition | Non
     """Orders wait here, and the operator has to say that they go on."""
     if not robot.held:
         return None
-    kept = len(waiting(state, robot))
+    kept = sum(1 for _ in to_keep(state, robot))
     if not kept:
         return None
     text = f"{robot.held}: {kept} order{'s wait' if kept > 1 else ' waits'} here, resume lets them go on"

@@ -159,6 +159,15 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
     return [f"order {order.id} is {order.state_text}" for order in left]
 
 
+def _is_driven(state: FleetState, record: CommandRecord) -> bool:
+    """Tell whether a goal that a clear takes back by its name is under way, or may be listed yet."""
+    return isinstance(record.command, ClearOrders) and any(
+        one.name and (one.stage in WAITS | {Stage.SENT} or one.has_open_order)
+        for one in state.commands
+        if one.command.robot == record.command.robot and one.issued_at <= record.issued_at
+    )
+
+
 def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool) -> CommandRecord:
     """The record, confirmed if telemetry shows that the command was carried out."""
     match record.command:
@@ -173,7 +182,7 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
             step = Step(Stage.CONFIRMED, state.now, f"seen in the queue as order {order.id}")
             return record.recognised(order, step)
         case CancelOrder() | ClearOrders():
-            if _still_there(robot, record) != []:
+            if _still_there(robot, record) != [] or _is_driven(state, record):
                 return record
             return record.advanced(Step(Stage.CONFIRMED, state.now, "gone from the queue"))
         case PauseRobot():
@@ -201,7 +210,7 @@ def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
             unknown = record.before.last_serial is None
             return "its queue was not known before" if unknown else "no such order in its queue"
         case CancelOrder() | ClearOrders():
-            return ", ".join((_still_there(robot, record) or [])[:3])
+            return ", ".join((_still_there(robot, record) or [])[:3]) or "nothing shows it"
         case _:
             assert_never(record.command)
 

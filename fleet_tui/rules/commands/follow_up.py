@@ -76,6 +76,11 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     if stage is Stage.WAITING:
         return _waiting_again(state, robot, record, "stopped, goal kept here")
     if stage is Stage.DONE and record.has_further_leg(robot.kind):
+        if _removals(state, record, gone):
+            # What is left of it is kept here: to have asked is enough, whatever the robot took of that.
+            return record.advanced(
+                Step(Stage.CANCELLED, state.now, f"order {record.order_id}: by this console")
+            )
         record = replace(record, leg=record.leg + 1)
         return _waiting_again(state, robot, record, "at its stop: the next goal follows")
     reason = "by this console" if stage is Stage.CANCELLED else gone.reason
@@ -135,14 +140,15 @@ def _is_held(state: FleetState, record: CommandRecord, gone: GoneOrder) -> bool:
 
 
 def _removals(state: FleetState, record: CommandRecord, gone: GoneOrder) -> set[Stage]:
-    """Return where this console's other commands since `record` stand that were to remove an order."""
+    """Return where this console's other commands since `record` stand that were to remove an order. A clear
+    takes back what this console named, also where it was not listed yet."""
     return {
         other.stage
         for other in state.commands
         if other.command.robot == record.command.robot
         and other.id != record.id
         and record.issued_at <= other.issued_at <= gone.at
-        and _removes(other, gone.order)
+        and (_removes(other, gone.order) or (record.name and isinstance(other.command, ClearOrders)))
     }
 
 

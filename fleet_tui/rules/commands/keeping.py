@@ -115,9 +115,12 @@ def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
 
 
 def withdrawn(state: FleetState, command_id: int, since: float) -> str:
-    """Say why an order that was given a moment ago, at `since` (monotonic), must not leave any more; empty
-    where it may."""
+    """Say why a goal that was given a moment ago, at `since` (monotonic), must not leave any more; empty
+    where it may, and of any other command."""
     record = next((one for one in state.commands if one.id == command_id), None)
+    is_order = record is not None and isinstance(record.command, PlaceOrder)
+    if record and not (is_order and state.robots[record.command.robot].kind.keeps_goals):
+        return ""
     if record is None or record.stage not in (Stage.CHECKED, Stage.WAITING):
         return "it was cancelled before it left"
     for other in state.commands:
@@ -131,8 +134,8 @@ def withdrawn(state: FleetState, command_id: int, since: float) -> str:
 
 
 def hold_all(state: FleetState, reason: str) -> Iterator[QueueHeld]:
-    """Return the facts that hold every queue in which something waits."""
-    return (QueueHeld(robot.name, reason) for robot in state.robots.values() if waiting(state, robot))
+    """Return the facts that hold every queue of which something is left to give."""
+    return (QueueHeld(robot.name, reason) for robot in state.robots.values() if any(to_keep(state, robot)))
 
 
 def with_held_queues(state: FleetState) -> FleetState:
@@ -146,8 +149,9 @@ def with_held_queues(state: FleetState) -> FleetState:
 
 
 def _held(state: FleetState, robot: Robot) -> str:
-    """Return why its queue is held from now on: the first reason counts, as long as something waits."""
-    if not waiting(state, robot):
+    """Return why its queue is held from now on: the first reason counts, as long as something is left to
+    give, be it the next stop of the order that is driven now."""
+    if not any(to_keep(state, robot)):
         return ""
     return robot.held or next(_reasons(state, robot), "")
 

@@ -4,7 +4,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.commands.keeping import foreign, waiting
+from fleet_tui.rules.commands.keeping import foreign, to_keep
 from fleet_tui.rules.why.reason import Reason, Strength, mission
 
 
@@ -45,10 +45,10 @@ def recovering(state: FleetState, robot: Robot) -> Reason | None:
 
 def held(state: FleetState, robot: Robot) -> Reason | None:
     """Orders wait here for the operator."""
-    kept = waiting(state, robot)
+    kept = sum(1 for _ in to_keep(state, robot))
     if not kept or not robot.held:
         return None
-    evidence = f"{len(kept)} order{'s wait' if len(kept) > 1 else ' waits'} here: resume lets them go on"
+    evidence = f"{kept} order{'s wait' if kept > 1 else ' waits'} here: resume lets them go on"
     return Reason(f"held: {robot.held}", evidence, Strength.CERTAIN, keys=("resume",))
 
 

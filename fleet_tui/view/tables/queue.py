@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.confirmation import find_order
-from fleet_tui.rules.commands.keeping import all_orders, kept_orders
+from fleet_tui.rules.commands.keeping import all_orders
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import stage_text
@@ -104,7 +104,7 @@ def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots:
     runs.append(("all robots" if all_robots else robot.name, StyleRole.TITLE))
     if all_robots or robot.kind.lists_orders:
         runs.append((f" {count} order{'s' * (count != 1)}", StyleRole.DIM))
-    if ours and robot.held and kept_orders(state, robot):
+    if ours and robot.held:
         runs.append((f" held: {robot.held}", StyleRole.WARN))
     if placed:
         runs.append((f" +{placed} not seen here yet", StyleRole.WARN))

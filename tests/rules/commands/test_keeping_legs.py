@@ -1,0 +1,77 @@
+"""Stops that this console has still to give: what keeps the next goal from leaving."""
+
+import pytest
+
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, Stage
+from fleet_tui.model.events import CommandAdvanced, CommandIssued
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import at_vertices
+from fleet_tui.rules.commands.keeping import all_orders, hold_all, next_to_send
+from tests.support.fleets import R0, T0, link_lost, link_up, tick, told
+from tests.support.legs import DONE, OFF, goal, lived, record, sent, site
+
+FIRST = "goal---1"
+
+
+def on_its_first_leg() -> FleetState:
+    return lived(sent(site(), T0 + 1, FIRST), T0 + 1.2, goal(FIRST))
+
+
+def asked(state: FleetState, at: float, command: Command) -> FleetState:
+    """After a command that was published, to which nothing answers."""
+    issued = CommandIssued(8, command, at, T0)
+    steps = [CommandAdvanced(8, stage, at) for stage in (Stage.SENT, Stage.ACCEPTED)]
+    return told(state, issued, *steps)
+
+
+def leaves(state: FleetState) -> bool:
+    return next_to_send(state, state.robots[R0]) is not None
+
+
+@pytest.mark.parametrize("command", [CancelOrder(R0, FIRST), ClearOrders(R0)])
+def test_after_a_cancel_that_nothing_showed_no_further_goal_leaves(command: Command) -> None:
+    state = asked(on_its_first_leg(), T0 + 1.5, command)
+    state = lived(state, T0 + 30, goal(FIRST))
+    assert record(state, 8).stage is Stage.NOT_CONFIRMED
+    state = lived(state, T0 + 31, goal(FIRST, DONE))
+    assert record(state).stage is Stage.CANCELLED and not leaves(state)
+
+
+def test_a_clear_takes_back_a_goal_that_is_not_listed_yet() -> None:
+    for end in (OFF, DONE):
+        state = asked(sent(site(), T0 + 1, FIRST), T0 + 1.1, ClearOrders(R0))
+        state = lived(lived(state, T0 + 1.3, goal(FIRST)), T0 + 2, goal(FIRST, end))
+        assert record(state).stage is Stage.CANCELLED and not leaves(state)
+
+
+def test_a_link_that_was_lost_on_the_way_holds_the_next_stop() -> None:
+    state = told(on_its_first_leg(), link_lost(T0 + 2))
+    state = told(state, tick(T0 + 2.1), link_up(T0 + 3))
+    state = lived(state, T0 + 3.2, goal(FIRST, DONE))
+    assert record(state).stage is Stage.WAITING
+    assert state.robots[R0].held == "the link was lost" and not leaves(state)
+
+
+def test_a_console_that_is_disarmed_on_the_way_holds_the_next_stop() -> None:
+    state = on_its_first_leg()
+    state = told(state, *hold_all(state, "this console is not armed"))
+    state = lived(lived(state, T0 + 1.5, goal(FIRST)), T0 + 2, goal(FIRST, DONE))
+    assert record(state).stage is Stage.WAITING
+    assert state.robots[R0].held == "this console is not armed" and not leaves(state)
+
+
+def test_a_goal_that_reached_its_stop_is_not_shown_as_the_whole_order_done() -> None:
+    state = lived(on_its_first_leg(), T0 + 2, goal(FIRST, DONE))
+    shown = [(order.stops, order.state_text) for order in all_orders(state, state.robots[R0])]
+    assert shown == [(at_vertices("1"), "done"), (at_vertices("1", "2"), "waiting here")]
+
+
+def test_a_clear_is_not_confirmed_while_a_goal_that_it_takes_back_may_still_appear() -> None:
+    state = asked(sent(site(), T0 + 1, FIRST), T0 + 1.1, ClearOrders(R0))
+    state = lived(state, T0 + 1.2)
+    assert record(state, 8).stage is Stage.ACCEPTED
+    driven = lived(state, T0 + 1.4, goal(FIRST))
+    assert record(driven, 8).stage is Stage.ACCEPTED
+    assert record(lived(driven, T0 + 2, goal(FIRST, OFF)), 8).stage is Stage.CONFIRMED
+    never = lived(lived(state, T0 + 30), T0 + 30.1)
+    assert [record(never, one).stage for one in (7, 8)] == [Stage.NOT_CONFIRMED, Stage.CONFIRMED]
