@@ -94,7 +94,7 @@ def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) 
         shown = "the live map is shown; a file is" if floor in live else "no live map is there:"
         yield f'# map = "maps/{floor}.yaml"   # {shown} map_server YAML, or a plain PNG/PGM'
         if floor in needs_graph:
-            yield f'# graph = "maps/{floor}.geojson"   # no robot publishes one: GeoJSON of Nav2'
+            yield f'# graph = "maps/{floor}.geojson"   # of Nav2 (GeoJSON), for robots that publish none'
         yield ""
     if strange and len(floors) > 1:
         yield from (

@@ -4,7 +4,7 @@ from typing import Any
 
 import msgspec
 
-from fleet_tui.adapters.ros.messages import Header, RosPose, Stamp
+from fleet_tui.adapters.ros.messages import PoseStamped, Stamp
 
 
 class ActionlibGoalId(msgspec.Struct, frozen=True):
@@ -28,17 +28,10 @@ class ActionlibStatusArray(msgspec.Struct, frozen=True):
     status_list: list[Any]
 
 
-class Posed(msgspec.Struct, frozen=True):
-    """geometry_msgs/PoseStamped."""
-
-    header: Header
-    pose: RosPose
-
-
 class MoveBaseFeedback(msgspec.Struct, frozen=True):
     """move_base_msgs/MoveBaseFeedback: where the robot is."""
 
-    base_position: Posed
+    base_position: PoseStamped
 
 
 class ActionFeedback(msgspec.Struct, frozen=True):

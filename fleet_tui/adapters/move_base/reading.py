@@ -97,7 +97,7 @@ def short_id(id_: str) -> str:
 
 def read_target(names: Names) -> Read:
     """Read a geometry_msgs/PoseStamped: where the goal leads to that has just begun."""
-    read = ros.reader(messages.Posed, names.paths("target"))
+    read = ros.reader(ros.PoseStamped, names.paths("target"))
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         yield TargetReported(robot, at, pose_of(read(msg).pose, "pose"))

@@ -3,6 +3,7 @@
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.keeping import orders_of, waiting
 
 STANDS_AFTER = 1.0
@@ -65,8 +66,12 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     """A pause that cancels goals is seen when none is under way any more; one that nothing answered to, when
     a goal was cancelled since."""
     if not wanted:
-        goes_on = "the orders that wait here go on" if waiting(state, robot) else "no order waits here"
-        return Step(Stage.CONFIRMED, state.now, goes_on)
+        has_left = any(
+            (one.time_of(Stage.SENT) or 0.0) >= record.issued_at for one in orders_of(state, robot)
+        )
+        goes_on = has_left or waiting(state, robot)
+        words = "the orders that wait here go on" if goes_on else "no order waits here"
+        return Step(Stage.CONFIRMED, state.now, words)
     if record.stage is not Stage.ACCEPTED and not any(
         one.stage is Stage.CANCELLED and one.at >= record.issued_at for one in robot.gone
     ):
@@ -77,9 +82,9 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
         return None  # something else may drive it on
     kept = any(one.order_id for one in waiting(state, robot))
     words = "stopped, goal kept here" if kept else "stopped, no goal to keep"
-    ours = {one.order_id for one in orders_of(state, robot)}
+    ours = own_ids(robot.goals) | {one.order_id for one in orders_of(state, robot)}
     stopped = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
-    if not kept and any(gone.order.id not in ours for gone in stopped):
+    if any(gone.order.id not in ours for gone in stopped):
         words = FOREIGN_STOPPED
     return Step(Stage.CONFIRMED, state.now, words)
 

@@ -2,11 +2,20 @@
 
 import pytest
 
-from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, Stage
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+)
 from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.rules.commands.keeping import all_orders, hold_all, next_to_send
+from fleet_tui.rules.commands.pauses import FOREIGN_STOPPED
 from tests.support.fleets import R0, T0, link_lost, link_up, tick, told
 from tests.support.legs import DONE, OFF, goal, lived, record, sent, site
 
@@ -75,3 +84,21 @@ def test_a_clear_is_not_confirmed_while_a_goal_that_it_takes_back_may_still_appe
     assert record(lived(driven, T0 + 2, goal(FIRST, OFF)), 8).stage is Stage.CONFIRMED
     never = lived(lived(state, T0 + 30), T0 + 30.1)
     assert [record(never, one).stage for one in (7, 8)] == [Stage.NOT_CONFIRMED, Stage.CONFIRMED]
+
+
+def test_a_pause_that_stops_a_goal_of_others_says_so_though_orders_wait_here() -> None:
+    state = told(site(), CommandIssued(7, PlaceOrder(R0, at_vertices("2")), T0 + 1, T0))
+    state = told(lived(state, T0 + 1.1, goal("another1")), CommandAdvanced(7, Stage.WAITING, T0 + 1.2))
+    state = asked(lived(state, T0 + 1.3, goal("another1")), T0 + 2, PauseRobot(R0))
+    state = lived(lived(state, T0 + 2.2, goal("another1", OFF)), T0 + 2.4, goal("another1", OFF))
+    assert (record(state, 8).stage, record(state, 8).words) == (Stage.CONFIRMED, FOREIGN_STOPPED)
+
+
+def test_a_resume_after_which_an_order_left_says_so() -> None:
+    state = asked(on_its_first_leg(), T0 + 2, PauseRobot(R0))
+    state = lived(lived(state, T0 + 2.2, goal(FIRST, OFF)), T0 + 4, goal(FIRST, OFF))
+    assert (record(state, 8).words, record(state).stage) == ("stopped, goal kept here", Stage.WAITING)
+    resume = [CommandAdvanced(9, stage, T0 + 5) for stage in (Stage.SENT, Stage.ACCEPTED)]
+    state = sent(told(state, CommandIssued(9, ResumeRobot(R0), T0 + 5, T0), *resume), T0 + 5, "goal---2")
+    state = lived(state, T0 + 5.1, goal(FIRST, OFF))
+    assert record(state, 9).words == "the orders that wait here go on"
