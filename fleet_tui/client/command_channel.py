@@ -5,6 +5,7 @@ import logging
 import time
 import uuid
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 
 from fleet_tui.adapters.adapter import ActionGoal, Adapter, Outgoing, Publication, ServiceCall
 from fleet_tui.adapters.answers import said
@@ -143,6 +144,12 @@ class CommandChannel:
             self._keep(asyncio.ensure_future(self._answers.wait(command_id, command, calls, at)))
         elif not isinstance(command, PlaceOrder):  # which is taken when the robot lists it
             self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
+
+    def send_again(self, command: Command) -> None:
+        """Send a command once more. Whatever answers to it is no news."""
+        with suppress(LinkError, CommandError):
+            for _, call in self._send(self._outgoing(command, 0, 0.0)):
+                self._calls.forget(call)
 
     def _keep(self, task: "asyncio.Task[None]") -> None:
         """A task that nobody holds may be collected in the middle."""

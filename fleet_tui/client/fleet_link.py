@@ -43,7 +43,7 @@ class FleetLink:
         adapters = adapters_of(config)
         self._links = {name: BridgeLink(name, config, adapters, self._writer) for name in config.bridges}
         new_id = partial(next, self._ids)
-        self._keeper = Keeper(queue, store, self._writer.take, self._send, new_id)
+        self._keeper = Keeper(queue, store, self._writer.take, self._send, self._send_again, new_id)
         self._writer.before_tick.append(self._keeper.look)
         self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
         """What came over each link, for whoever looks; it changes all the time."""
@@ -82,6 +82,10 @@ class FleetLink:
         """Send a command. On the loop."""
         link = self._links[self._store.state.robots[command.robot].link]
         link.submit_now(command_id, command, given_at)
+
+    def _send_again(self, command: Command) -> None:
+        """Send a command once more. On the loop."""
+        self._links[self._store.state.robots[command.robot].link].send_again(command)
 
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for the live map of one robot's floor, and of no other; an empty floor for none."""

@@ -12,6 +12,7 @@ from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.request import given_now
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.keeping import is_busy, next_to_send, to_keep, waiting
+from fleet_tui.rules.commands.pauses import late_goals
 from fleet_tui.state.store import Store
 
 LOG = logging.getLogger(__name__)
@@ -26,7 +27,8 @@ Send = Callable[[int, Command, float], None]
 
 class Keeper:
     """Runs on the network loop, but for `load`. `send` sends a command of a number, given at a monotonic
-    second; `new_id` gives the number of a command."""
+    second; `send_again` sends it once more, without a word of how it goes; `new_id` gives the number of a
+    command."""
 
     def __init__(
         self,
@@ -34,10 +36,14 @@ class Keeper:
         store: Store,
         tell: Callable[[Event], None],
         send: Send,
+        send_again: Callable[[Command], None],
         new_id: Callable[[], int],
     ) -> None:
         """Without a file this console keeps nothing."""
         self._file, self._store, self._tell, self._send, self._new_id = file, store, tell, send, new_id
+        self._send_again = send_again
+        self._stopped: set[str] = set()
+        """Goals for which a pause was sent again."""
         self._leaving: set[int] = set()
         self._saved: list[Kept] = []
         self._of_others: list[Kept] = []
@@ -116,6 +122,11 @@ class Keeper:
         state = self._store.state
         self._save(state)
         self._leaving &= {record.id for record in state.commands if record.stage is Stage.WAITING}
+        for pause in state.commands:
+            late = {goal.uuid for goal in late_goals(state, pause)} - self._stopped
+            if late:
+                self._stopped |= late
+                self._send_again(pause.command)
         for robot in state.robots.values():
             if robot.kind.keeps_goals:
                 record = next_to_send(state, robot)

@@ -52,6 +52,10 @@ class BridgeLink:
         """The same, on the loop."""
         self._commands.submit(command_id, command, given_at)
 
+    def send_again(self, command: Command) -> None:
+        """Send a command once more, on the loop: how it goes is told for the first time only."""
+        self._commands.send_again(command)
+
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for the live map of one robot's floor, no other one; an empty name for none."""
         self._writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)

@@ -32,6 +32,7 @@ class Goal(Struct, frozen=True):
     ended_at: float | None = None
     label: str = ""
     listed_at: float = -math.inf
+    listed_since: float = -math.inf
     is_ending: bool = False
     said: str = ""
 

@@ -222,3 +222,13 @@ async def test_a_vertex_that_no_graph_has_is_not_sent(site: MoveBaseSite) -> Non
         order = msgspec.structs.replace(site.to("Base"), stops=at_vertices("999"))
         record = await finished(link, store, order)
         assert record.stage is Stage.NOT_SENT and "999" in record.words
+
+
+async def test_a_goal_that_is_listed_only_after_a_pause_is_stopped_too(site: MoveBaseSite) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(known)
+        site.navigation().give(*FAR)
+        pause = link.submit(PauseRobot(R0))
+        ended = await reached(store, pause, Stage.CONFIRMED, Stage.NOT_CONFIRMED)
+    assert ended.stage is Stage.CONFIRMED and not site.navigation().busy
+    assert [one["id"][:20] for one in site.published("/cancel")] == ["/robot_0/move_base-1"]

@@ -90,7 +90,7 @@ async def test_what_waits_for_a_robot_that_keeps_its_own_queue_now_stays_in_the_
     state = initial_state(site.config, 0.0)
     changed = replace(state.robots[R0], kind=replace(state.robots[R0].kind, keeps_goals=False))
     store = Store(replace(state, robots={**state.robots, R0: changed}))
-    keeper = Keeper(file, store, store.tell, lambda *_: None, lambda: 1)
+    keeper = Keeper(file, store, store.tell, lambda *_: None, lambda _: None, lambda: 1)
     keeper.load()
     keeper.look(0.1)
     assert not store.state.commands and file.load() == before
@@ -99,7 +99,7 @@ async def test_what_waits_for_a_robot_that_keeps_its_own_queue_now_stays_in_the_
 async def test_an_order_given_just_before_the_console_ends_is_kept(site: Site, tmp_path: Path) -> None:
     file = keeping(tmp_path)
     store = Store(initial_state(site.config, 0.0))
-    keeper = Keeper(file, store, store.tell, lambda *_: None, lambda: 1)
+    keeper = Keeper(file, store, store.tell, lambda *_: None, lambda _: None, lambda: 1)
     keeper.load()
     for id_ in (1, 2):
         store.tell(CommandIssued(id_, site.to("Base"), float(id_), 1.7e9))

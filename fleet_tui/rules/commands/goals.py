@@ -33,7 +33,7 @@ def with_reported(
         old = before.get(goal.uuid)
         if old is None:
             last += 1
-            old = replace(goal, serial=last)
+            old = replace(goal, serial=last, listed_since=seen_at)
         merged.append(_listed(old, goal, at, seen_at))
     return _with_legs({**known, action: tuple(_with_replaced(before, merged))})
 

@@ -2,8 +2,9 @@
 
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.navigation import Goal
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.goals import own_ids
+from fleet_tui.rules.commands.goals import active, own_ids
 from fleet_tui.rules.commands.keeping import orders_of, waiting
 
 STANDS_AFTER = 1.0
@@ -87,6 +88,16 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     if any(gone.order.id not in ours for gone in stopped):
         words = FOREIGN_STOPPED
     return Step(Stage.CONFIRMED, state.now, words)
+
+
+def late_goals(state: FleetState, record: CommandRecord) -> list[Goal]:
+    """Return the goals that are still to be stopped by a pause: they were first listed after it was sent."""
+    robot, sent = state.robots.get(record.command.robot), record.time_of(Stage.SENT)
+    if robot is None or sent is None or not robot.kind.holds or not isinstance(record.command, PauseRobot):
+        return []
+    if record.stage not in WAITS or is_overtaken(state, record):
+        return []
+    return [goal for goal in active(robot.goals) if goal.listed_since > sent and not goal.is_ending]
 
 
 def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:

@@ -36,7 +36,11 @@ def places(robot: Robot) -> list[Place]:
 def no_graphs(robot: Robot) -> str:
     """Name the floors of which a robot has no graph, as the rest of a sentence; empty where it has all."""
     missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
-    return f": there is no graph of {', '.join(missing)}" if missing else ""
+    if not missing:
+        return ""
+    publishes = "graph" in robot.kind.reports or not robot.kind.name
+    remedy = "" if publishes else ": give [[floors]] graph = FILE in its configuration"
+    return f": there is no graph of {', '.join(missing)}{remedy}"
 
 
 def recent_ends(state: FleetState, robot: Robot) -> list[str]:
