@@ -91,7 +91,7 @@ def test_what_is_wrong_is_named_with_the_nearest_right_word(line: str, said: str
 
 def test_where_a_graph_is_missing_an_unknown_place_says_so() -> None:
     with pytest.raises(
-        CommandError, match=r"knows no place called 'Receiving': there is no graph of floor_0: give
+        CommandError, match=r"knows no place called 'Receiving': there is no graph of floor_0: give"
     ):
         parse("robot_0 > Receiving", of_kinds(fleet(), Kind("goals", accepts=(ORDER_TO,))), R0)
 
