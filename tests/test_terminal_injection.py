@@ -131,7 +131,7 @@ OPENS = (
     ("?", "Help: every key", "\x1b"),
     ("w", "Why does robot_0 stand still?", "\x1b"),
     ("L", "evil␛]52;… robot_0 pause: outcome unknown", "\x1b"),
-    ("d", "no link for", "\x1b"),
+    ("d", "too many to wait for", "\x1b"),
     ("d2", "▲ bad data", "\x1b"),
     ("d4", "INFO  ␛]52;c;aGFja2Vk␇", "\x1b"),
     ("d5", f"▲ WARN    {sanitize(EVIL[0])}", "\x1b"),
