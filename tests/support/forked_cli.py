@@ -19,7 +19,7 @@ from typing import Any
 PATIENCE, HANGS = 1.0, 8.0
 """Seconds until Ctrl-C, and until it counts as hanging."""
 PARTS = (
-    *("cli", "__main__", "headless.commands", "simulated", "headless.orders", "headless.config_init"),
+    *("cli.main", "__main__", "cli.commands", "cli.simulated", "cli.orders.giving", "cli.config.init"),
     "console",
 )
 
