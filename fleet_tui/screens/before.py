@@ -18,9 +18,9 @@ class RowsScreen(Screen[None]):
     AUTO_FOCUS = ""
 
     DEFAULT_CSS = """
-    Before { layout: vertical; background: $background; }
-    Before #rows { width: 1fr; height: 1fr; }
-    Before Input { border: none; height: 1; }
+    RowsScreen { layout: vertical; background: $background; }
+    RowsScreen #rows { width: 1fr; height: 1fr; }
+    RowsScreen Input { border: none; height: 1; }
     """
 
     def __init__(self, inks: Mapping[StyleRole, Style], keys: Sequence[tuple[str, str]]) -> None:
