@@ -8,11 +8,12 @@ from typing import ClassVar
 from textual.binding import BindingType
 from textual.theme import Theme
 
-from fleet_tui.backend import Backend, Connect, connect_live
+from fleet_tui.backend import Backend, LiveBackend
 from fleet_tui.config.schema import Config
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keymap import keymap
-from fleet_tui.model.commands import Command
-from fleet_tui.model.events import Event
+from fleet_tui.model.problem import Permissions
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.annunciator import Annunciator
@@ -48,26 +49,41 @@ class FleetApp(SteadyApp, inherit_bindings=False):
         themes: dict[str, FleetTheme],
         drawing: Drawing,
         colour: bool = True,
-        opening: Connect = connect_live,
+        backend: Backend | None = None,
+        files: ConsoleFiles | None = None,
+        terminal: str = "",
+        message: str = "",
     ) -> None:
+        """Without a `backend` the console connects to the fleet of `config`. `terminal` is the text about it
+        in help, `message` the first text of the last line."""
         # Without colour Textual must leave the terminal's own, or it sends greys.
         super().__init__(Theme(**themes[config.ui.theme].textual()), ansi_color=not colour)
-        self._config, self._themes = config, themes
-        self._drawing, self._colour = drawing, colour
-        self.store = store
-        self.opening = opening
-        self._backend: Backend | None = None
+        self._config, self._themes, self._colour = config, themes, colour
+        self.backend = backend or LiveBackend(config, store)
         self._restore = terminal_restorer()
         keys, _ = keymap(config.keys)
-        self.main = MainScreen(self.store, self.submit, self.tell, self._show_map, keys, clock)
-        self.main.read_only, self.main.armed = config.operator.read_only, config.operator.armed
-        self.main.announce = Annunciator(config.alarms, self.call).look
-        self.main.themes = {name: partial(self.use_theme, name) for name in themes}
-        self.main.filled = self.show_first
+        settings = self._settings(keys, drawing, terminal, message)
+        self.main = MainScreen(store, self.backend, settings, files or ConsoleFiles())
         self.main.set_inks(themes[config.ui.theme].styles(colour))
         # Only what differs: Textual goes through the whole keymap at every key.
         usual, _ = keymap({})
         self.set_keymap(textual_keymap({id_: key for id_, key in keys.items() if key != usual[id_]}))
+
+    def _settings(
+        self, keys: dict[str, tuple[str, ...]], drawing: Drawing, terminal: str, message: str
+    ) -> ConsoleSettings:
+        config = self._config
+        return ConsoleSettings(
+            keys=keys,
+            clock=clock,
+            permissions=Permissions(config.operator.read_only, config.operator.armed),
+            drawing=drawing,
+            themes={name: partial(self.use_theme, name) for name in self._themes},
+            announce=Annunciator(config.alarms, self.call).look,
+            resized=self.show_first,
+            terminal=terminal,
+            message=message,
+        )
 
     def get_default_screen(self) -> MainScreen:
         """The one screen; everything else opens over its map."""
@@ -83,9 +99,9 @@ class FleetApp(SteadyApp, inherit_bindings=False):
         self.set_interval(self.budget.every, partial(self.steadily, tick))
         self.call_after_refresh(self._connect)
 
-    async def furnish(self) -> None:
+    async def mount_rest(self) -> None:
         """The map, and what opens over the panes."""
-        await self.main.furnish(self._drawing)
+        await self.main.mount_rest()
         self.use_theme(self._config.ui.theme)
         self.main.tick()
 
@@ -94,38 +110,15 @@ class FleetApp(SteadyApp, inherit_bindings=False):
 
     def _open_backend(self) -> None:
         try:
-            self.opening(self._config, self.store, self._enter)
+            self.backend.open()
         except Exception as problem:
             LOG.exception("the link can't be opened")
-            self.call_from_thread(self.main.say, f"the link can't be opened: {problem} (see the log file)")
-
-    def _enter(self, backend: Backend) -> None:
-        self._backend = self.main.backend = backend
-
-    def submit(self, command: Command) -> None:
-        """Send a command now, or say why not."""
-        if not self.main.armed:
-            self.main.say("not sent: this console is not armed, : Arm lets commands leave")
-        elif self._backend is None:
-            self.main.say("not sent: the console is still starting")
-        else:
-            self._backend.submit(command)
-
-    def tell(self, event: Event) -> None:
-        """Tell the store something that happened here."""
-        if self._backend is not None:
-            self._backend.tell(event)
+            said = f"the link can't be opened: {problem} (see the log file)"
+            self.call_from_thread(self.main.notices.say, said)
 
     def note(self, text: str) -> None:
         """Tell the operator, with the next tick."""
-        self.main.note(text)
-
-    def _show_map(self, robot: str, floor: str) -> bool:
-        """Ask for a live map; False while there is nobody to ask."""
-        if self._backend is None:
-            return False
-        self._backend.show_map(robot, floor)
-        return True
+        self.main.notices.note(text)
 
     def use_theme(self, name: str) -> None:
         """Change every colour, at once."""
@@ -134,15 +127,6 @@ class FleetApp(SteadyApp, inherit_bindings=False):
         self.theme = f"fleet-{name}"
         self.main.set_inks(theme.styles(self._colour))
 
-    def action_help(self) -> None:
-        """Help, also while typing."""
-        self.main.action_help()
-
-    def action_pause_all(self) -> None:
-        """Pause every robot from wherever the operator is."""
-        self.main.action_pause_all()
-
     def on_unmount(self) -> None:
         """Close the connections before the loop goes."""
-        if self._backend is not None:
-            self._backend.close()
+        self.backend.close()

@@ -40,7 +40,8 @@ def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) 
 
     log_to_file(debug)  # what the network's libraries say must not reach the terminal
     discovering = Discovering(bridge_at(url)) if url else None
-    from fleet_tui.console import IN_BROWSER, ask_first, need_terminal  # takes long: discovery goes on
+    from fleet_tui.console import ask_first  # takes long: discovery goes on
+    from fleet_tui.terminal.detect import IN_BROWSER, need_terminal
 
     need_terminal()
     site = discovering.result() if discovering else None

@@ -12,10 +12,45 @@ from fleet_tui.state.store import Store
 if TYPE_CHECKING:
     from fleet_tui.client.tap import Tap
     from fleet_tui.model.counters import LinkCounter
+    from fleet_tui.recording.play.player import Player
 
 
 class Backend(Protocol):
     """Feeds the store, and takes what the operator wants. Any thread may call."""
+
+    @property
+    def player(self) -> "Player | None":
+        """The player of a recording, None for a live fleet."""
+
+    @property
+    def refusal(self) -> str:
+        """The reason why no command may ever leave, empty where some may."""
+
+    @property
+    def counters(self) -> "Mapping[str, LinkCounter]":
+        """What came over each link. It changes all the time."""
+
+    def open(self) -> None:
+        """Begin to feed the store. May take long: called in a thread of its own."""
+
+    def submit(self, command: Command) -> str:
+        """Send a command now or not at all. Returns why it can't even be tried."""
+
+    def tell(self, event: Event) -> str:
+        """Take a fact that came from elsewhere into the picture. Returns why it is not taken."""
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Ask for the live map of one robot's floor."""
+
+    def overhear(self, on: bool) -> None:
+        """Listen to the log and diagnostics of all robots, or no longer."""
+
+    def close(self) -> None:
+        """Let nothing more through."""
+
+
+class OpenLinks(Protocol):
+    """All links of a live fleet. Any thread may call."""
 
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
@@ -37,14 +72,14 @@ class Backend(Protocol):
         """Let nothing more through."""
 
 
-Connect = Callable[[Config, Store, Callable[[Backend], None]], None]
-"""Opens a backend, in a thread of its own, and hands it over as soon as commands can be given to it."""
+Connect = Callable[[Config, Store, Callable[[OpenLinks], None]], None]
+"""Opens the links, and hands them over as soon as commands can be given to them."""
 
 
 def connect_live(
     config: Config,
     store: Store,
-    stands: Callable[[Backend], None],
+    stands: Callable[[OpenLinks], None],
     tap: "Tap | None" = None,
     folder: Path | None = None,
     owner: str = "",
@@ -62,3 +97,65 @@ def connect_live(
 
     for loaded in load_floors(config):
         link.tell(loaded)
+
+
+class LiveBackend:
+    """The fleet itself. Until its links are open nothing is sent; what is to be watched is asked for then."""
+
+    player = None
+    refusal = ""
+
+    def __init__(self, config: Config, store: Store, connect: Connect = connect_live) -> None:
+        self._config, self._store, self._connect = config, store, connect
+        self.links: OpenLinks | None = None
+        self._map: tuple[str, str] | None = None
+        self._overhears = self._closed = False
+
+    def open(self) -> None:
+        """Connect."""
+        self._connect(self._config, self._store, self._enter)
+
+    def _enter(self, links: OpenLinks) -> None:
+        self.links = links
+        if self._map is not None:
+            links.show_map(*self._map)
+        if self._overhears:
+            links.overhear(True)
+        if self._closed:
+            links.close()
+
+    @property
+    def counters(self) -> "Mapping[str, LinkCounter]":
+        """What came over each link, nothing before they are open."""
+        return self.links.counters if self.links is not None else {}
+
+    def submit(self, command: Command) -> str:
+        """Send a command now, or say why not."""
+        if self.links is None:
+            return "not sent: the console is still starting"
+        self.links.submit(command)
+        return ""
+
+    def tell(self, event: Event) -> str:
+        """Take a fact into the picture, none before the links are open."""
+        if self.links is not None:
+            self.links.tell(event)
+        return ""
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Ask for the live map of one robot's floor."""
+        self._map = robot, floor
+        if self.links is not None:
+            self.links.show_map(robot, floor)
+
+    def overhear(self, on: bool) -> None:
+        """Listen to the log and diagnostics of all robots, or no longer."""
+        self._overhears = on
+        if self.links is not None:
+            self.links.overhear(on)
+
+    def close(self) -> None:
+        """Close the links, also those that are still being opened."""
+        self._closed = True
+        if self.links is not None:
+            self.links.close()

@@ -3,9 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from fleet_tui.errors import did_you_mean
-from fleet_tui.keys import KEYS, Key
-
-_BY_ID = {key.id: key for key in KEYS}
+from fleet_tui.keys import BY_ID, KEYS, Key
 
 _EVERYWHERE = frozenset({"console", "recording", "anywhere"})
 # Textual's names of keys that print nothing.
@@ -59,14 +57,14 @@ def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list
     problems = []
     chosen = {key.id: key.keys for key in KEYS}
     for id_, text in changes.items():
-        if id_ not in _BY_ID:
-            problems.append(f"keys.{id_}: no such key id{did_you_mean(id_, _BY_ID)}")
+        if id_ not in BY_ID:
+            problems.append(f"keys.{id_}: no such key id{did_you_mean(id_, BY_ID)}")
             continue
         keys = ("," if text == "," else part.strip() for part in ([text] if text == "," else text.split(",")))
         chosen[id_] = tuple(keys)
         for key in chosen[id_]:
             wrong = _problem_of_key(key)
-            if _BY_ID[id_].pane == "anywhere" and not _types_nothing(key):
+            if BY_ID[id_].pane == "anywhere" and not _types_nothing(key):
                 wrong = "works while typing too, so it must be a function key or a ctrl key"
             if wrong:
                 problems.append(f"keys.{id_}: {key!r}: {wrong}")
@@ -89,7 +87,7 @@ def _clashes(chosen: Mapping[str, Iterable[str]]) -> list[str]:
     taken: dict[str, list[Key]] = {}
     problems = []
     for id_, keys in chosen.items():
-        this = _BY_ID[id_]
+        this = BY_ID[id_]
         for key in keys:
             for other in taken.setdefault(key, []):
                 if _same_place(this, other):

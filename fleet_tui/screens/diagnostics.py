@@ -14,8 +14,9 @@ from textual.binding import Binding, BindingType
 from textual.timer import Timer
 from textual.widgets import Input
 
+from fleet_tui.backend import Backend
 from fleet_tui.keys import PAGES
-from fleet_tui.screens.diagnostics_pages import FILTERED, Page, Pages, RawMessages
+from fleet_tui.screens.diagnostics_pages import FILTERED, Page, Pages
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
@@ -59,11 +60,9 @@ class Diagnostics(Overlay):
         ),
     ]
 
-    def __init__(
-        self, pages: Pages, wire: Callable[[], RawMessages | None], keys: Mapping[str, tuple[str, ...]]
-    ) -> None:
+    def __init__(self, pages: Pages, backend: Backend, keys: Mapping[str, tuple[str, ...]]) -> None:
         super().__init__(id="diagnostics")
-        self._pages, self._wire, self._keys = pages, wire, keys
+        self._pages, self._backend, self._keys = pages, backend, keys
         self._page = Page.LINK
         self._back = False
         self._cursors: dict[Page, Hashable] = {}
@@ -106,10 +105,9 @@ class Diagnostics(Overlay):
             self._timer = self.set_interval(EVERY, self._tick)
 
     def _tick(self) -> None:
-        wire = self._wire()
-        if wire is not None and self._listens != self.is_open:
+        if self._listens != self.is_open:
             self._listens = self.is_open
-            wire.overhear(self.is_open)
+            self._backend.overhear(self.is_open)
         if self.is_open:
             self.look()
         elif self._timer is not None:

@@ -2,12 +2,12 @@
 
 import threading
 import time
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable
 from enum import IntEnum
-from typing import Protocol
 
+from fleet_tui.backend import Backend
 from fleet_tui.log_file import TAIL
-from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter, snapshot
+from fleet_tui.model.counters import Raw, TopicCounter, snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.terminal.budget import Budget, memory
@@ -35,17 +35,6 @@ class Page(IntEnum):
 FILTERED = (Page.TOPICS, Page.LOG, Page.HEALTH, Page.CONSOLE)
 
 
-class RawMessages(Protocol):
-    """Where it all comes from."""
-
-    @property
-    def counters(self) -> Mapping[str, LinkCounter]:
-        """What came over each link. It changes all the time."""
-
-    def overhear(self, on: bool) -> None:
-        """Listen to the log and diagnostics of all robots, or no longer."""
-
-
 class Pages:
     """`topic` is the link and the topic whose messages are shown, `least` the level of the robots' log
     from which on lines are shown, `wanted` what must stand in the rows of a page."""
@@ -53,10 +42,10 @@ class Pages:
     def __init__(
         self,
         state: Callable[[], FleetState],
-        wire: Callable[[], RawMessages | None],
+        backend: Backend,
         clock: Callable[[float], str],
     ) -> None:
-        self._state, self._wire, self._clock = state, wire, clock
+        self._state, self._backend, self._clock = state, backend, clock
         self.topic: tuple[str, str] | None = None
         self.shows_bad = False
         self.least = Severity.DEBUG
@@ -68,8 +57,7 @@ class Pages:
 
     def links(self) -> Links:
         """Each link, and what came over it."""
-        wire, state = self._wire(), self._state()
-        counters = wire.counters if wire is not None else {}
+        state, counters = self._state(), self._backend.counters
         return [(state.links[name], counter) for name, counter in counters.items() if name in state.links]
 
     def first_topic(self, robot: str) -> tuple[str, str] | None:
@@ -111,11 +99,11 @@ class Pages:
         return raw_table(topic, *self._raw, state.now)
 
     def _topic(self) -> TopicCounter | None:
-        wire = self._wire()
-        if wire is None or self.topic is None:
+        counters = self._backend.counters
+        if not counters or self.topic is None:
             return None
         link, topic = self.topic
-        return wire.counters[link].topics[topic]
+        return counters[link].topics[topic]
 
     def choose(self, link: str, topic: str) -> None:
         """Show the messages of this topic, live."""

@@ -1,32 +1,46 @@
 """The main screen: map, fleet, alarms, queue, and what opens over the map."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from inspect import isawaitable
+from typing import TYPE_CHECKING
 
 from rich.style import Style
+from textual import on
 from textual.app import ComposeResult
 from textual.containers import Container
+from textual.screen import Screen
 
-from fleet_tui.model import events
-from fleet_tui.model.commands import Command
+from fleet_tui.backend import Backend
+from fleet_tui.controllers.dispatch import Dispatch
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.navigation import Navigation
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.replay import Replay
+from fleet_tui.controllers.session import ConsoleSession, LiveSession
+from fleet_tui.controllers.settings import ConsoleSettings
+from fleet_tui.keys import BY_ID
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.robot import Robot
-from fleet_tui.screens.navigation import Navigation
+from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, hints
-from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.selection import first_selection
+from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
+from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
 from fleet_tui.widgets.rows_pane import RowsPane
 
+if TYPE_CHECKING:
+    from fleet_tui.screens.rest import Rest
 
-class MainScreen(Navigation):
-    """Shows the newest state at every tick, and turns keys into wishes."""
+
+class MainScreen(Screen[None]):
+    """Shows the newest state at every tick, and forwards keys and mouse to the controllers."""
 
     BINDINGS = [*bindings("console"), *bindings("recording")]  # noqa: RUF012  # as Textual declares it
     BLANK = True  # nothing is to be seen of the screen itself
@@ -34,31 +48,37 @@ class MainScreen(Navigation):
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
     VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall")]  # noqa: RUF012  # as Textual declares it
 
+    rest: "Rest"
+
     def __init__(
-        self,
-        store: Store,
-        submit: Callable[[Command], None],
-        tell: Callable[[events.Event], None],
-        show_map: Callable[[str, str], bool],
-        keys: dict[str, tuple[str, ...]],
-        clock: Callable[[float], str],
+        self, store: Store, backend: Backend, settings: ConsoleSettings, files: ConsoleFiles
     ) -> None:
         super().__init__()
-        self.store, self.submit, self.tell = store, submit, tell
-        self.selection = first_selection(store.state)
+        self.store, self.backend, self.settings, self.files = store, backend, settings, files
+        self.is_complete = False
         self.status, self.message = LineView(id="status"), LineView(id="message")
         self.hints = LineView(id="hints", keep_right=True)
-        self.furnished = False
         self.fleet = RowsPane(id="fleet", rows=len(store.state.robots))
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
-        self.read_only, self.armed = False, True
-        self.themes: Mapping[str, Callable[[], None]] = {}
-        self.announce: Callable[[FleetState], None] = lambda _state: None
-        self.open_journal: Callable[[], None] = lambda: None
-        self._show_map, self.keys, self.clock = show_map, keys, clock
+        self.views: list[InkView] = [
+            self.status,
+            self.fleet,
+            self.alarms,
+            self.queue,
+            self.message,
+            self.hints,
+        ]
+        self.notices = Notices(store, self.tick, settings.message)
+        self.navigation = Navigation(store, self.fleet.put_cursor, lambda: self.rest.map, self.tick)
+        self.dispatch = Dispatch(
+            store, backend, settings.permissions, self.notices, lambda *asked: self.rest.confirm.ask(*asked)
+        )
+        self.session: ConsoleSession = (
+            LiveSession(self.dispatch, files, settings.clock)
+            if backend.player is None
+            else Replay(backend.player, self.notices, settings.clock, self._forget_trails)
+        )
         self._all_orders = False
-        self.terminal = ""
-        self.filled: Callable[[], None] = lambda: None
         self._mapped: tuple[str, str] | None = None
 
     def compose(self) -> ComposeResult:
@@ -73,72 +93,115 @@ class MainScreen(Navigation):
         yield self.message
         yield self.hints
 
-    async def furnish(self, drawing: Drawing) -> None:
+    async def mount_rest(self) -> None:
         """Get what is not on the first picture: importing it takes as long as painting that."""
-        from fleet_tui.screens.furniture import furnish
+        from fleet_tui.screens.rest import Rest
 
-        await furnish(self, drawing)
-        self.furnished = True
+        self.rest = Rest(self)
+        await self.rest.mount(self)
+        self.is_complete = True
 
     def set_inks(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change every colour."""
-        for view in (self.status, self.fleet, self.alarms, self.queue, self.message, self.hints):
+        for view in [*self.views, *(self.rest.inked if self.is_complete else [])]:
             view.set_inks(styles)
-        if self.furnished:
-            for more in (self.map, self.audit_log.rows, self.diagnostics):
-                more.set_inks(styles)
-        if self.time_line is not None:
-            self.time_line.set_inks(styles)
 
     def on_resize(self) -> None:
         """Fill the panes at their new size."""
         self.tick()
-        self.filled()
+        self.settings.resized()
 
     def tick(self) -> None:
         """Show the newest state."""
-        self.release_held()
-        state = self.state
-        if self.furnished:
+        self.dispatch.release_held()
+        state, robot = self.store.state, self.navigation.robot
+        if self.is_complete:
             self._show_floor(state)
-        self.fleet.show(fleet_table(state, self.selection.robot, self.fleet.room))
-        self.show_alarms(state)
-        self.queue.show(queue_table(state, self.selection.robot, self._all_orders, self.queue.room))
-        self.show_status(state)
-        self.message.show(message_line(state, self.said, self._said_at, self.message.size.width))
-        pane = "anywhere" if self.in_overlay else self._focused_pane()
-        hidden = hidden_keys(state, self.selection.robot)
-        self.hints.show(*hints(self.keys, pane, not self.read_only, hidden))
-        self.announce(state)
-        if self.simple is not None and self.simple.children:  # none while the console ends
-            self.simple.show()
+        self.fleet.show(fleet_table(state, robot, self.fleet.room))
+        self._show_alarms(state)
+        self.queue.show(queue_table(state, robot, self._all_orders, self.queue.room))
+        self.status.show(*self.session.headline(state, robot))
+        self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
+        pane = "anywhere" if self._in_overlay() else self.focused_pane()
+        may_command = not self.dispatch.permissions.read_only
+        self.hints.show(*hints(self.settings.keys, pane, may_command, hidden_keys(state, robot)))
+        self.settings.announce(state)
+        if self.is_complete:
+            self.rest.simple.show()
 
     def _show_floor(self, state: FleetState) -> None:
         from fleet_tui.view.map.floor_scene import chart_robot, floor_scene
 
-        self.selection = self.selection.settled(state, self.map.viewport.follow)
-        self._ask_for_map(chart_robot(state, self.selection))
-        self.map.show(floor_scene(state, self.selection))
-
-    def _focused_pane(self) -> str:
-        if self.player is not None:
-            return "recording"
-        return "map" if not self.furnished or self.focused is self.map else self.pane_of_keys
-
-    def _ask_for_map(self, owner: Robot | None) -> None:
-        """The live map of what is shown, unless a file gives it."""
-        has_file = self.state.floors[self.selection.floor].grid is not None
-        wanted = (owner.name, "" if has_file else self.selection.floor) if owner else None
-        if wanted is not None and wanted != self._mapped and self._show_map(*wanted):
+        selection = self.navigation.settle(state, self.rest.map.viewport.follow)
+        owner = chart_robot(state, selection)
+        # The live map of what is shown, unless a file gives it.
+        has_file = state.floors[selection.floor].grid is not None
+        wanted = (owner.name, "" if has_file else selection.floor) if owner else None
+        if wanted is not None and wanted != self._mapped:
             self._mapped = wanted
+            self.backend.show_map(*wanted)
+        self.rest.map.show(floor_scene(state, selection))
 
-    def action_all_orders(self) -> None:
-        """The selected robot's orders, or all robots'."""
+    def _show_alarms(self, state: FleetState) -> None:
+        """Show the newest alarms. Unless somebody is at it, the cursor leaves what has been seen for
+        what has not; it never leaves an alarm that an `a` on its way may mean."""
+        fresh = unacknowledged(state)
+        if fresh and self.alarms.cursor not in fresh and not self.alarms.has_focus:
+            self.alarms.cursor = fresh[0]
+        self.alarms.show(alarm_table(state, self.settings.clock))
+
+    def _forget_trails(self) -> bool:
+        if self.is_complete:
+            self.rest.map.forget()
+        return self.is_complete
+
+    def focused_pane(self) -> str:
+        """Return the pane whose keys help and the footer list first."""
+        if self.session.pane or not self.is_complete or self.focused is self.rest.map:
+            return self.session.pane or "map"
+        return "diagnostics" if self.rest.diagnostics.is_open else "table"
+
+    def all_orders(self) -> None:
+        """Show the selected robot's orders, or all robots'."""
         self._all_orders = not self._all_orders
         self.tick()
 
-    def action_help(self) -> None:
-        """Every key there is."""
-        hidden = hidden_keys(self.state, self.selection.robot)
-        kind = self.state.robots[self.selection.robot].kind
-        self.key_help.show(self._focused_pane(), self.terminal, kind, hidden)
+    async def action_key(self, id_: str) -> None:
+        """Do what a key is for."""
+        action = BY_ID[id_].action
+        assert callable(action)
+        done = action(self.rest.actions)
+        if isawaitable(done):
+            await done
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Leave out keys that mean nothing in this session. What comes before all else does not reach through
+        what is open already."""
+        if action != "key":
+            return super().check_action(action, parameters)
+        key = BY_ID[str(parameters[0])]
+        if not self.session.offers(key) or not key.eager:
+            return self.session.offers(key)
+        opened = [overlay for overlay in self.query(Overlay) if overlay.is_open]
+        return not opened or (key.eager == "selects" and opened == [self.rest.why])
+
+    def _in_overlay(self) -> bool:
+        """Tell whether the focus is in what is open over the panes: most keys stay in there."""
+        focused = self.focused
+        return focused is not None and any(isinstance(one, Overlay) for one in focused.ancestors_with_self)
+
+    def on_descendant_focus(self) -> None:
+        """Hide what is open, undone, when the mouse gives the focus to something outside it."""
+        for overlay in self.query(Overlay):
+            if overlay.is_open and (self.focused is None or overlay not in self.focused.ancestors_with_self):
+                overlay.display = False
+
+    @on(messages.RobotPicked)
+    @on(messages.VertexPicked)
+    @on(messages.RowPicked)
+    @on(messages.RowChosen)
+    @on(messages.ButtonPressed)
+    @on(messages.TimePicked)
+    def picked(self, event: messages.Picked) -> None:
+        """Forward what the operator pointed at."""
+        self.rest.picked(event)

@@ -1,15 +1,14 @@
 """A row's menu: what can be done with it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.widgets import OptionList, Static
 
+from fleet_tui.controllers.typed import Entry
 from fleet_tui.screens.overlay import Overlay
-
-Entry = tuple[str, Callable[[], None]]
 
 
 class Menu(Overlay):

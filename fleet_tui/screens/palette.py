@@ -8,8 +8,8 @@ from textual.app import ComposeResult
 from textual.fuzzy import Matcher
 from textual.widgets import Input
 
+from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.screens.typed import Entry, Typed
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.matches import Matches

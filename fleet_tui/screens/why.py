@@ -9,20 +9,13 @@ from textual.content import Content
 from textual.timer import Timer
 from textual.widgets import Static
 
-from fleet_tui.keys import KEYS
+from fleet_tui.keys import BY_ID
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.why import why_lines
-from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.bindings import action_of, bindings
 
-STAYS_OPEN = frozenset({"resume", "pause", "pause_all", "next_robot", "previous_robot"}) | {
-    f"robot_{n}" for n in range(1, 10)
-}
-"""The keys after which the panel shows what has come of them."""
-
-HELPS = STAYS_OPEN | {"order", "cancel", "clear", "centre"}
-_ACTIONS = {key.id: key.action for key in KEYS if key.id in HELPS}
 EVERY = 0.1  # seconds between two looks, as in the panes
 
 
@@ -33,7 +26,7 @@ class Why(Overlay, can_focus=True):
         *(
             Binding(binding.key, f"help_it('{binding.id}')", show=False, id=binding.id)
             for binding in bindings("console")
-            if isinstance(binding, Binding) and binding.id in HELPS
+            if isinstance(binding, Binding) and binding.id and BY_ID[binding.id].helps
         ),
         *(
             Binding(binding.key, "close", show=False, id=binding.id)
@@ -80,7 +73,7 @@ class Why(Overlay, can_focus=True):
 
     async def action_help_it(self, id_: str) -> None:
         """Do what the key does everywhere."""
-        if id_ not in STAYS_OPEN:
+        if BY_ID[id_].helps == "leaves":
             self.action_close()
-        await self.screen.run_action(_ACTIONS[id_])
+        await self.screen.run_action(action_of(BY_ID[id_]))
         self.look()

@@ -14,7 +14,7 @@ YOUNG = 10_000
 
 
 class PaintFirst(LeanApp):
-    """The first picture, then `furnish`, then the keys that came meanwhile, in their order."""
+    """The first picture, then `mount_rest`, then the keys that came meanwhile, in their order."""
 
     def __init__(self, theme: Theme, ansi_color: bool) -> None:
         super().__init__(ansi_color=ansi_color)
@@ -39,7 +39,7 @@ class PaintFirst(LeanApp):
         """Something stands on the screen."""
         self._painted.set()
 
-    async def furnish(self) -> None:
+    async def mount_rest(self) -> None:
         """Get everything else."""
         raise NotImplementedError
 
@@ -57,7 +57,7 @@ class PaintFirst(LeanApp):
             gc.freeze()
             gc.enable()
         gc.set_threshold(YOUNG)
-        await self.furnish()
+        await self.mount_rest()
 
     async def on_event(self, event: events.Event) -> None:
         """What is typed waits until it finds what it is meant for."""

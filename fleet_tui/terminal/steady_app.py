@@ -54,7 +54,7 @@ class SteadyApp(PaintFirst):
         try:
             return await super().run_action(action, default_namespace, namespaces)
         except Exception as problem:
-            LOG.exception("action %s", action)
+            LOG.exception("action %s", _name(action))
             self._note_fault(problem)
             return True
 
@@ -67,3 +67,8 @@ class SteadyApp(PaintFirst):
         # The words of an exception may come from anywhere, and some have none.
         words = sanitize(truncate(str(problem))) or type(problem).__name__
         self.note(f"internal error: {words} (details in the log file)")
+
+
+def _name(action: "str | ActionParseResult") -> str:
+    """Return the id of the key where an action is that of one, else all of it."""
+    return str(action).removeprefix("screen.key('").removesuffix("')")

@@ -5,16 +5,7 @@ from collections.abc import Mapping
 from textual.binding import Binding, BindingType
 from textual.keys import _character_to_key
 
-from fleet_tui.keys import KEYS
-
-# What opens something to type in comes before all else: the next key, which may already be on its
-# way, belongs there. What it is opened for must not come after it.
-OPENING = frozenset({"order", "help", "palette", "audit", "diagnostics", "filter", "go_to_time"})
-SELECTING = frozenset(key.id for key in KEYS if key.action.startswith(("step_", "robot(")))
-EAGER = OPENING | SELECTING
-OPENING_ACTIONS, SELECTING_ACTIONS = (
-    frozenset(key.action.partition("(")[0] for key in KEYS if key.id in ids) for ids in (OPENING, SELECTING)
-)
+from fleet_tui.keys import KEYS, Key
 
 
 def bindings(pane: str) -> list[BindingType]:
@@ -22,15 +13,20 @@ def bindings(pane: str) -> list[BindingType]:
     return [
         Binding(
             ",".join(map(textual_key, key.keys)) or f"no_key_for_{key.id}",
-            key.action,
+            action_of(key),
             key.text,
             show=False,
             id=key.id,
-            priority=pane == "anywhere" or key.id in EAGER,
+            priority=pane == "anywhere" or bool(key.eager),
         )
         for key in KEYS
         if key.pane == pane
     ]
+
+
+def action_of(key: Key) -> str:
+    """Textual's action string: the main screen looks most keys up in its actions."""
+    return key.action if isinstance(key.action, str) else f"screen.key({key.id!r})"
 
 
 def textual_key(key: str) -> str:

@@ -55,3 +55,6 @@ class TimePicked(Message):
     def __init__(self, x: int, width: int) -> None:
         super().__init__()
         self.x, self.width = x, width
+
+
+Picked = RobotPicked | VertexPicked | RowPicked | RowChosen | ButtonPressed | TimePicked

@@ -82,6 +82,10 @@ class RowsPane(InkView, can_focus=True):
         runs = [("─ ", StyleRole.RULE), *title, (" ", StyleRole.RULE)]
         return cut([*runs, ("─" * (width - width_of(runs)), StyleRole.RULE)], width)
 
+    def put_cursor(self, key: Hashable) -> None:
+        """Set the cursor, which is shown with the next rows."""
+        self.cursor = key
+
     def action_move(self, step: int) -> None:
         """The cursor up or down."""
         rows = self._table.rows

@@ -74,7 +74,7 @@ async def direct(it: Console) -> list[float]:
     with wiretap("Pause", sent):
         for n in range(ORDERS):
             started = time.perf_counter()
-            it.app.submit(PauseRobot("robot_0"))
+            it.app.backend.submit(PauseRobot("robot_0"))
             await it.until(lambda _, n=n: len(sent) > n)  # type: ignore[misc]  # bound now
             taken.append((sent[-1] - started) * 1000)
     return taken

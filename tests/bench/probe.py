@@ -84,7 +84,7 @@ def poses() -> None:
             noted["pose"].append((event.robot, event.stamp))
 
     def ticked(screen: MainScreen) -> None:
-        shown = {robot.name: robot.clock.stamp for robot in screen.state.robots.values() if robot.clock}
+        shown = {robot.name: robot.clock.stamp for robot in screen.store.state.robots.values() if robot.clock}
         noted["tick"].append((time.monotonic(), time.time(), shown))
 
     after(Store, "tell", came)
@@ -108,7 +108,7 @@ def beats() -> None:
             due = now
 
     def ticked(screen: MainScreen) -> None:
-        view = getattr(screen, "map", None)  # the first ticks come before it
+        view = screen.rest.map if screen.is_complete else None  # the first ticks come before it
         scene = getattr(view, "scene", None)
         width = scene.grid.frame.width if scene and scene.grid else 0
         if not noted["map"] or noted["map"][-1][1] != width:

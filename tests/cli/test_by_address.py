@@ -10,13 +10,13 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.config.schema import Config
-from fleet_tui.console import IN_BROWSER
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.terminal.detect import IN_BROWSER
 from tests.support.cli import asked, run
 from tests.support.site_faults import PLANTS
 

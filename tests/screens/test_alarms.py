@@ -34,10 +34,10 @@ async def test_the_menu_of_a_row_goes_to_the_robot(server: RosbridgeServer) -> N
         await it.shows("robot_1: obstacle 4.2 s")
         await it.shows("1  Show robot_1 on the map")
         (alarm,) = it.store.state.alarms
-        await it.shows(f"first seen {it.app.main.clock(alarm.first_wall)}, last seen ")
+        await it.shows(f"first seen {it.app.main.settings.clock(alarm.first_wall)}, last seen ")
         await it.press("1")
         await it.shows("Queue robot_1", "queue")
-        assert "robot_1" in it.app.main.selection.robot
+        assert "robot_1" in it.app.main.navigation.robot
 
 
 async def test_the_menu_acknowledges_by_number_and_names_the_key(server: RosbridgeServer) -> None:
@@ -114,5 +114,5 @@ async def test_the_cursor_goes_to_what_nobody_has_seen(server: RosbridgeServer) 
 
 async def test_an_alarm_that_is_over_has_no_menu(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        it.app.main.alarm_menu("robot_0", "obstacle")
+        it.app.main.rest.alarms.menu("robot_0", "obstacle")
         await it.shows("the alarm of robot_0 is over")

@@ -27,7 +27,7 @@ async def audited(
     """A console that keeps its log in a folder."""
     config = config_of(server.url, 2)
     async with console(config, size) as it:
-        with auditing(folder, config, it.store) as it.app.main.audit:
+        with auditing(folder, config, it.store) as it.app.main.files.audit:
             yield it
 
 
@@ -171,6 +171,6 @@ async def test_a_command_is_in_the_log_before_it_is_on_the_wire(
 
 async def test_who_commands_stands_in_the_status_line(server: RosbridgeServer, tmp_path: Path) -> None:
     async with audited(server, tmp_path) as it:
-        audit = it.app.main.audit
+        audit = it.app.main.files.audit
         assert audit is not None
         await it.shows(f"{audit.origin.operator}  {datetime.now():%H:}")

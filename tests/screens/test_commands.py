@@ -345,7 +345,7 @@ async def test_the_same_label_on_two_floors_stays_what_was_picked(server: Rosbri
         )
         wanted = labels[3]["vertex_id"]
         assert isinstance(wanted, int)
-        it.app.main.order_at(str(wanted), "floor_1")
+        it.app.main.rest.orders.start_at(str(wanted), "floor_1")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert sent(server)[0][1]["end_point"] == wanted
@@ -392,7 +392,7 @@ async def test_a_click_beside_a_question_is_no(server: RosbridgeServer) -> None:
 
 async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        it.app.main.action_order()
+        it.app.main.rest.orders.start()
         await it.shows("Receiving  (", "matches")
         for field in ("from", "to"):
             rows = it.app.main.query_one("#matches")
@@ -419,12 +419,12 @@ async def test_the_send_button_does_what_enter_does(server: RosbridgeServer) -> 
 async def test_a_vertex_chosen_by_key_is_meant_even_where_a_robot_stands(server: RosbridgeServer) -> None:
     """robot_0 waits at Base."""
     async with console(config_of(server.url, 1)) as it:
-        it.app.main.map.action_next_vertex(1)
-        scene = it.app.main.map.scene
+        it.app.main.rest.map.action_next_vertex(1)
+        scene = it.app.main.rest.map.scene
         assert scene is not None
         labelled = [found for found in scene.vertices if found.label]
-        while it.app.main.map.look.cursor != next((v.x, v.y) for v in labelled if v.label == "Base"):
-            it.app.main.map.action_next_vertex(1)
+        while it.app.main.rest.map.look.cursor != next((v.x, v.y) for v in labelled if v.label == "Base"):
+            it.app.main.rest.map.action_next_vertex(1)
         await it.press("enter")
         await it.shows("Order")
         assert it.app.main.query_one("#from", Input).value == "Base"

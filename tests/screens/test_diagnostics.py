@@ -9,6 +9,7 @@ from collections.abc import Iterator
 import msgspec
 import pytest
 
+from fleet_tui.backend import LiveBackend
 from fleet_tui.log_file import TAIL
 from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.server import RosbridgeServer
@@ -69,7 +70,7 @@ async def test_a_lost_link_is_said_on_every_page(server: RosbridgeServer) -> Non
     async with console(config_of(server.url, 2, 2)) as it:
         await open_page(it, 4, "Log of the robots")
         await listens(it, server)
-        await it.until(lambda _: it.app._backend and it.app._backend.counters["rosbridge"].health)
+        await it.until(lambda _: it.app.backend.counters["rosbridge"].health)
         await server.stop()
         await it.shows("no link", "diagnostics-rows")
         for page in "125":
@@ -115,8 +116,7 @@ async def test_a_message_stays_while_it_is_frozen(server: RosbridgeServer) -> No
         await it.shows("frozen 0 s ago")
         await it.shows("Raw /robot_0/pose")
         (stamp,) = re.findall(r'"seq": (\d+)', pane(it))
-        frames = it.app._backend.counters["rosbridge"].topics["/robot_0/pose"] if it.app._backend else None
-        assert frames is not None
+        frames = it.app.backend.counters["rosbridge"].topics["/robot_0/pose"]
         seen = frames.count
         await it.shows("frozen 2 s ago")
         assert frames.count > seen + 5
@@ -142,7 +142,7 @@ async def test_log_and_health_are_subscribed_while_it_is_open(server: RosbridgeS
         assert asked(server, "unsubscribe") == OVERHEARD
         await it.press("d", "escape", "d")
         await listens(it, server)
-        assert it.app.main.diagnostics._timer is not None
+        assert it.app.main.rest.diagnostics._timer is not None
 
 
 async def test_the_mouse_outside_and_another_overlay_end_it_too(server: RosbridgeServer) -> None:
@@ -152,7 +152,7 @@ async def test_the_mouse_outside_and_another_overlay_end_it_too(server: Rosbridg
         await it.press("f1")
         await it.shows("Diagnostics (d)")
         await it.until(lambda _: not server.subscribers("/rosout"))
-        assert it.app.main.diagnostics._timer is None
+        assert it.app.main.rest.diagnostics._timer is None
 
 
 async def test_the_robots_log_by_level_and_text(server: RosbridgeServer) -> None:
@@ -248,7 +248,7 @@ async def test_a_pause_reaches_through_it_and_the_status_line_stays(server: Rosb
         await open_page(it, 2, "Topics")
         await it.press("/", "f12")
         await it.until(lambda _: len(server.calls) == 2)
-        assert it.app.main.diagnostics.is_open and "alarms" in it.text.splitlines()[0]
+        assert it.app.main.rest.diagnostics.is_open and "alarms" in it.text.splitlines()[0]
 
 
 async def test_keys_in_it_command_no_robot_and_letters_go_to_the_field(server: RosbridgeServer) -> None:
@@ -285,8 +285,9 @@ async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
 async def test_before_there_is_a_link_it_says_that_the_console_starts(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2), wait=False) as it:
         await it.pilot.pause()
-        it.app.main.backend = None
-        it.app.main.action_diagnostics()
+        assert isinstance(it.app.backend, LiveBackend)
+        it.app.backend.links = None
+        it.app.main.rest.actions.view.diagnostics()
         await it.shows("the console is still starting")
 
 

@@ -4,6 +4,7 @@ from textual.widgets import Input
 
 from fleet_tui.model.events import BatteryReported, QueueReported
 from fleet_tui.model.order import OrderQueue
+from fleet_tui.model.problem import Permissions
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
@@ -178,7 +179,7 @@ async def test_again_and_the_way_back_by_the_menu_of_an_order(server: RosbridgeS
         await it.press("3")
         await it.until(lambda _: trips(server, it)[1:] == ["Consumidores -> Base"])
         await it.until(lambda _: len(it.store.state.robots["robot_0"].orders.orders) == 2)
-        it.app.main._given.clear()  # more than a second later
+        it.app.main.dispatch.given.clear()  # more than a second later
         await it.press("enter", "2")
         await it.until(lambda _: trips(server, it)[2:] == ["Base -> Consumidores"])
 
@@ -226,10 +227,10 @@ async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServ
 
 async def test_a_read_only_console_says_so_in_the_form(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        it.app.main.read_only = True
+        it.app.main.dispatch.permissions = Permissions(read_only=True)
         await place(it)
         await it.shows("this console is read-only", "missing")
-        it.app.main.read_only, it.app.main.armed = False, False
+        it.app.main.dispatch.permissions = Permissions(armed=False)
         await it.press("enter")
         await it.shows("this console is not armed", "missing")
         assert sent(server) == []

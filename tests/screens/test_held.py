@@ -5,9 +5,10 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from fleet_tui.backend import Backend, connect_live
+from fleet_tui.backend import OpenLinks, connect_live
 from fleet_tui.config.schema import Config
-from fleet_tui.screens import held
+from fleet_tui.controllers import held
+from fleet_tui.model.problem import Permissions
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
 from tests.support import console_pilot
@@ -20,7 +21,7 @@ def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
     """The console connects when this is set."""
     opened = threading.Event()
 
-    def opening(config: Config, store: Store, stands: Callable[[Backend], None]) -> None:
+    def opening(config: Config, store: Store, stands: Callable[[OpenLinks], None]) -> None:
         opened.wait(20)
         connect_live(config, store, stands)
 
@@ -62,9 +63,9 @@ async def test_it_does_not_wait_for_ever(
 
 async def test_a_disarmed_console_holds_nothing(server: RosbridgeServer, gate: threading.Event) -> None:
     async with console(config_of(server.url, 1), wait=False) as it:
-        it.app.main.armed = False
+        it.app.main.dispatch.permissions = Permissions(armed=False)
         await it.press("p")
-        assert "not armed" in it.app.main.said
+        assert "not armed" in it.app.main.notices.text
         gate.set()
         await it.until(lambda state: state.robots["robot_0"].queue)
     assert not server.calls

@@ -2,11 +2,11 @@
 
 import msgspec
 
+from fleet_tui.controllers.held import LINK_WITHIN, PAUSE_WITHIN, Held
 from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.request import Request
-from fleet_tui.screens.held import LINK_WITHIN, PAUSE_WITHIN, Held
 from tests.support.fleets import fleet, place_order
 
 UP = LinkState("far", "ws://far:9090", Phase.UP, commands_connected=True)

@@ -21,7 +21,7 @@ async def test_a_key_packs_and_says_where(server: RosbridgeServer, tmp_path: Pat
             path.write_bytes(b"0" * 1_200_000)
             return path
 
-        it.app.main.pack = pack
+        it.app.main.files.pack = pack
         await it.press("b")
         await it.shows("packing an incident")
         await it.press("b")
@@ -39,11 +39,11 @@ async def test_what_fails_is_said(server: RosbridgeServer) -> None:
         def pack(shot: str, is_over: Callable[[], bool]) -> Path:
             raise problems.pop(0)
 
-        it.app.main.pack = pack
+        it.app.main.files.pack = pack
         await it.press("b")
         await it.shows("the incident could not be packed: No space left on device")
         await it.press("b")
         await it.shows("the incident could not be packed: of ours")
-        it.app.main.pack = None
+        it.app.main.files.pack = None
         await it.press("b")
         await it.shows("nothing to pack here")

@@ -44,7 +44,7 @@ def logged(caplog: pytest.LogCaptureFixture) -> list[str]:
 async def test_a_key_that_fails_costs_nothing_else(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr(MainScreen, "action_all_orders", broken([None], MainScreen.action_all_orders))
+    monkeypatch.setattr(MainScreen, "all_orders", broken([None], MainScreen.all_orders))
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("*")
         await it.shows(SAID)
@@ -88,10 +88,10 @@ async def test_the_words_of_a_fault_are_shown_as_text(
     def fails(_self: MainScreen) -> None:
         raise error
 
-    monkeypatch.setattr(MainScreen, "action_all_orders", fails)
+    monkeypatch.setattr(MainScreen, "all_orders", fails)
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("*")
-        await it.until(lambda _state: said in it.app.main.said)
+        await it.until(lambda _state: said in it.app.main.notices.text)
         await it.shows("internal error: ", "message")
         assert it.pane("message").isprintable()
 
@@ -106,7 +106,7 @@ async def test_what_is_read_beside_the_screen_may_fail(
     monkeypatch.setattr(reader.AuditReader, "newest_first", broken([None], reader.AuditReader.newest_first))
     config = config_of(server.url, 2, 2)
     async with console(config) as it:
-        with auditing(tmp_path, config, it.store) as it.app.main.audit:
+        with auditing(tmp_path, config, it.store) as it.app.main.files.audit:
             await it.press("L")
             await it.shows(SAID)
             assert logged(caplog) == ["worker: broken here"]

@@ -40,7 +40,7 @@ async def test_a_recording_from_the_palette(server: RosbridgeServer, tmp_path: P
 
 async def test_the_last_minutes_are_kept_without_asking(server: RosbridgeServer, tmp_path: Path) -> None:
     async with console(config_of(server.url, 2, 2), state_folder=tmp_path) as running:
-        recordings = running.app.main.recordings
+        recordings = running.app.main.files.recordings
         assert recordings is not None
         await running.until(lambda state: recordings.recent())
         (path,) = recordings.recent()

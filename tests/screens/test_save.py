@@ -31,7 +31,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 async def test_what_was_found_is_kept_as_it_runs(server: RosbridgeServer, folder: Path) -> None:
     site = await discovered(server.url)
     async with console(site.config) as it:
-        it.app.main.saving = Saving(site.config, site)
+        it.app.main.files.saving = Saving(site.config, site)
         await typed(it, "save")
         await it.shows("config.toml: fleet-tui opens it here")
         await typed(it, "save")
@@ -49,7 +49,7 @@ async def test_it_asks_before_it_writes_over_a_file(server: RosbridgeServer, fol
     mine.write_text("mine")
     mine.chmod(0o644)
     async with console(site.config) as it:
-        it.app.main.saving = Saving(site.config, site)
+        it.app.main.files.saving = Saving(site.config, site)
         await typed(it, "save my fleet.toml")
         await it.shows("my fleet.toml is there already. Write over it?")
         await it.press("enter")
@@ -64,7 +64,7 @@ async def test_it_asks_before_it_writes_over_a_file(server: RosbridgeServer, fol
 async def test_where_it_can_not_be_written(server: RosbridgeServer, folder: Path) -> None:
     config = config_of(server.url, 1)
     async with console(config) as it:
-        it.app.main.saving = Saving(config, await discovered(server.url))
+        it.app.main.files.saving = Saving(config, await discovered(server.url))
         await typed(it, "save no/such/place.toml")
         await it.shows("not saved: no/such/place.toml: No such file or directory")
         (folder / "here").mkdir()
@@ -77,7 +77,7 @@ async def test_a_console_with_a_file_says_so_and_writes_copies(server: Rosbridge
     config = config_of(server.url, 1)
     path = folder / "mine.toml"
     async with console(config) as it:
-        it.app.main.saving = Saving(config_at(config, path))
+        it.app.main.files.saving = Saving(config_at(config, path))
         for line in ("save", "save mine.toml"):
             await typed(it, line)
             await it.shows("this configuration is in")

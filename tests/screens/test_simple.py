@@ -103,7 +103,7 @@ async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServe
     async with console(config_of(server.url, 2)) as it:
         await it.press("s")
         await it.shows("From: choose")
-        assert not it.app.main.map.display
+        assert not it.app.main.rest.map.display
         await it.press("enter")
         await it.shows("From where?")
         await it.press("f12")
@@ -112,7 +112,7 @@ async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServe
         await it.shows("From: choose")
         await it.press("s")
         await it.shows(sanitize("Base"), "map")
-        assert it.app.main.focused is it.app.main.map
+        assert it.app.main.focused is it.app.main.rest.map
 
 
 async def test_a_label_that_looks_like_markup_is_text(server: RosbridgeServer) -> None:

@@ -29,10 +29,10 @@ async def test_the_first_picture_is_the_console_without_its_map(size: tuple[int,
     app.driver_class = PlayedDriver
     seen: list[str] = []
 
-    async def furnish() -> None:
+    async def mount_rest() -> None:
         seen.extend("".join(cell[0] for cell in row) for row in shown(terminal_of(app)))
 
-    app.furnish = furnish  # type: ignore[method-assign]  # the furniture never comes
+    app.mount_rest = mount_rest  # type: ignore[method-assign]  # the rest never comes
     async with app.run_test(headless=False, size=size) as pilot:
         await pilot.pause()
     picture = "\n".join(seen)
@@ -43,9 +43,9 @@ async def test_the_first_picture_is_the_console_without_its_map(size: tuple[int,
 
 async def test_keys_typed_before_anything_is_painted_open_and_fill_the_form(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1), wait=False) as it:
-        assert not it.app.main.furnished
+        assert not it.app.main.is_complete
         await it.type("oBase")
-        assert it.app.main.order_form.is_open
+        assert it.app.main.rest.order_form.is_open
         assert it.app.focused is not None
         await it.shows("Base")
         assert getattr(it.app.focused, "value", None) == "Base"

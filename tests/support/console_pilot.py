@@ -9,11 +9,12 @@ from pathlib import Path
 from textual.pilot import Pilot
 
 from fleet_tui.app import FleetApp
-from fleet_tui.backend import connect_live
+from fleet_tui.backend import LiveBackend, connect_live
 from fleet_tui.cli.session import missing
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.console import recorded
+from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.recording.recordings import Recordings
@@ -88,8 +89,9 @@ async def console(
     store = WatchedStore(initial_state(config, time.monotonic()))
     recordings = Recordings(config, store, state_folder) if state_folder else None
     opening = partial(recorded, recordings, None) if recordings else connect_live
-    app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, opening)
-    app.main.recordings = recordings
+    backend, files = LiveBackend(config, store, opening), ConsoleFiles()
+    files.recordings = recordings
+    app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, backend, files)
     async with AsyncExitStack() as stack:
         if recordings:
             stack.callback(recordings.close)

@@ -21,8 +21,7 @@ async def replayed(
     player, config = playing(path, Config(), 1.0, start, lambda _share: None, notes)
     player.toggle()
     store = WatchedStore(player.state)
-    app = replaying(config, player, load_themes(None)[0], Drawing.BRAILLE)
-    app.store = app.main.store = store
+    app = replaying(config, player, store, load_themes(None)[0], Drawing.BRAILLE)
     async with app.run_test(size=size) as pilot:
         running = Console(app, store, pilot)
         await running.shows("stopped")

@@ -8,10 +8,10 @@ from collections.abc import AsyncIterator
 import pytest
 from textual.pilot import Pilot
 
-from fleet_tui import console
 from fleet_tui.app import FleetApp
 from fleet_tui.config.start import initial_state
 from fleet_tui.state.store import Store
+from fleet_tui.terminal.detect import has_colour
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.terminal import PlayedDriver, shown, terminal_of
@@ -80,5 +80,5 @@ def test_when_there_is_colour(
     monkeypatch.setenv("NO_COLOR", no_color or "")
     if no_color is None:
         monkeypatch.delenv("NO_COLOR")
-    assert console._colour() is colour
+    assert has_colour() is colour
     assert ("NO_COLOR" in os.environ) is not colour

@@ -2,21 +2,10 @@
 
 from collections.abc import Mapping, Sequence
 
+from fleet_tui.keys import PAGES
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
-
-_KEYS = {
-    1: (),
-    2: ("filter", "copy"),
-    3: ("freeze", "bad", "copy"),
-    4: ("filter", "level", "freeze", "copy"),
-    5: ("filter", "copy"),
-    6: ("filter", "copy"),
-}
-"""The keys of each page beside those of all."""
-_ENTER = {1: "topics", 2: "its message", 5: "values"}
-"""What Enter does."""
 
 
 def page_runs(names: Sequence[str], shown: int, frozen: str) -> tuple[list[Run], list[Run]]:
@@ -34,9 +23,10 @@ def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: str) -> tupl
     if said:
         return [(sanitize(said), StyleRole.WARN)], []
     hints: list[tuple[str, str]] = []
-    if page in _ENTER:
-        hints.append((keys["menu"][0], _ENTER[page]))
-    hints += [(keys[id_][0], id_) for id_ in _KEYS[page] if keys[id_]]
+    shown = list(PAGES.values())[page - 1]
+    if shown.enter:
+        hints.append((keys["menu"][0], shown.enter))
+    hints += [(keys[id_][0], id_) for id_ in shown.keys if keys[id_]]
     hints += [(keys[id_][0], word) for id_, word in (("next_page", "page"), ("leave", "back")) if keys[id_]]
     runs: list[Run] = []
     for key, word in hints:

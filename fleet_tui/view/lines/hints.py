@@ -2,31 +2,26 @@
 
 from collections.abc import Collection, Mapping
 
-from fleet_tui.keys import KEYS, Key
+from fleet_tui.keys import KEYS, LISTS, Key
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
-
-ALWAYS = ("palette", "help")
-COMMANDS = frozenset({"order", "cancel", "clear", "pause", "resume", "pause_all", "pause_all_anywhere"})
-"""Keys that command robots: a console that can't does not offer them."""
-
-
-OF_ANY = frozenset({"pause_all", "pause_all_anywhere"})
-"""Those that are there as soon as one robot of the fleet can do it."""
 
 
 def hidden_keys(state: FleetState, selected: str) -> set[str]:
     """The ids of keys that the kind of the selected robot, or the whole fleet, has nothing for."""
     robots = list(state.robots.values())
-    hidden = set[str]()
-    for key in KEYS:
-        asked = robots if key.id in OF_ANY else [state.robots[selected]]
-        if key.needs and not any(robot.kind.can(key.needs) for robot in asked):
-            hidden.add(key.id)
-    if not any(robot.kind.lists_orders for robot in robots):
-        hidden.add("all_orders")
-    return hidden
+    return {
+        key.id
+        for key in KEYS
+        if key.needs
+        and not any(_serves(one, key.needs) for one in (robots if key.of_any else [state.robots[selected]]))
+    }
+
+
+def _serves(robot: Robot, need: str) -> bool:
+    return robot.kind.lists_orders if need == LISTS else robot.kind.can(need)
 
 
 def _runs(key: Key, keys: Mapping[str, tuple[str, ...]]) -> list[Run]:
@@ -42,14 +37,14 @@ def hints(
 ) -> tuple[list[Run], list[Run]]:
     """Hints for the left, the pane's own first, and for the right what is always there. In an overlay
     only what works "anywhere" reaches the console. `hidden`: ids of keys that nothing here has a use for."""
-    away = {*hidden, *(() if can_command else COMMANDS)}
+    away = {*hidden, *(key.id for key in KEYS if key.commands and not can_command)}
     offered = [key for key in KEYS if key.hint and keys[key.id] and key.id not in away]
     if pane == "anywhere":
         left, right = [key for key in offered if key.pane == pane], []
     else:
         offered.sort(key=lambda key: key.pane != pane)
-        left = [key for key in offered if key.pane in (pane, "console") and key.id not in ALWAYS]
-        right = [key for key in offered if key.id in ALWAYS]
+        left = [key for key in offered if key.pane in (pane, "console") and not key.always]
+        right = [key for key in offered if key.always]
     return [run for key in left for run in _runs(key, keys)], [
         run for key in right for run in _runs(key, keys)
     ]

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterator, Mapping
 
-from fleet_tui.keys import KEYS
+from fleet_tui.keys import BY_ID
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
@@ -14,8 +14,6 @@ from fleet_tui.view.lines.hints import hidden_keys
 
 SHOWN = 5
 """As many reasons as a small terminal has room for; the others weigh least."""
-
-_KEYS = {key.id: key for key in KEYS}
 
 
 def why_lines(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]) -> list[str]:
@@ -55,4 +53,4 @@ def _helps(reason: Reason, keys: Mapping[str, tuple[str, ...]], hidden: Collecti
         if id_ in hidden:
             continue
         name = " ".join(keys[id_][:1]) or "(palette)"
-        yield f"{name}  {_KEYS[id_].text}"
+        yield f"{name}  {BY_ID[id_].text}"

@@ -91,7 +91,7 @@ async def test_it_plays_at_its_pace_and_stops_at_the_end(night: Path) -> None:
         assert x(it.store.state) == 299.0
         await it.press("space", "S", "backspace")
         await it.shows("the end of the recording")
-        assert it.app.main.player is not None and it.app.main.player.moment.speed == 1.0
+        assert it.app.backend.player is not None and it.app.backend.player.moment.speed == 1.0
 
 
 async def test_nothing_can_be_sent_or_acknowledged(night: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -101,11 +101,11 @@ async def test_nothing_can_be_sent_or_acknowledged(night: Path, monkeypatch: pyt
     async with replayed(night, "+110s") as it:
         before = it.store.state
         for key in ("p", "r", "P", "X", "f12"):
-            it.app.main.say("")
+            it.app.main.notices.say("")
             await it.press(key)
             await it.shows("not sent: this is a recording")
         for line in (":pause robot_0", ":robot_0 > Base"):
-            it.app.main.say("")
+            it.app.main.notices.say("")
             await it.type(line)
             await it.press("enter")
             await it.shows("not sent: this is a recording")
@@ -132,21 +132,21 @@ async def test_help_and_hints_begin_with_the_recording(night: Path) -> None:
 async def test_old_trails_are_forgotten_where_time_jumps(night: Path) -> None:
     async with replayed(night, "+20s") as it:
         await it.press("t", ".", ".")
-        assert it.app.main.map.scene is not None
+        assert it.app.main.rest.map.scene is not None
         await it.shows(at(22))
-        assert len(it.app.main.map._trails.of(it.app.main.map.scene))
+        assert len(it.app.main.rest.map._trails.of(it.app.main.rest.map.scene))
         await it.press("<")
         await it.shows(at(12))
-        points = it.app.main.map._trails.of(it.app.main.map.scene)
+        points = it.app.main.rest.map._trails.of(it.app.main.rest.map.scene)
         assert points[:, 0].max(initial=0.0) <= 12.0
 
 
 async def test_space_in_a_text_field_is_a_space(night: Path) -> None:
     async with replayed(night, "+20s") as it:
         await it.type(":pause ")
-        assert it.app.main.player is not None
+        assert it.app.backend.player is not None
         await it.shows("stopped")
-        assert it.app.main.player.moment.paused
+        assert it.app.backend.player.moment.paused
         assert it.store.state.now == T0 + 20
 
 
@@ -194,8 +194,8 @@ async def test_before_a_time_is_typed_it_is_said_how_to(tmp_path: Path) -> None:
 async def test_without_a_recording_its_keys_mean_nothing(server: RosbridgeServer) -> None:
     async with console(config_of(server.url)) as it:
         await it.press("space", ".", "@", "end")
-        assert it.app.main.time_line is None
-        assert not it.app.main.palette.is_open
+        assert it.app.main.session.time_line() is None
+        assert not it.app.main.rest.palette.is_open
         await it.press("?")
         await it.shows("Fleet")
         assert "The recording" not in it.text

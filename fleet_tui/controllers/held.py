@@ -19,12 +19,12 @@ Give = Callable[[Request], None]
 
 
 class _HeldInput(NamedTuple):
-    wish: Request
+    request: Request
     since: float
 
     @property
     def pauses(self) -> bool:
-        return all(isinstance(one, PauseRobot) for one in self.wish.commands)
+        return all(isinstance(one, PauseRobot) for one in self.request.commands)
 
     @property
     def until(self) -> float:
@@ -39,15 +39,15 @@ class Held:
         self._give, self._refuse = give, refuse
         self._waiting: list[_HeldInput] = []
 
-    def hold(self, state: FleetState, wish: Request, now: float) -> Request | None:
+    def hold(self, state: FleetState, request: Request, now: float) -> Request | None:
         """Keep what has to wait. Returns what need not, None where that is nothing."""
-        return self._keep_starting(state, _HeldInput(wish, now))
+        return self._keep_starting(state, _HeldInput(request, now))
 
     def release(self, state: FleetState, now: float) -> None:
         """Give what need not wait any longer; where the time is up, the checks say why it is not sent."""
         waiting, self._waiting = self._waiting, []
         for one in waiting:
-            ready = self._keep_starting(state, one) if now < one.until else one.wish
+            ready = self._keep_starting(state, one) if now < one.until else one.request
             if ready is None:
                 continue
             if now > one.until + LATEST and not one.pauses:
@@ -57,12 +57,12 @@ class Held:
 
     def _keep_starting(self, state: FleetState, one: _HeldInput) -> Request | None:
         """Keep the commands whose link is not there yet, whatever the other links do."""
-        commands = one.wish.commands
+        commands = one.request.commands
         starting = tuple(command for command in commands if _is_starting(state, command))
         if starting:
-            self._waiting.append(_HeldInput(replace(one.wish, commands=starting), one.since))
+            self._waiting.append(_HeldInput(replace(one.request, commands=starting), one.since))
         rest = tuple(command for command in commands if command not in starting)
-        return replace(one.wish, commands=rest) if rest else None
+        return replace(one.request, commands=rest) if rest else None
 
 
 def _is_starting(state: FleetState, command: Command) -> bool:

@@ -14,6 +14,9 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import wish_text
 
 Entry = tuple[str, Callable[[], object]]
+"""A line to choose, and what it does."""
+OpenMenu = Callable[[str, Sequence[Entry]], None]
+"""Opens a menu: its title, its entries."""
 
 
 @dataclass(frozen=True)
@@ -36,9 +39,9 @@ def typed(line: str, state: FleetState, selected: str, do: Callable[[Request], N
     if not is_command(line, state):
         return Typed(completed=completed)
     try:
-        wish = parse(line, state, selected)
+        request = parse(line, state, selected)
     except CommandError as problem:
         return Typed(completed=completed, problem=sanitize(str(problem)))
-    if impossible := not_accepted(state, acceptable(state, wish)[0].commands):
+    if impossible := not_accepted(state, acceptable(state, request)[0].commands):
         return Typed(completed=completed, problem=sanitize(impossible[0].text))
-    return Typed([(wish_text(state, wish), partial(do, wish))], completed)
+    return Typed([(wish_text(state, request), partial(do, request))], completed)

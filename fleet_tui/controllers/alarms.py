@@ -1,0 +1,83 @@
+"""Responses to an alarm: acknowledge, shelve, go to the robot."""
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+
+from fleet_tui.backend import Backend
+from fleet_tui.controllers.navigation import Navigation
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.model.alarm import Alarm, AlarmStage
+from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved, Event
+from fleet_tui.state.store import Store
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.tables.alarms import unacknowledged
+from fleet_tui.widgets.rows_pane import RowsPane
+
+SHOWN = 3
+"""Robots of a group that its menu can go to."""
+
+
+class AlarmResponses:
+    """Answers the alarm under the cursor of a pane, or all of them."""
+
+    def __init__(
+        self,
+        store: Store,
+        backend: Backend,
+        notices: Notices,
+        navigation: Navigation,
+        pane: RowsPane,
+        open_menu: OpenMenu,
+        keys: Mapping[str, tuple[str, ...]],
+        clock: Callable[[float], str],
+    ) -> None:
+        self._store, self._backend, self._notices, self._navigation = store, backend, notices, navigation
+        self._pane, self._open_menu, self._keys, self._clock = pane, open_menu, keys, clock
+
+    def _tell(self, event: Event) -> None:
+        if problem := self._backend.tell(event):
+            self._notices.say(problem)
+
+    def acknowledge(self) -> None:
+        """Acknowledge the alarm under the cursor, and go to the next: the row moves to those seen."""
+        key, fresh = self._pane.cursor, unacknowledged(self._store.state)
+        if not isinstance(key, tuple):
+            return
+        self._tell(AlarmAcknowledged(*key))
+        if key in fresh and len(fresh) > 1:
+            following = [*fresh[fresh.index(key) + 1 :], *fresh]
+            self._pane.cursor = following[0]
+
+    def acknowledge_all(self) -> None:
+        """Acknowledge every alarm."""
+        self._tell(AlarmAcknowledged())
+
+    def menu(self, source: str, kind: str) -> None:
+        """List what can be done with an alarm."""
+        alarm = next((one for one in self._store.state.alarms if one.key == (source, kind)), None)
+        if alarm is None:
+            self._notices.say(f"the alarm of {source} is over")
+            return
+        first, last = self._clock(alarm.first_wall), self._clock(alarm.last_wall)
+        seen = f"first seen {first}, last seen {last}, x{alarm.count}"
+        title = f"{source}: {sanitize(alarm.text)}\n{seen}"
+        self._open_menu(title, [*self._ways_to(alarm), *self._answers(alarm)])
+
+    def _ways_to(self, alarm: Alarm) -> Iterator[Entry]:
+        """To the robot, or to some of a group."""
+        whose = {alarm.condition.source, *alarm.condition.parts}
+        for name in [name for name in self._store.state.robots if name in whose][:SHOWN]:
+            yield f"Show {name} on the map", partial(self._navigation.find_robot, name)
+
+    def _answers(self, alarm: Alarm) -> Iterator[Entry]:
+        if alarm.needs_acknowledgement:
+            key = " ".join(self._keys["acknowledge"])
+            yield f"Acknowledge ({key})", partial(self._tell, AlarmAcknowledged(*alarm.key))
+        if alarm.stage is AlarmStage.SHELVED:
+            yield "Take off the shelf", partial(self._tell, AlarmUnshelved(*alarm.key))
+        state = self._store.state
+        seconds = state.limits.shelve_for
+        shelved = AlarmShelved(*alarm.key, state.now + seconds)
+        yield f"Shelve for {age(seconds)}", partial(self._tell, shelved)

@@ -1,0 +1,130 @@
+"""The one way from a request to the robots: checked, asked where something speaks against it, sent."""
+
+import time
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from fleet_tui.backend import Backend
+from fleet_tui.controllers.held import Held
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.model.commands import Command
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+
+if TYPE_CHECKING:
+    from fleet_tui.model.problem import Problem
+
+Ask = Callable[[Callable[[], str], Callable[[], None]], None]
+"""Puts a question, and calls what follows only after a yes."""
+
+
+class Dispatch:
+    """Decides whether a command may leave. What destroys asks once; a pause never asks."""
+
+    def __init__(
+        self, store: Store, backend: Backend, permissions: Permissions, notices: Notices, ask: Ask
+    ) -> None:
+        self._store, self._backend, self._notices, self._ask = store, backend, notices, ask
+        self.permissions = permissions
+        self.given: dict[tuple[Command, ...], float] = {}
+        self._held = Held(self._give_held, notices.say)
+
+    def arm(self) -> None:
+        """Let commands leave this console, or no longer: orders that wait here neither."""
+        from fleet_tui.rules.commands.keeping import hold_all
+
+        armed = not self.permissions.armed
+        self.permissions = replace(self.permissions, armed=armed)
+        for held in () if armed else hold_all(self._store.state, "this console is not armed"):
+            self._backend.tell(held)
+        self._notices.say("this console is armed" if armed else "this console is not armed")
+
+    def _problems(self, request: Request) -> "list[Problem]":
+        # Here, not above: the first paint does without them.
+        from fleet_tui.rules.commands.checks import problems, repeated
+
+        found = problems(self._store.state, request, self.permissions)
+        return [*repeated(request, self.given, time.monotonic()), *found]
+
+    def give(self, request: Request, sent: Callable[[], None] = lambda: None) -> str:
+        """Send a request, after asking where something is lost or was warned of; `sent` is called when it
+        has left, or waits for the first connection. Returns why it is not sent, empty where it is or where
+        that is asked."""
+        if self._backend.refusal:
+            return self._backend.refusal
+        from fleet_tui.rules.commands.checks import acceptable
+
+        request, left_out = acceptable(self._store.state, request)
+        problem = self._give_able(request, sent)
+        if left_out and not problem:
+            self._notices.note(f"not sent to {'; '.join(sanitize(one.text) for one in left_out)}")
+        return problem
+
+    def _give_able(self, request: Request, sent: Callable[[], None]) -> str:
+        may_send = self.permissions.armed and not self.permissions.read_only
+        ready = self._held.hold(self._store.state, request, time.monotonic()) if may_send else request
+        if ready != request:
+            self._notices.note("waiting for the link")
+        if ready is None:
+            sent()
+            return ""
+        return self._give_now(ready, sent)
+
+    def _give_held(self, request: Request) -> None:
+        if problem := self._give_now(request, lambda: None):
+            self._notices.say(problem)
+
+    def release_held(self) -> None:
+        """Give what waited for the link, when that is there."""
+        self._held.release(self._store.state, time.monotonic())
+
+    def _give_now(self, request: Request, sent: Callable[[], None]) -> str:
+        from fleet_tui.view.lines.questions import losses, question
+
+        found = self._problems(request)
+        for problem in found:
+            if problem.blocks:
+                return f"not sent: {sanitize(problem.text)}"
+        if found or any(losses(self._store.state, request)):
+            self._ask(
+                lambda: question(self._store.state, request, self._problems(request)),
+                partial(self._send_after_all, request, sent),
+            )
+        else:
+            self._send(request, sent)
+        return ""
+
+    def _send_after_all(self, request: Request, sent: Callable[[], None]) -> None:
+        """While it was asked, the fleet went on: what must not be sent now is not."""
+        wrong = [problem.text for problem in self._problems(request) if problem.blocks]
+        if wrong:
+            self._notices.say(f"not sent: {sanitize(wrong[0])}")
+        else:
+            self._send(request, sent)
+
+    def _refusal(self) -> str:
+        """Return why nothing may leave now. Looked at last, for each command: the checks let pauses pass."""
+        if self._backend.refusal or self.permissions.armed:
+            return self._backend.refusal
+        return "not sent: this console is not armed, : Arm lets commands leave"
+
+    def _send(self, request: Request, sent: Callable[[], None]) -> None:
+        for command in request.commands:
+            if problem := self._refusal() or self._backend.submit(command):
+                self._notices.say(problem)
+        from fleet_tui.rules.commands.checks import SAME_WITHIN
+
+        now = time.monotonic()
+        recent = {given: at for given, at in self.given.items() if now - at < SAME_WITHIN}
+        self.given = {**recent, request.commands: now}
+        sent()
+
+    def do(self, request: Request) -> None:
+        """Send a request, or say why not."""
+        if problem := self.give(request):
+            self._notices.say(problem)

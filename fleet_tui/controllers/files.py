@@ -1,0 +1,42 @@
+"""Files that a console writes beside its work."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from fleet_tui.audit.log import Audit
+    from fleet_tui.config.saving import Saving
+    from fleet_tui.recording.recordings import Recordings
+
+Pack = Callable[[str, Callable[[], bool]], Path]
+"""From a screenshot (SVG) to the archive; ends early once it is told so. Raises OSError."""
+
+
+class ConsoleFiles:
+    """The audit log, the recordings, the incident archive and the configuration. None: not written here."""
+
+    def __init__(
+        self,
+        open_them: "Callable[[ConsoleFiles], None]" = lambda _files: None,
+        pack: Pack | None = None,
+        saving: "Saving | None" = None,
+    ) -> None:
+        """`open_them` opens the audit log and the recordings: after the first picture, before the link."""
+        self._open_them, self.pack, self.saving = open_them, pack, saving
+        self.audit: Audit | None = None
+        self.recordings: Recordings | None = None
+
+    def open(self) -> None:
+        """Open the audit log and the recordings."""
+        self._open_them(self)
+
+    @property
+    def operator(self) -> str:
+        """The operator's name as the audit log has it."""
+        return self.audit.origin.operator if self.audit else ""
+
+    def notes(self) -> list[str]:
+        """Tell what is recorded, and what fails."""
+        audit = self.audit.notes if self.audit else []
+        return [*audit, *(self.recordings.notes() if self.recordings else [])]

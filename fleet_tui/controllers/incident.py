@@ -1,0 +1,59 @@
+"""One key packs into an archive what a ticket about an incident needs."""
+
+import logging
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from fleet_tui.controllers.files import ConsoleFiles, Pack
+from fleet_tui.text.units import size_text
+
+LOG = logging.getLogger(__name__)
+
+Cancelled = Callable[[], bool]
+
+
+class IncidentPacking:
+    """Packs in a thread, one at a time."""
+
+    def __init__(
+        self,
+        files: ConsoleFiles,
+        say: Callable[[str], None],
+        say_from_thread: Callable[[str], None],
+        screenshot: Callable[[], str],
+        in_thread: Callable[[Callable[[Cancelled], None]], object],
+    ) -> None:
+        """`in_thread` has a function run that is told how to find out whether it is cancelled."""
+        self._files, self._say, self._say_from_thread = files, say, say_from_thread
+        self._screenshot, self._in_thread = screenshot, in_thread
+        self._packing = False
+
+    def pack(self) -> None:
+        """Pack what belongs to an incident into one archive."""
+        pack = self._files.pack
+        if pack is None:
+            self._say("nothing to pack here: this is no live console")
+        elif self._packing:
+            self._say("still packing: the doctor takes up to 10 s")
+        else:
+            self._packing = True
+            shot = self._screenshot()
+            self._say("packing an incident: the doctor looks at everything first, up to 10 s")
+            self._in_thread(partial(self._pack, pack, shot))
+
+    def _pack(self, pack: Pack, shot: str, is_cancelled: Cancelled) -> None:
+        """In a thread."""
+        try:
+            path = pack(shot, is_cancelled)
+            # The usual place fits 80 columns.
+            where = str(path).replace(str(Path.home()), "~", 1)
+            said = f"packed {size_text(path.stat().st_size)}: {where}"
+        except Exception as problem:
+            # Whatever it is, the operator learns of it, and may try again.
+            LOG.exception("packing")
+            said = f"the incident could not be packed: {problem}"
+        LOG.info("%s", said)
+        self._packing = False
+        if not is_cancelled():
+            self._say_from_thread(said)

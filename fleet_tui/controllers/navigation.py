@@ -1,0 +1,86 @@
+"""The robot and the floor that the operator looks at, chosen by key, by mouse and by name."""
+
+from collections.abc import Callable
+from typing import Protocol
+
+from msgspec.structs import replace
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.state.store import Store
+from fleet_tui.view.selection import Selection, first_selection
+
+
+class MapCamera(Protocol):
+    """The part of the map that is moved from elsewhere."""
+
+    def action_centre(self) -> None:
+        """Centre on the selected robot, once."""
+
+    def centre_on(self, x: float, y: float) -> None:
+        """Centre on a place in metres of the shown floor."""
+
+
+class Navigation:
+    """Owns the selection. `selected` is told of each robot that is selected."""
+
+    def __init__(
+        self,
+        store: Store,
+        selected: Callable[[str], None],
+        camera: Callable[[], MapCamera],
+        refresh: Callable[[], None],
+    ) -> None:
+        self._store, self._selected, self._camera, self._refresh = store, selected, camera, refresh
+        self.selection = first_selection(store.state)
+
+    @property
+    def robot(self) -> str:
+        """The name of the selected robot."""
+        return self.selection.robot
+
+    @property
+    def floor(self) -> str:
+        """The name of the shown floor."""
+        return self.selection.floor
+
+    def settle(self, state: FleetState, follow: bool) -> Selection:
+        """Let the floor follow the robot."""
+        self.selection = self.selection.settled(state, follow)
+        return self.selection
+
+    def select(self, robot: str) -> None:
+        """Select a robot; the fleet's cursor is on the selected one."""
+        self.selection = self.selection.on_robot(robot)
+        self._selected(robot)
+        self._refresh()
+
+    def step_robot(self, step: int) -> None:
+        """Select the next (1) or previous (-1) robot."""
+        self.select(self.selection.step_robot(self._store.state, step).robot)
+
+    def choose_robot(self, number: int) -> None:
+        """Select a robot by its number."""
+        names = list(self._store.state.robots)
+        if number <= len(names):
+            self.select(names[number - 1])
+
+    def step_floor(self, step: int) -> None:
+        """Show the next (1) or previous (-1) floor."""
+        self.find_floor(self.selection.step_floor(self._store.state, step).floor)
+
+    def find_robot(self, robot: str) -> None:
+        """Select a robot and bring the map to it."""
+        self.select(robot)
+        self.settle(self._store.state, follow=True)
+        self._refresh()
+        self._camera().action_centre()
+
+    def find_floor(self, floor: str) -> None:
+        """Show a floor."""
+        self.selection = replace(self.selection, floor=floor, chosen=True)
+        self._refresh()
+
+    def find_vertex(self, floor: str, x: float, y: float) -> None:
+        """Bring the map to a place of a floor."""
+        self.find_floor(floor)
+        self._camera().centre_on(x, y)

@@ -1,0 +1,50 @@
+"""One action begins a recording and ends it."""
+
+import logging
+from collections.abc import Callable
+from pathlib import Path
+
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.errors import FleetError
+
+LOG = logging.getLogger(__name__)
+
+
+class RecordingSwitch:
+    """Works in a thread, as a disk may take its time."""
+
+    def __init__(
+        self,
+        files: ConsoleFiles,
+        say: Callable[[str], None],
+        say_from_thread: Callable[[str], None],
+        in_thread: Callable[[Callable[[], None]], object],
+    ) -> None:
+        self._files, self._say, self._say_from_thread = files, say, say_from_thread
+        self._in_thread = in_thread
+        self._switching = False
+
+    def turn(self) -> None:
+        """Begin a recording, or end it."""
+        if self._files.recordings is None:
+            self._say("nothing to record here: this is no live console")
+        elif not self._switching:
+            self._switching = True
+            self._in_thread(self._turn)
+
+    def _turn(self) -> None:
+        """In a thread."""
+        recordings = self._files.recordings
+        assert recordings is not None
+        try:
+            if recordings.recorder is not None:
+                said = recordings.stop()
+            else:
+                said = f"recording to {recordings.start()}"
+        except FleetError as problem:
+            said = f"not recording: {problem}"
+        finally:
+            self._switching = False
+        LOG.info("%s", said)
+        # The usual place fits 80 columns.
+        self._say_from_thread(said.replace(str(Path.home()), "~", 1))

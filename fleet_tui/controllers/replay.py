@@ -1,0 +1,89 @@
+"""A console on a recording: what it says of it, and the keys that move in it."""
+
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from fleet_tui.actions import PlayerActions
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.session import Headline
+from fleet_tui.errors import FleetError
+from fleet_tui.keys import Key
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.lines.status import status_line
+from fleet_tui.view.roles import StyleRole
+
+if TYPE_CHECKING:
+    from fleet_tui.controllers.typed import Typed
+    from fleet_tui.recording.play.player import Player
+    from fleet_tui.widgets.time_line import TimeLine
+
+
+class Replay:
+    """Plays, seeks, and keeps the time line."""
+
+    panes: tuple[str, ...] = ("recording", "console")
+    pane = "recording"
+
+    def __init__(
+        self,
+        player: "Player",
+        notices: Notices,
+        clock: Callable[[float], str],
+        jumped: Callable[[], bool],
+    ) -> None:
+        """`jumped` is called when another time is shown; it returns False as long as there is no map."""
+        self._player, self._notices, self._clock, self._jumped = player, notices, clock, jumped
+        self._jumps = 0
+        self._time_line: TimeLine | None = None
+
+    def offers(self, key: Key) -> bool:
+        """Leave out what only a live console can do."""
+        return not key.only_live
+
+    def headline(self, state: FleetState, robot: str) -> Headline:
+        """Show the recorded time. A recording is never mistaken for the fleet."""
+        moment = self._player.moment
+        if moment.jumps != self._jumps and self._jumped():
+            self._jumps, self._notices.text = moment.jumps, ""
+        if self._time_line is not None:
+            self._time_line.show(moment, self._clock)
+        date = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(moment.wall))
+        return ((f" REPLAY {date} ", StyleRole.WARN), *status_line(state, robot, addressed=False)), ()
+
+    def time_line(self) -> "TimeLine":
+        """Make the time line, which is shown at every tick from now on."""
+        from fleet_tui.widgets.time_line import TimeLine
+
+        self._time_line = TimeLine(id="time-line")
+        return self._time_line
+
+    def play(self, do: Callable[[PlayerActions], object]) -> None:
+        """Have the player do something; say why it does not."""
+        said = do(self._player)
+        if isinstance(said, str) and said:
+            self._notices.say(said)
+
+    def typed(self, line: str) -> "Typed | None":
+        """Read a typed line as a time of the recording to go to, None where it is none."""
+        from fleet_tui.controllers.typed import Typed
+
+        text = line.strip().removeprefix("@").strip()
+        if not (line.startswith("@") or text.startswith("+") or ":" in text):
+            return None
+        if not text:
+            from fleet_tui.recording.play.times import FORMS
+
+            return Typed(problem=f"go to a time: {FORMS}")
+        try:
+            at = self._player.time_of(text)
+        except FleetError as problem:
+            return Typed(problem=sanitize(str(problem)))
+        return Typed([(f"Go to {text}", lambda: self._player.seek(at))])
+
+    def pick_time(self, x: int, width: int) -> None:
+        """Go to the time of a cell of the time line."""
+        from fleet_tui.view.lines.time import time_at
+
+        self._player.seek(time_at(self._player.moment, x, width))

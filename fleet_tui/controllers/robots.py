@@ -1,0 +1,65 @@
+"""Requests to robots beside orders: pause and resume, and the menu of a robot."""
+
+from collections.abc import Callable
+from functools import partial
+
+from fleet_tui.controllers.dispatch import Dispatch
+from fleet_tui.controllers.navigation import Navigation
+from fleet_tui.controllers.orders import OrderRequests
+from fleet_tui.controllers.typed import OpenMenu
+from fleet_tui.model import kind
+from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.model.request import Request
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+
+
+class RobotRequests:
+    """From a key or a row of the fleet to a request; `why` opens the reasons why a robot stands still."""
+
+    def __init__(
+        self,
+        store: Store,
+        dispatch: Dispatch,
+        navigation: Navigation,
+        orders: OrderRequests,
+        open_menu: OpenMenu,
+        why: Callable[[], None],
+    ) -> None:
+        self._store, self._dispatch, self._navigation = store, dispatch, navigation
+        self._orders, self._open_menu, self._why = orders, open_menu, why
+
+    def pause(self) -> None:
+        """Pause the selected robot, at once."""
+        self._dispatch.do(Request((PauseRobot(self._navigation.robot),)))
+
+    def resume(self) -> None:
+        """Resume the selected robot, at once."""
+        self._dispatch.do(Request((ResumeRobot(self._navigation.robot),)))
+
+    def pause_all(self) -> None:
+        """Pause every robot, at once."""
+        self._dispatch.do(Request(tuple(map(PauseRobot, self._store.state.robots))))
+
+    def menu(self, robot: str) -> None:
+        """List what can be done with a robot."""
+        known = self._store.state.robots[robot]
+        fault = known.last_fault
+        asked = (
+            ("Order", kind.ORDER, self._orders.start),
+            ("Pause", kind.PAUSE, self.pause),
+            ("Resume", kind.RESUME, self.resume),
+            ("Clear all orders", kind.CLEAR, self._orders.clear),
+        )
+        self._open_menu(
+            f"{robot}: {sanitize(fault)}" if fault else robot,
+            [
+                *((text, partial(self._for, robot, do)) for text, verb, do in asked if known.kind.can(verb)),
+                ("Show on the map", partial(self._navigation.find_robot, robot)),
+                ("Why does it stand still?", partial(self._for, robot, self._why)),
+            ],
+        )
+
+    def _for(self, robot: str, action: Callable[[], None]) -> None:
+        self._navigation.select(robot)
+        action()

@@ -1,0 +1,25 @@
+"""The settings of one console, fixed while it runs."""
+
+from collections.abc import Callable, Mapping
+
+from msgspec import Struct
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.problem import Permissions
+from fleet_tui.view.map.drawing import Drawing
+
+
+class ConsoleSettings(Struct, frozen=True):
+    """`keys`: the keys of each id; `clock`: Unix seconds as text; `permissions`: those at the start;
+    `themes`: for each a function that changes to it; `announce` is shown every state, `resized` is called
+    after a change of size; `terminal`: the text about it in help; `message`: the first one to be shown."""
+
+    keys: Mapping[str, tuple[str, ...]]
+    clock: Callable[[float], str]
+    permissions: Permissions
+    drawing: Drawing
+    themes: Mapping[str, Callable[[], None]]
+    announce: Callable[[FleetState], None]
+    resized: Callable[[], None]
+    terminal: str = ""
+    message: str = ""

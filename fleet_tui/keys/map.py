@@ -1,0 +1,81 @@
+"""Keys of the map, most of which work from every pane."""
+
+from fleet_tui.keys.key import Key
+
+MAP: tuple[Key, ...] = (
+    Key("zoom_in", ("+", "="), lambda do: do.map.zoom_in(), "Zoom in", hint="zoom", of_map=True),
+    Key("zoom_out", ("-",), lambda do: do.map.zoom_out(), "Zoom out", of_map=True),
+    Key("fit", ("0",), lambda do: do.map.fit(), "Fit the whole floor", hint="fit", of_map=True),
+    Key(
+        "zoom_about",
+        ("z",),
+        lambda do: do.map.zoom_about(),
+        "Zoom about the robot, or about the centre of the view",
+        of_map=True,
+    ),
+    Key(
+        "follow",
+        ("f",),
+        lambda do: do.map.follow(),
+        "Follow the selected robot on or off",
+        hint="follow",
+        of_map=True,
+    ),
+    Key(
+        "centre",
+        ("c",),
+        lambda do: do.map.centre(),
+        "Centre on the selected robot, once",
+        hint="centre",
+        of_map=True,
+        helps="leaves",
+    ),
+    Key("edges", ("e",), lambda do: do.map.edges(), "Edges on or off", of_map=True),
+    Key("labels", ("v",), lambda do: do.map.labels(), "Labels on or off", of_map=True),
+    Key(
+        "trails",
+        ("t",),
+        lambda do: do.map.trails(),
+        "Trails on or off: where robots were in the last minute",
+        of_map=True,
+    ),
+    Key(
+        "drawing",
+        ("m",),
+        lambda do: do.map.drawing(),
+        "Drawing: braille, half-block, ASCII",
+        of_map=True,
+    ),
+    Key(
+        "map_cursor",
+        ("g",),
+        lambda do: do.map.cursor(),
+        "Map cursor on or off: arrows move it",
+        of_map=True,
+    ),
+    Key(
+        "next_vertex",
+        ("n",),
+        lambda do: do.map.next_vertex(1),
+        "Next labelled vertex under the map cursor",
+        of_map=True,
+    ),
+    Key(
+        "previous_vertex",
+        ("N",),
+        lambda do: do.map.next_vertex(-1),
+        "Previous labelled vertex",
+        of_map=True,
+    ),
+    Key("pan_left", ("left", "h"), "pan_map(-1, 0)", "Pan left", pane="map"),
+    Key("pan_right", ("right", "l"), "pan_map(1, 0)", "Pan right", pane="map"),
+    Key("pan_up", ("up", "k"), "pan_map(0, -1)", "Pan up", pane="map"),
+    Key("pan_down", ("down", "j"), "pan_map(0, 1)", "Pan down", pane="map"),
+    Key(
+        "pick",
+        ("enter",),
+        "pick",
+        "Order from the vertex (with cargo: to it), or select the robot, under the cursor",
+        pane="map",
+    ),
+)

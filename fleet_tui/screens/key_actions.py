@@ -1,0 +1,126 @@
+"""The action of every key, as a reference: the type checker names one that is missing."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from textual.worker import get_current_worker
+
+from fleet_tui.actions import (
+    Actions,
+    AlarmActions,
+    AppActions,
+    CommandActions,
+    FileActions,
+    MapActions,
+    ViewActions,
+)
+from fleet_tui.controllers.incident import Cancelled, IncidentPacking
+from fleet_tui.controllers.recording import RecordingSwitch
+from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.view.lines.hints import hidden_keys
+from fleet_tui.widgets.map_view import MapView
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+    from fleet_tui.screens.rest import Rest
+
+
+def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
+    """Return what keys do on a screen with all its controllers."""
+    return Actions(
+        app=_app_actions(screen, rest.map),
+        commands=CommandActions(
+            order=rest.orders.start,
+            cancel=rest.orders.cancel,
+            clear=rest.orders.clear,
+            pause=rest.robots.pause,
+            resume=rest.robots.resume,
+            pause_all=rest.robots.pause_all,
+            arm=screen.dispatch.arm,
+        ),
+        view=_view_actions(screen, rest),
+        files=_file_actions(screen, rest),
+        alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all),
+        map=_map_actions(rest.map),
+        play=screen.session.play,
+    )
+
+
+def _app_actions(screen: "MainScreen", map_view: MapView) -> AppActions:
+    app = screen.app
+    assert isinstance(app, LeanApp)
+    return AppActions(
+        suspend=app.action_suspend_process,
+        repaint=app.action_repaint,
+        quit=app.action_quit,
+        back=partial(_back, map_view),
+        next_pane=app.action_focus_next,
+        previous_pane=app.action_focus_previous,
+    )
+
+
+def _back(map_view: MapView) -> None:
+    """Go one level back: the map's cursor goes, then the focus to the map."""
+    if map_view.look.cursor is not None:
+        map_view.action_cursor()
+    if map_view.display:
+        map_view.screen.set_focus(map_view)
+
+
+def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
+    navigation = screen.navigation
+
+    def show_help() -> None:
+        state, robot = screen.store.state, navigation.robot
+        hidden = hidden_keys(state, robot)
+        kind = state.robots[robot].kind
+        rest.key_help.show(screen.focused_pane(), screen.settings.terminal, kind, hidden)
+
+    return ViewActions(
+        help=show_help,
+        palette=rest.palette.show,
+        simple=rest.simple.turn,
+        why=rest.why.show,
+        all_orders=screen.all_orders,
+        diagnostics=lambda: rest.diagnostics.show(navigation.robot),
+        audit=rest.audit_log.show,
+        go_to_time=partial(rest.palette.show, "@"),
+        step_robot=navigation.step_robot,
+        choose_robot=navigation.choose_robot,
+        step_floor=navigation.step_floor,
+    )
+
+
+def _file_actions(screen: "MainScreen", rest: "Rest") -> FileActions:
+    app, files, say = screen.app, screen.files, screen.notices.say
+    say_from_thread = partial(app.call_from_thread, say)
+    recording = RecordingSwitch(files, say, say_from_thread, partial(screen.run_worker, thread=True))
+    shot = partial(app.export_screenshot, title="fleet-tui")
+    incident = IncidentPacking(files, say, say_from_thread, shot, partial(_in_thread, screen))
+    return FileActions(record=recording.turn, bundle=incident.pack, save=rest.save.start)
+
+
+def _in_thread(screen: "MainScreen", work: Callable[[Cancelled], None]) -> None:
+    def run() -> None:
+        worker = get_current_worker()
+        work(lambda: worker.is_cancelled)
+
+    screen.run_worker(run, thread=True, exit_on_error=False)
+
+
+def _map_actions(view: MapView) -> MapActions:
+    return MapActions(
+        zoom_in=view.action_zoom_in,
+        zoom_out=view.action_zoom_out,
+        fit=view.action_fit,
+        zoom_about=view.action_zoom_about,
+        follow=view.action_follow,
+        centre=view.action_centre,
+        edges=view.action_edges,
+        labels=view.action_labels,
+        trails=view.action_trails,
+        drawing=view.action_drawing,
+        cursor=view.action_cursor,
+        next_vertex=view.action_next_vertex,
+    )

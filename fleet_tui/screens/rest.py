@@ -1,0 +1,128 @@
+"""What the main screen gets after its first paint: the map, what opens over the panes, and the controllers
+that need them."""
+
+from functools import partial
+from typing import TYPE_CHECKING, assert_never
+
+from fleet_tui.controllers.alarms import AlarmResponses
+from fleet_tui.controllers.offers import Offers
+from fleet_tui.controllers.orders import OrderRequests
+from fleet_tui.controllers.robots import RobotRequests
+from fleet_tui.controllers.save import SaveCommand
+from fleet_tui.keys import Key
+from fleet_tui.screens.audit import AuditLog
+from fleet_tui.screens.confirm import Confirm
+from fleet_tui.screens.diagnostics import Diagnostics
+from fleet_tui.screens.diagnostics_pages import Pages
+from fleet_tui.screens.help import Help
+from fleet_tui.screens.key_actions import key_actions
+from fleet_tui.screens.menu import Menu
+from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.screens.palette import Palette
+from fleet_tui.screens.simple import Simple
+from fleet_tui.screens.simple_switch import SimpleSwitch
+from fleet_tui.screens.why import Why
+from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.widgets import messages
+from fleet_tui.widgets.bindings import action_of
+from fleet_tui.widgets.ink_view import InkView
+from fleet_tui.widgets.map_view import MapView
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+
+
+class Rest:
+    """Widgets and controllers, each given what it needs, and the action of every key."""
+
+    def __init__(self, screen: "MainScreen") -> None:
+        store, settings, dispatch = screen.store, screen.settings, screen.dispatch
+        navigation, notices = screen.navigation, screen.notices
+        self.map = MapView(id="map")
+        self.map.look = MapOptions(drawing=settings.drawing)
+        self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
+        self.order_form = OrderForm(lambda: store.state, dispatch.give)
+        self.key_help = Help(settings.keys)
+        self.why = Why(lambda: (store.state, navigation.robot), settings.keys)
+        self.audit_log = AuditLog(lambda: screen.files.audit)
+        pages = Pages(lambda: store.state, screen.backend, settings.clock)
+        self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
+        self.inked: list[InkView | Diagnostics] = [self.map, self.audit_log.rows, self.diagnostics]
+        menu, form, queue = self.menu.show, self.order_form.start, screen.queue
+        self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, menu, settings.clock)
+        self.robots = RobotRequests(store, dispatch, navigation, self.orders, menu, self.why.show)
+        answering = (store, screen.backend, notices, navigation, screen.alarms)
+        self.alarms = AlarmResponses(*answering, menu, settings.keys, settings.clock)
+        self.save = SaveCommand(
+            screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
+        )
+        run = partial(_run, screen)
+        offers = Offers(store, dispatch, navigation, screen.session, self.save, settings.themes, run)
+        self.palette = Palette(offers.entries, offers.typed)
+        self._navigation, self._session, self._fleet = navigation, screen.session, screen.fleet
+        self.simple = self._simple_switch(screen)
+        self.actions = key_actions(screen, self)
+
+    async def mount(self, screen: "MainScreen") -> None:
+        """Put everything in its place, the focus on the map. The audit log begins before there is a link."""
+        opens = (self.order_form, self.confirm, self.menu, self.key_help, self.palette, self.why)
+        with screen.app.batch_update():
+            await screen.query_one("#map").remove()
+            await screen.query_one("#panes").mount(self.map, before=0)
+            await screen.mount(*opens, self.audit_log, self.diagnostics)
+            time_line = screen.session.time_line()
+            if time_line is not None:
+                self.inked.append(time_line)
+                await screen.mount(time_line, before="#hints")
+        screen.set_focus(self.map)
+        screen.files.open()
+
+    def _simple_switch(self, screen: "MainScreen") -> SimpleSwitch:
+        def make() -> Simple:
+            navigation = self._navigation
+            return Simple(
+                lambda: screen.store.state, lambda: navigation.robot, navigation.select, screen.dispatch.give
+            )
+
+        return SimpleSwitch(screen.query_one("#panes"), self.map, make, self.orders.may_order)
+
+    def picked(self, event: messages.Picked) -> None:
+        """Do what is meant by a pick on the map, a row or its button, or the time line."""
+        match event:
+            case messages.RobotPicked():
+                self._navigation.select(event.name)
+            case messages.VertexPicked():
+                self.orders.start_at(event.id, self._navigation.floor)
+            case messages.RowPicked():
+                # The fleet's cursor selects. It may have moved on since.
+                if event.pane == "fleet" and event.key == self._fleet.cursor:
+                    self._navigation.select(str(event.key))
+            case messages.RowChosen():
+                self._open_menu(event)
+            case messages.ButtonPressed():
+                self._press_button(event)
+            case messages.TimePicked():
+                self._session.pick_time(event.x, event.width)
+            case _:
+                assert_never(event)
+
+    def _open_menu(self, event: messages.RowChosen) -> None:
+        match event.pane, event.key:
+            case "fleet", str(robot):
+                self.robots.menu(robot)
+            case "queue", (str(robot), str(order_id), _):
+                self.orders.menu(robot, order_id)
+            case "alarms", (str(source), str(kind)):
+                self.alarms.menu(source, kind)
+
+    def _press_button(self, event: messages.ButtonPressed) -> None:
+        match event.name, event.key:
+            case "cancel", (str(robot), str(order_id), _):
+                self.orders.ask_cancel(robot, order_id)
+            case "clear", _:
+                self.orders.clear()
+
+
+def _run(screen: "MainScreen", key: Key) -> None:
+    """Do what a key is for, after what is going on."""
+    screen.call_later(screen.run_action, action_of(key))

@@ -1,0 +1,36 @@
+"""Turns the simple interface on and off, in the map's place."""
+
+from collections.abc import Callable
+
+from textual.widget import Widget
+
+from fleet_tui.screens.simple import Simple
+
+
+class SimpleSwitch:
+    """The simple interface is made when it is first wanted."""
+
+    def __init__(
+        self, panes: Widget, map_view: Widget, make: Callable[[], Simple], may_order: Callable[[], bool]
+    ) -> None:
+        self._panes, self._map, self._make, self._may_order = panes, map_view, make, may_order
+        self._simple: Simple | None = None
+
+    async def turn(self) -> None:
+        """Put the simple interface in the map's place, or the map again."""
+        panes = self._panes
+        if not panes.has_class("-simple") and not self._may_order():
+            return
+        if self._simple is None:
+            simple = self._make()
+            await panes.mount(simple, before=self._map)
+            self._simple = simple  # not before: ticks that come meanwhile would look for what it is made of
+        if panes.toggle_class("-simple").has_class("-simple"):
+            self._simple.start()
+        else:
+            panes.screen.set_focus(self._map)
+
+    def show(self) -> None:
+        """Show the newest state."""
+        if self._simple is not None and self._simple.children:  # none while the console ends
+            self._simple.show()

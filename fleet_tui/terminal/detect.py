@@ -1,0 +1,61 @@
+"""Finds out what the terminal can do."""
+
+import codecs
+import os
+import shutil
+import sys
+
+from fleet_tui.errors import FleetError
+from fleet_tui.view.map.drawing import Drawing
+
+COLOURLESS = ("dumb", "unknown", "vt100", "vt102", "vt220")
+"""Terminals (TERM) without colour, of which Textual would ask the full 24 bits."""
+IN_BROWSER = "TEXTUAL_DRIVER"
+"""Set by `fleet-tui serve`: pipes to a browser stand for the terminal."""
+
+MULTIPLEXERS = {"tmux": "TMUX", "screen": "STY"}
+
+
+def has_unicode() -> bool:
+    """Whether the terminal shows more than ASCII: the Linux console's font does not, nor a plain locale."""
+    try:
+        unicode = codecs.lookup(sys.stdout.encoding or "ascii").name == "utf-8"
+    except LookupError:
+        unicode = False
+    return unicode and os.environ.get("TERM") != "linux"
+
+
+def drawing_for(wanted: str) -> Drawing:
+    """What is wanted, else braille where the terminal can."""
+    if wanted != "auto":
+        return Drawing(wanted)
+    return Drawing.BRAILLE if has_unicode() else Drawing.ASCII
+
+
+def has_colour() -> bool:
+    """Whether colour is wanted and possible. Empty, NO_COLOR means nothing; Textual asks if it is there."""
+    if os.environ.get("TERM") in COLOURLESS:
+        os.environ["NO_COLOR"] = "1"
+    elif not os.environ.get("NO_COLOR"):
+        os.environ.pop("NO_COLOR", None)
+    return "NO_COLOR" not in os.environ
+
+
+def description(drawing: Drawing, colour: bool) -> str:
+    """What was found out about the terminal, and what follows from it."""
+    term, colorterm = os.environ.get("TERM", "not set"), os.environ.get("COLORTERM", "not set")
+    size = shutil.get_terminal_size()
+    inside = next((name for name, mark in MULTIPLEXERS.items() if os.environ.get(mark)), "none")
+    return (
+        f"Terminal: {size.columns} x {size.lines}, TERM {term}, COLORTERM {colorterm},"
+        f" multiplexer {inside}, encoding {sys.stdout.encoding}.\n"
+        f"So the map starts as {drawing.value} (m or --drawing change it), colours are"
+        f" {'on' if colour else 'off: NO_COLOR, or a terminal without'}."
+    )
+
+
+def need_terminal() -> None:
+    """Raise FleetError where there is none."""
+    streams = (sys.stdin, sys.stdout, sys.stderr)
+    if IN_BROWSER not in os.environ and not all(stream.isatty() for stream in streams):
+        raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")
