@@ -18,7 +18,9 @@ from fleet_tui.screens.main import MainScreen
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.annunciator import Annunciator
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
-from fleet_tui.terminal.steady_app import SteadyApp
+from fleet_tui.terminal.fault_guard import FaultGuard
+from fleet_tui.terminal.first_paint import FirstPaint
+from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.widgets.bindings import bindings, textual_keymap
@@ -34,7 +36,7 @@ def clock(wall: float) -> str:
         return "no time"
 
 
-class FleetApp(SteadyApp, inherit_bindings=False):
+class FleetApp(LeanApp, inherit_bindings=False):
     """The console. Its backend is opened last: importing a link takes longer than painting."""
 
     TITLE = "fleet-tui"
@@ -57,13 +59,16 @@ class FleetApp(SteadyApp, inherit_bindings=False):
         """Without a `backend` the console connects to the fleet of `config`. `terminal` is the text about it
         in help, `message` the first text of the last line."""
         # Without colour Textual must leave the terminal's own, or it sends greys.
-        super().__init__(Theme(**themes[config.ui.theme].textual()), ansi_color=not colour)
+        super().__init__(ansi_color=not colour)
+        theme = Theme(**themes[config.ui.theme].textual())
+        self._start = self.startup = FirstPaint(self, theme, colour, self._mount_rest)
         self._config, self._themes, self._colour = config, themes, colour
         self.backend = backend or LiveBackend(config, store)
         self._restore = terminal_restorer()
         keys, _ = keymap(config.keys)
         settings = self._settings(keys, drawing, terminal, message)
         self.main = MainScreen(store, self.backend, settings, files or ConsoleFiles())
+        self._guard = self.faults = FaultGuard(self.main.notices.note)
         self.main.set_inks(themes[config.ui.theme].styles(colour))
         # Only what differs: Textual goes through the whole keymap at every key.
         usual, _ = keymap({})
@@ -79,8 +84,8 @@ class FleetApp(SteadyApp, inherit_bindings=False):
             permissions=Permissions(config.operator.read_only, config.operator.armed),
             drawing=drawing,
             themes={name: partial(self.use_theme, name) for name in self._themes},
-            announce=Annunciator(config.alarms, self.call).look,
-            resized=self.show_first,
+            announce=Annunciator(config.alarms, self.output.call).look,
+            resized=self._start.show,
             terminal=terminal,
             message=message,
         )
@@ -93,13 +98,14 @@ class FleetApp(SteadyApp, inherit_bindings=False):
         """Paint first, then connect."""
         if not self.is_headless:
             leave_on_signals(self.exit, self._restore)
-        await self.stand()
-        self.budget.every = 1 / self._config.ui.ticks_per_second
-        tick = partial(self.budget.ticks.timed, self.main.tick)
-        self.set_interval(self.budget.every, partial(self.steadily, tick))
+        await self._start.finish()
+        budget = self.output.budget
+        budget.every = 1 / self._config.ui.ticks_per_second
+        tick = partial(budget.ticks.timed, self.main.tick)
+        self.set_interval(budget.every, partial(self._guard.steadily, tick))
         self.call_after_refresh(self._connect)
 
-    async def mount_rest(self) -> None:
+    async def _mount_rest(self) -> None:
         """The map, and what opens over the panes."""
         await self.main.mount_rest()
         self.use_theme(self._config.ui.theme)
@@ -115,10 +121,6 @@ class FleetApp(SteadyApp, inherit_bindings=False):
             LOG.exception("the link can't be opened")
             said = f"the link can't be opened: {problem} (see the log file)"
             self.call_from_thread(self.main.notices.say, said)
-
-    def note(self, text: str) -> None:
-        """Tell the operator, with the next tick."""
-        self.main.notices.note(text)
 
     def use_theme(self, name: str) -> None:
         """Change every colour, at once."""

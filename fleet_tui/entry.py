@@ -1,6 +1,5 @@
 """The Textual app before the console: a person chooses what it is opened on. Nothing is commanded in it."""
 
-import logging
 from collections.abc import Sequence
 from typing import ClassVar
 
@@ -14,8 +13,6 @@ from fleet_tui.screens.first_run import LOCAL, FirstRun
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme
-
-LOG = logging.getLogger(__name__)
 
 
 class EntryApp(LeanApp, inherit_bindings=False):
@@ -66,9 +63,3 @@ class EntryApp(LeanApp, inherit_bindings=False):
 
     def action_nothing(self) -> None:
         """Ctrl-C means nothing, as in the console."""
-
-    def worker_failed(self, error: BaseException) -> None:
-        """A fault of our own ends it."""
-        LOG.error("worker", exc_info=error)
-        self.failure = self.failure or RuntimeError(error)
-        self.exit()

@@ -11,7 +11,7 @@ from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.terminal import steady_app
+from fleet_tui.terminal import fault_guard
 from tests.support.cli import config_file
 
 # In the background of a shell SIGINT is ignored; programs that a test interrupts would inherit that.
@@ -37,7 +37,7 @@ def no_own_faults(request: pytest.FixtureRequest, caplog: pytest.LogCaptureFixtu
     yield
     if request.node.get_closest_marker("own_faults") is None:
         records = caplog.get_records("call")
-        faults = [record for record in records if record.name == steady_app.__name__]
+        faults = [record for record in records if record.name == fault_guard.__name__]
         assert not faults, [record.exc_text or record.getMessage() for record in faults]
 
 

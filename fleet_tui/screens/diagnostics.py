@@ -126,7 +126,7 @@ class Diagnostics(Overlay):
 
     def look(self) -> None:
         """Show what is there now."""
-        table = self._pages.table(self._page, self._app.budget)
+        table = self._pages.table(self._page, self._app.output.budget)
         keys = table.keys
         # At the end of the log, the cursor stays at the end.
         if self._page is Page.LOG and keys and self.rows.cursor in (None, self._end):
@@ -184,10 +184,10 @@ class Diagnostics(Overlay):
 
     def action_copy(self, tries: int = 5) -> None:
         """To the clipboard of the terminal, wherever that runs. It may still be reading the last picture."""
-        text, what = self._pages.copy(self._page, self.rows.cursor, self._app.budget)
+        text, what = self._pages.copy(self._page, self.rows.cursor, self._app.output.budget)
         if not text:
             self._said = "nothing to copy"
-        elif self._app.call(clipboard(text)):
+        elif self._app.output.call(clipboard(text)):
             tmux = " (tmux: set -s set-clipboard on)" if "TMUX" in os.environ else ""
             self._said = f"sent to the clipboard: {what}{tmux}"
         elif tries > 1:

@@ -19,6 +19,7 @@ from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.lines.hints import hidden_keys
+from fleet_tui.view.map.modes import ViewMode
 from fleet_tui.widgets.map_view import MapView
 
 if TYPE_CHECKING:
@@ -61,9 +62,9 @@ def _app_actions(screen: "MainScreen", map_view: MapView) -> AppActions:
 
 
 def _back(map_view: MapView) -> None:
-    """Go one level back: the map's cursor goes, then the focus to the map."""
-    if map_view.look.cursor is not None:
-        map_view.action_cursor()
+    """Go one level back: the map's mode ends, then the focus goes to the map."""
+    if not isinstance(map_view.mode, ViewMode):
+        map_view.enter(ViewMode())
     if map_view.display:
         map_view.screen.set_focus(map_view)
 

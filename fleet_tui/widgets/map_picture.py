@@ -11,8 +11,9 @@ from fleet_tui.view.map.camera import ZOOM_STEP, Camera
 from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions, Tags
+from fleet_tui.view.map.modes import MapMode, ViewMode
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.scene import Scene, SceneRobot
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.trails import Trails
 from fleet_tui.view.map.viewport import Viewport, pick, pointed
 from fleet_tui.view.roles import StyleRole
@@ -28,6 +29,7 @@ class MapPicture(CellsView, can_focus=True):
     def __init__(self, inks: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(inks, id=id)
         self.look = MapOptions()
+        self.mode: MapMode = ViewMode()
         self.viewport = Viewport()
         self.scene: Scene | None = None
         self._trails = Trails()
@@ -60,7 +62,7 @@ class MapPicture(CellsView, can_focus=True):
         head = caption_row(self._caption(scene, camera))
         if self._tags_of != (camera, self.look):
             self._tags, self._tags_of = {}, (camera, self.look)
-        body = picture(self._backdrop(scene, camera), scene, camera, self.look, self._tags)
+        body = picture(self._backdrop(scene, camera), scene, camera, self.look, self._tags, self.mode.layers)
         self.paint(Cells(np.vstack((head.codes, body.codes)), np.vstack((head.inks, body.inks))))
 
     def _caption(self, scene: Scene, camera: Camera) -> Caption:
@@ -73,7 +75,7 @@ class MapPicture(CellsView, can_focus=True):
             follow=self.viewport.follow,
             zoom_robot=self.viewport.zoom_robot,
             focused=self.has_focus,
-            cursor=self.look.cursor,
+            banner=self.mode.banner,
         )
 
     def _backdrop(self, scene: Scene, camera: Camera) -> Cells:
@@ -98,7 +100,9 @@ class MapPicture(CellsView, can_focus=True):
         """Tell what is shown at cell (x, y) of the map, if anything is."""
         if self.scene is None:
             return
-        found = pick(self.scene, self.viewport.camera(self.scene), x, y)
+        self._tell(pick(self.scene, self.viewport.camera(self.scene), x, y))
+
+    def _tell(self, found: SceneRobot | SceneVertex | None) -> None:
         if isinstance(found, SceneRobot):
             self.post_message(RobotPicked(found.name))
         elif found is not None:

@@ -6,10 +6,10 @@ from typing import ClassVar
 
 from fleet_tui.view.map.camera import ZOOM_STEP
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.stride import COLUMNS, ROWS, Stride
+from fleet_tui.view.map.modes import CursorMode, MapMode, ViewMode
+from fleet_tui.view.map.stride import Stride
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.map_picture import MapPicture
-from fleet_tui.widgets.messages import VertexPicked
 
 
 class MapView(MapPicture, can_focus=True):
@@ -20,16 +20,13 @@ class MapView(MapPicture, can_focus=True):
     _stride = Stride()
 
     def action_pan_map(self, dx: int, dy: int) -> None:
-        """Move the view by steps, or the cursor by cells while it is on: faster while the key is held."""
+        """Have the mode follow the arrow keys: faster while the key is held."""
         if self.scene is None:
             return
         self._stride = self._stride.then((dx, dy), monotonic())
-        dx, dy = dx * self._stride.times, dy * self._stride.times
-        if self.look.cursor is None:
-            self.viewport.pan(self.scene, dx * COLUMNS, dy * ROWS)
-        else:
-            self._point(self.viewport.stepped(self.scene, self.look.cursor, dx, dy))
-        self.draw()
+        times = self._stride.times
+        self.mode.move(self.viewport, self.scene, dx * times, dy * times)
+        self.enter(self.mode)
 
     def action_zoom_in(self) -> None:
         """Nearer, about the robot or the centre."""
@@ -94,31 +91,26 @@ class MapView(MapPicture, can_focus=True):
         self.look = replace(self.look, drawing=following)
         self.draw()
 
+    def enter(self, mode: MapMode) -> None:
+        """Work on the map in this mode from now on."""
+        self.mode = mode
+        self.look = replace(self.look, cursor=mode.cursor)
+        self.draw()
+
     def action_cursor(self) -> None:
         """The cursor on, in the middle of the view, or off."""
-        if self.look.cursor is None and self.scene is not None:
-            self._point(self.viewport.middle(self.scene))
+        if self.mode.cursor is None and self.scene is not None:
+            self.enter(CursorMode(self.viewport.middle(self.scene)))
         else:
-            self._point(None)
-        self.draw()
+            self.enter(ViewMode())
 
     def action_next_vertex(self, step: int) -> None:
         """The cursor to the next (1) or previous (-1) labelled vertex, brought into the view."""
-        place = self.viewport.next_labelled(self.scene, self.look.cursor, step) if self.scene else None
+        place = self.viewport.next_labelled(self.scene, self.mode.cursor, step) if self.scene else None
         if place:
-            self._point(place)
-            self.draw()
+            self.enter(CursorMode(place))
 
     def action_pick(self) -> None:
-        """Tell what is under the cursor: the vertex it was set on, whoever stands there."""
-        if self.scene is None or self.look.cursor is None:
-            return
-        on = [vertex.id for vertex in self.scene.vertices if (vertex.x, vertex.y) == self.look.cursor]
-        if on:
-            self.post_message(VertexPicked(on[0]))
-        else:
-            pixel = self.scene.frame.to_pixel(*self.look.cursor)
-            self.pick_at(*self.viewport.camera(self.scene).to_cell(*pixel))
-
-    def _point(self, cursor: tuple[float, float] | None) -> None:
-        self.look = replace(self.look, cursor=cursor)
+        """Tell what Enter means in this mode."""
+        if self.scene is not None:
+            self._tell(self.mode.pick(self.viewport, self.scene))

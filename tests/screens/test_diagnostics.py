@@ -235,7 +235,7 @@ async def test_copying_waits_for_a_terminal_that_still_reads_a_picture(
 ) -> None:
     async with console(config_of(server.url, 1)) as it:
         answers = [False, True, *5 * [False]]
-        monkeypatch.setattr(it.app, "call", lambda _sequence: answers.pop(0))
+        monkeypatch.setattr(it.app.output, "call", lambda _sequence: answers.pop(0))
         await it.press("d", "y")
         await it.shows("sent to the clipboard: the row, ")
         await it.press("y")

@@ -32,7 +32,7 @@ async def test_the_first_picture_is_the_console_without_its_map(size: tuple[int,
     async def mount_rest() -> None:
         seen.extend("".join(cell[0] for cell in row) for row in shown(terminal_of(app)))
 
-    app.mount_rest = mount_rest  # type: ignore[method-assign]  # the rest never comes
+    app.main.mount_rest = mount_rest  # type: ignore[method-assign]  # the rest never comes
     async with app.run_test(headless=False, size=size) as pilot:
         await pilot.pause()
     picture = "\n".join(seen)

@@ -142,10 +142,10 @@ async def test_a_call_goes_to_the_terminal_and_changes_nothing_there() -> None:
         terminal = terminal_of(app)
         before = shown(terminal)
         sequence = "\x07" + notification("robot_0 obstacle 4.2 s", inside_tmux=False)
-        assert app.call(sequence)
+        assert app.output.call(sequence)
         assert terminal.written[-1] == sequence
         assert shown(terminal) == before
         terminal.reads = False
         terminal.write("x")
-        assert not app.call("\x07")
+        assert not app.output.call("\x07")
         terminal.read_again()

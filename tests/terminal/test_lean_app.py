@@ -15,8 +15,9 @@ from textual.widgets import Input, OptionList, Static
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
-from fleet_tui.terminal import lean_app
-from fleet_tui.terminal.lean_app import LeanApp, textual_fits
+from fleet_tui.terminal import display_driver
+from fleet_tui.terminal.display_driver import textual_fits
+from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
@@ -165,8 +166,8 @@ async def test_the_terminal_shows_what_textual_means_after_anything(seed: int) -
 
 
 def test_textual_is_as_the_lean_painting_needs_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert textual_fits(), "Textual changed: go through lean_app.py, then raise MADE_FOR"
-    monkeypatch.setattr(lean_app, "MADE_FOR", "8.2.9")
+    assert textual_fits(), "Textual changed: go through display_driver.py, then raise MADE_FOR"
+    monkeypatch.setattr(display_driver, "MADE_FOR", "8.2.9")
     assert not textual_fits()
 
 
@@ -176,7 +177,7 @@ async def test_with_another_textual_the_stock_painting_takes_over(monkeypatch: p
     async with app.run_test(headless=False) as pilot:
         app.map.show(a_scene())
         await pilot.pause()
-        assert app._glass is None
+        assert app.output.buffer is None
         assert difference(app) == []
 
 

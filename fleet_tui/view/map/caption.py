@@ -18,7 +18,7 @@ _BAR = 14  # cells that the scale bar may take
 
 @dataclass(frozen=True, slots=True)
 class Caption:
-    """The content of the first row. cursor: where the map's cursor is, x, y in metres."""
+    """The content of the first row; `banner` is that of the map's mode."""
 
     floor: str
     note: str
@@ -28,7 +28,7 @@ class Caption:
     follow: bool
     zoom_robot: bool
     focused: bool
-    cursor: tuple[float, float] | None = None
+    banner: str = ""
 
 
 @lru_cache(maxsize=8)
@@ -56,10 +56,8 @@ def _pieces(facts: Caption) -> list[Piece]:
     ]
     if facts.note:
         pieces.append((sanitize(facts.note), StyleRole.WARN))
-    if facts.cursor:
-        # Adding 0 turns -0.0 into 0.0.
-        x, y = (round(metres, 1) + 0.0 for metres in facts.cursor)
-        pieces.append((f"x {x:.1f} y {y:.1f} m", StyleRole.TEXT))
+    if facts.banner:
+        pieces.append((facts.banner, StyleRole.TEXT))
     return [
         *pieces,
         (_bar(facts), StyleRole.DIM),

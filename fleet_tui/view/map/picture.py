@@ -23,7 +23,7 @@ STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices
 """Drawn again only when the map, the graph, the mission, the camera or the look changes."""
 
 MOVING: tuple[Layer, ...] = (draw_trails, draw_approach)
-"""Drawn at every tick; then the robots, and the cursor on top."""
+"""Drawn at every tick; then the robots, and the layers of the mode on top."""
 
 
 def backdrop(scene: Scene, camera: Camera, look: MapOptions) -> Cells:
@@ -34,11 +34,20 @@ def backdrop(scene: Scene, camera: Camera, look: MapOptions) -> Cells:
     return cells
 
 
-def picture(behind: Cells, scene: Scene, camera: Camera, look: MapOptions, tags: Tags | None = None) -> Cells:
-    """Return what moves, drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`."""
+def picture(
+    behind: Cells,
+    scene: Scene,
+    camera: Camera,
+    look: MapOptions,
+    tags: Tags | None = None,
+    top: tuple[Layer, ...] = (draw_cursor,),
+) -> Cells:
+    """Return what moves, drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`.
+    `top`: the layers of the map's mode."""
     cells = behind.copy()
     for draw in MOVING:
         draw(cells, scene, camera, look)
     draw_robots(cells, scene, camera, look, tags)
-    draw_cursor(cells, scene, camera, look)
+    for draw in top:
+        draw(cells, scene, camera, look)
     return cells

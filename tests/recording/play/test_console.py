@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.app import FleetApp
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.terminal.display_driver import DisplayDriver
 from tests.support.console_pilot import console
 from tests.support.fleets import R0, T0, WALL
 from tests.support.replay_console import replayed
@@ -213,7 +213,7 @@ async def test_where_nothing_was_recorded_it_goes_on_and_says_so(tmp_path: Path)
 
 async def test_nobody_is_called_to_a_recorded_alarm(night: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     called: list[str] = []
-    monkeypatch.setattr(FleetApp, "call", lambda _app, sequence: called.append(sequence))
+    monkeypatch.setattr(DisplayDriver, "call", lambda _driver, sequence: called.append(sequence))
     async with replayed(night, "+100s") as it:
         await it.press(">")
         await it.shows("robot_0 offline", "alarms")

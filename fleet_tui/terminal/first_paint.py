@@ -1,0 +1,58 @@
+"""Start of an app: a first picture before everything is imported; what is typed is kept until then."""
+
+import asyncio
+import gc
+from collections.abc import Awaitable, Callable
+from contextlib import ExitStack
+from typing import TYPE_CHECKING
+
+from textual.app import App
+from textual.theme import Theme
+
+if TYPE_CHECKING:
+    from fleet_tui.terminal.lean_app import LeanApp
+
+YOUNG = 10_000
+"""New objects between two looks for garbage. A tick of a large fleet makes thousands, and no cycles."""
+
+
+class FirstPaint:
+    """The first picture, then `mount_rest`, then the keys that came meanwhile, in their order."""
+
+    def __init__(
+        self, app: "LeanApp", theme: Theme, colour: bool, mount_rest: Callable[[], Awaitable[None]]
+    ) -> None:
+        # Before the style sheet is read, or all of it would be read and applied twice.
+        app.register_theme(theme)
+        app.set_reactive(App.theme, theme.name)
+        app.stylesheet.set_variables(app.get_css_variables())
+        app.set_class(theme.dark, "-dark-mode")
+        app.set_class(not theme.dark, "-light-mode")
+        # Textual keeps no colour out of a picture, if none is wanted.
+        app.output.ready = not colour
+        self._app, self._mount_rest = app, mount_rest
+        self.painted = asyncio.Event()
+        """Set once a picture has gone out."""
+        self._finished = False
+        self._held = ExitStack()
+        self._held.enter_context(app.batch_update())
+
+    def show(self) -> None:
+        """Let what there is be painted now."""
+        self._held.close()
+
+    async def finish(self) -> None:
+        """Paint, and get everything else, unless that is done."""
+        if self._finished:
+            return
+        self._finished = True
+        self.show()
+        self._app.screen.refresh()
+        await self.painted.wait()
+        self._app.output.ready = True
+        # Collecting garbage while so much was imported would have gone through it again and again.
+        if not gc.isenabled():
+            gc.freeze()
+            gc.enable()
+        gc.set_threshold(YOUNG)
+        await self._mount_rest()

@@ -1,0 +1,74 @@
+"""Map modes: what arrows and Enter do on the map, what is drawn on top of it, and what its caption says."""
+
+from typing import Protocol
+
+from fleet_tui.view.map.layers import draw_cursor
+from fleet_tui.view.map.picture import Layer
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.stride import COLUMNS, ROWS
+from fleet_tui.view.map.viewport import Viewport, pick
+
+Point = tuple[float, float]
+"""x, y in metres."""
+
+
+class MapMode(Protocol):
+    """One way to work on the map; the map has one at a time."""
+
+    layers: tuple[Layer, ...]
+    """Drawn over everything else."""
+
+    @property
+    def cursor(self) -> Point | None:
+        """The place of the map's cursor, None where the mode has none."""
+
+    @property
+    def banner(self) -> str:
+        """Text for the caption, empty for none."""
+
+    def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:
+        """Follow the arrow keys by steps to the right and down."""
+
+    def pick(self, view: Viewport, scene: Scene) -> SceneRobot | SceneVertex | None:
+        """Return what Enter means."""
+
+
+class ViewMode:
+    """Arrows move the view; nothing is picked by key."""
+
+    layers: tuple[Layer, ...] = ()
+    cursor = None
+    banner = ""
+
+    def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:
+        """Pan, about as far in both directions."""
+        view.pan(scene, dx * COLUMNS, dy * ROWS)
+
+    def pick(self, view: Viewport, scene: Scene) -> None:
+        """Pick nothing."""
+
+
+class CursorMode:
+    """Arrows move a cursor by cells; Enter picks what is under it."""
+
+    layers: tuple[Layer, ...] = (draw_cursor,)
+
+    def __init__(self, cursor: Point) -> None:
+        self.cursor = cursor
+
+    @property
+    def banner(self) -> str:
+        """The cursor's place."""
+        # Adding 0 turns -0.0 into 0.0.
+        x, y = (round(metres, 1) + 0.0 for metres in self.cursor)
+        return f"x {x:.1f} y {y:.1f} m"
+
+    def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:
+        """Move the cursor; at the edge the view goes along."""
+        self.cursor = view.stepped(scene, self.cursor, dx, dy)
+
+    def pick(self, view: Viewport, scene: Scene) -> SceneRobot | SceneVertex | None:
+        """Return the vertex that the cursor was set on, whoever stands there, else what is nearest."""
+        on = [vertex for vertex in scene.vertices if (vertex.x, vertex.y) == self.cursor]
+        camera = view.camera(scene)
+        return on[0] if on else pick(scene, camera, *camera.to_cell(*scene.frame.to_pixel(*self.cursor)))
