@@ -28,7 +28,7 @@ class Backend(Protocol):
 
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
-        """What came over each link. It changes all the time."""
+        """Return what came over each link. It changes all the time."""
 
     def open(self) -> None:
         """Begin to feed the store. May take long: called in a thread of its own."""
@@ -126,7 +126,7 @@ class LiveBackend:
 
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
-        """What came over each link, nothing before they are open."""
+        """Return what came over each link, nothing before they are open."""
         return self.links.counters if self.links is not None else {}
 
     def submit(self, command: Command) -> str:

@@ -178,7 +178,7 @@ def _ready(
     make: _Make,
     message: str = "",
 ) -> FleetApp:
-    """What `make` makes of themes, the way the map is drawn, and whether there is colour; fit for this
+    """Return what `make` makes of themes, the way the map is drawn, and whether there is colour; fit for this
     terminal. Raises FleetError where it can't run."""
     need_terminal()
     themes, problems = load_themes(user_folder() / "themes")

@@ -22,7 +22,7 @@ _FORBIDDEN = {
 
 
 def _problem_of_key(key: str) -> str | None:
-    """Why a key can't be bound, None where it can."""
+    """Return why a key can't be bound, None where it can."""
     if key in _FORBIDDEN:
         return _FORBIDDEN[key]
     *modifiers, last = key.split("+") if len(key) > 1 else [key]
@@ -38,13 +38,13 @@ def _problem_of_key(key: str) -> str | None:
 
 
 def _types_nothing(key: str) -> bool:
-    """Whether a key means nothing to a text field: a space or an arrow would be taken from it."""
+    """Tell whether a key means nothing to a text field: a space or an arrow would be taken from it."""
     *modifiers, last = key.split("+")
     return "ctrl" in modifiers or "alt" in modifiers or (len(last) > 1 and last[1:].isdigit())
 
 
 def _same_place(one: Key, other: Key) -> bool:
-    """Whether two keys can be pressed at the same moment."""
+    """Tell whether two keys can be pressed at the same moment."""
     if "diagnostics" in (one.pane, other.pane):
         # The console's keys don't reach in there; it is made of one table.
         return {one.pane, other.pane} <= {"diagnostics", "table", "anywhere"}

@@ -21,7 +21,7 @@ OpenMenu = Callable[[str, Sequence[Entry]], None]
 
 @dataclass(frozen=True)
 class Typed:
-    """What Enter does, the lines it can become, what is wrong with it so far."""
+    """A typed line: the effect of Enter, completions, and the fault so far."""
 
     entries: Sequence[Entry] = ()
     completed: Sequence[str] = ()
@@ -29,12 +29,12 @@ class Typed:
 
     @property
     def is_command(self) -> bool:
-        """Whether it is one, or one that is not complete."""
+        """Tell whether it is one, or one that is not complete."""
         return bool(self.entries or self.problem)
 
 
 def typed(line: str, state: FleetState, selected: str, do: Callable[[Request], None]) -> Typed:
-    """What a line means, where it is one that `do` can do."""
+    """Return what a line means, where it is one that `do` can do."""
     completed = complete(line, state, selected)
     if not is_command(line, state):
         return Typed(completed=completed)

@@ -42,7 +42,7 @@ class Arrival(RowsScreen):
         self._cursor = 0
 
     def rows(self, width: int, height: int) -> Rows:
-        """What was found, and the choices."""
+        """Return what was found, and the choices."""
         site = self._site
         summary = f"{site.bridge.shown}: {site.summary}"
         lines = [_line(choice) for choice in site.choices]

@@ -35,7 +35,7 @@ class RowsScreen(Screen[None]):
         yield self._footer
 
     def rows(self, width: int, height: int) -> Rows:
-        """What the page shows."""
+        """Return what the page shows."""
         raise NotImplementedError
 
     def show(self) -> None:

@@ -1,4 +1,4 @@
-"""What a field of the order form can mean, and what is said of it."""
+"""Meanings of a field of the order form, and their texts."""
 
 from collections.abc import Sequence
 
@@ -30,7 +30,7 @@ def choices(
 
 
 def is_in_label(robot: Robot | None, typed: str) -> bool:
-    """Whether a label of the robot has this in it."""
+    """Tell whether a label of the robot has this in it."""
     return robot is not None and any(typed.casefold() in place.name.casefold() for place in places(robot))
 
 
@@ -42,13 +42,13 @@ def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Request:
 
 
 def wanted_now(robot: Robot, only_to: bool) -> str:
-    """What a robot needs since its cargo or its orders changed."""
+    """Return what a robot needs since its cargo or its orders changed."""
     alone = "carries cargo and has no orders now: only To" if robot.has_cargo else "takes only a To"
     return f"{robot.name} {alone if only_to else 'needs a From now'}. Enter sends"
 
 
 def missing(field: str, typed: str = "") -> str:
-    """What a field still needs."""
+    """Return what a field still needs."""
     if typed.strip():
         return f"{field.capitalize()}: Enter takes the marked place of this robot"
     remedy = "its name" if field == "robot" else "a label or a vertex id"

@@ -1,4 +1,4 @@
-"""What is on each page of the diagnostics screen at this moment, or at the one at which it was frozen."""
+"""Pages of the diagnostics screen, live or frozen."""
 
 import threading
 import time
@@ -136,7 +136,7 @@ class Pages:
         return "" if at is None else f"frozen {age(self._state().now - at)} ago"
 
     def copy(self, page: Page, key: Hashable, budget: Budget) -> tuple[str, str]:
-        """What is copied, and what to say of it; empty where there is nothing."""
+        """Return what is copied, and what to say of it; empty where there is nothing."""
         if page is Page.RAW and self._raw[0] is not None and self.topic is not None:
             text, size = copied(self._raw[0])
             return text, f"the message of {self.topic[1]}, {size}"

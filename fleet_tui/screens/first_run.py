@@ -63,7 +63,7 @@ class FirstRun(RowsScreen):
         self.action_ask()
 
     def rows(self, width: int, height: int) -> Rows:
-        """Where a configuration was looked for, and how it stands at the address."""
+        """Return where a configuration was looked for, and how it stands at the address."""
         return first_run_rows(self._places, self._asked, width, height)
 
     def action_ask(self) -> None:

@@ -43,7 +43,7 @@ Pausing from here is not a safety device: use the robot's own stop where people 
 
 
 def notes(kind: Kind) -> str:
-    """What else there is to know for robots of a kind."""
+    """Return what else there is to know for robots of a kind."""
     typed = ", ".join(text for verb, text in TYPED.items() if kind.can(verb))
     typed = typed.format(alone="cargo on board" if "cargo" in kind.reports else "it alone")
     form = ORDER_FORM if kind.can(ORDER) else ""

@@ -19,7 +19,7 @@ class Legs:
 
     @property
     def text(self) -> str:
-        """What the field begins with."""
+        """Return what the field begins with."""
         return "".join(f"{sanitize(place.name)} {SIGN} " for place in self.places)
 
     def kept(self, typed: str) -> "Legs":
@@ -30,7 +30,7 @@ class Legs:
         return legs
 
     def rest(self, typed: str) -> str:
-        """What is typed after them, without the sign that stays when a leg is taken back."""
+        """Return what is typed after them, without the sign that stays when a leg is taken back."""
         return typed[len(self.text) :].removesuffix(f" {SIGN}")
 
 
@@ -41,7 +41,7 @@ class LegField(Field):
 
     @property
     def typed(self) -> str:
-        """What is typed after the legs that still stand."""
+        """Return what is typed after the legs that still stand."""
         self.legs = self.legs.kept(self.value)
         return self.legs.rest(self.value)
 

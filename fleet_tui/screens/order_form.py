@@ -114,7 +114,7 @@ class OrderForm(Overlay):
         return focused.id if isinstance(focused, Input) and focused.id in FIELDS else "to"
 
     def _find(self) -> Choices:
-        """What the field with the cursor can mean."""
+        """Return what the field with the cursor can mean."""
         field = self._field()
         typed = self._input(field).typed
         return choices(self._state(), self._robot(), field, typed, self._chosen.get(field))
@@ -126,7 +126,7 @@ class OrderForm(Overlay):
 
     @on(Input.Changed)
     def filter(self, event: Input.Changed) -> None:
-        """What is typed names something else now."""
+        """Filter the matches by the typed text."""
         event.stop()
         field = event.input.id or ""
         # The message may be about letters that were typed before the choice was made.
@@ -176,7 +176,7 @@ class OrderForm(Overlay):
             self._list()
 
     def _choice(self) -> Place | str | None:
-        """What Enter takes, None after saying why there is nothing."""
+        """Return what Enter takes, None after saying why there is nothing."""
         # What was typed last may not have been listed yet: look again before choosing.
         found, field = self._find(), self._field()
         marked = self._matches.highlighted if found == self._found else None

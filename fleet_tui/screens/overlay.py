@@ -1,4 +1,4 @@
-"""What opens over the map: the status line stays in view, keys stay inside.
+"""Overlays over the map: the status line stays in view, keys stay inside.
 
 It is part of the main screen, mounted from the start, so that a key typed right after the one
 that opened it already finds it.
@@ -25,7 +25,7 @@ class Overlay(Vertical):
 
     @property
     def is_open(self) -> bool:
-        """Whether it is in view."""
+        """Tell whether it is in view."""
         return self.display
 
     def on_mount(self) -> None:

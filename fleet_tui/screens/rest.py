@@ -1,5 +1,5 @@
-"""What the main screen gets after its first paint: the map, what opens over the panes, and the controllers
-that need them."""
+"""Parts of the main screen that follow its first paint: the map, what opens over the panes, and the
+controllers that need them."""
 
 from functools import partial
 from typing import TYPE_CHECKING, assert_never

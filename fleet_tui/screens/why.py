@@ -1,4 +1,4 @@
-"""Why the selected robot stands still: reasons as they hold at this moment, and the keys that help."""
+"""Reasons why the selected robot stands still, live, with the keys that help."""
 
 from collections.abc import Callable, Mapping
 from typing import ClassVar

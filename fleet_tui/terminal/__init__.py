@@ -1,1 +1,1 @@
-"""What goes to the terminal: only the cells that changed, and nothing while it does not read."""
+"""Output to the terminal: only changed cells, and none while it does not read."""

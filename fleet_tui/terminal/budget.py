@@ -1,4 +1,4 @@
-"""What the console's own pictures cost, and what its process takes."""
+"""Costs of the console: its pictures and its process."""
 
 import time
 from collections import deque
@@ -12,7 +12,7 @@ KEPT = 100
 
 
 class Durations:
-    """How long something took, the last times."""
+    """The last durations of something."""
 
     def __init__(self) -> None:
         self._seconds: deque[float] = deque(maxlen=KEPT)

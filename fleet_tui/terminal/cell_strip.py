@@ -27,7 +27,7 @@ class CellStrip(RowStrip):
         self.styles = styles
 
     def __getattr__(self, name: str) -> Any:
-        """What makes an ordinary strip, from the first time that some of it is looked for."""
+        """Return what makes an ordinary strip, from the first time that some of it is looked for."""
         if name not in Strip.__slots__:
             raise AttributeError(name)
         segments = [Segment(text, self.styles[ink]) for text, ink in self._cells.runs(self._y)]

@@ -17,7 +17,8 @@ MULTIPLEXERS = {"tmux": "TMUX", "screen": "STY"}
 
 
 def has_unicode() -> bool:
-    """Whether the terminal shows more than ASCII: the Linux console's font does not, nor a plain locale."""
+    """Tell whether the terminal shows more than ASCII: the Linux console's font does not, nor a plain
+    locale."""
     try:
         unicode = codecs.lookup(sys.stdout.encoding or "ascii").name == "utf-8"
     except LookupError:
@@ -26,14 +27,15 @@ def has_unicode() -> bool:
 
 
 def drawing_for(wanted: str) -> Drawing:
-    """What is wanted, else braille where the terminal can."""
+    """Return what is wanted, else braille where the terminal can."""
     if wanted != "auto":
         return Drawing(wanted)
     return Drawing.BRAILLE if has_unicode() else Drawing.ASCII
 
 
 def has_colour() -> bool:
-    """Whether colour is wanted and possible. Empty, NO_COLOR means nothing; Textual asks if it is there."""
+    """Tell whether colour is wanted and possible. Empty, NO_COLOR means nothing; Textual asks if it is
+    there."""
     if os.environ.get("TERM") in COLOURLESS:
         os.environ["NO_COLOR"] = "1"
     elif not os.environ.get("NO_COLOR"):
@@ -42,7 +44,7 @@ def has_colour() -> bool:
 
 
 def description(drawing: Drawing, colour: bool) -> str:
-    """What was found out about the terminal, and what follows from it."""
+    """Return what was found out about the terminal, and what follows from it."""
     term, colorterm = os.environ.get("TERM", "not set"), os.environ.get("COLORTERM", "not set")
     size = shutil.get_terminal_size()
     inside = next((name for name, mark in MULTIPLEXERS.items() if os.environ.get(mark)), "none")

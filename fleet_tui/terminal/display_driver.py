@@ -40,7 +40,7 @@ _COLOURS = {
 
 
 def textual_fits() -> bool:
-    """Whether Textual is as this module needs it. If not, Textual paints by itself."""
+    """Tell whether Textual is as this module needs it. If not, Textual paints by itself."""
     from importlib.metadata import version  # takes 6 ms
 
     try:
@@ -76,7 +76,7 @@ class DisplayDriver:
 
     @cached_property
     def budget(self) -> "Budget":
-        """What the pictures cost. Imported after the first one."""
+        """Return what the pictures cost. Imported after the first one."""
         from fleet_tui.terminal.budget import Budget
 
         return Budget()

@@ -33,7 +33,7 @@ def end_within(seconds: float, code: int, restore: Callable[[], None] = lambda: 
 
 
 def terminal_restorer() -> Callable[[], None]:
-    """What gives the terminal back as it is now, without waiting for anybody who reads it."""
+    """Return what gives the terminal back as it is now, without waiting for anybody who reads it."""
     try:
         descriptor = sys.stdout.fileno()
         modes = termios.tcgetattr(descriptor)

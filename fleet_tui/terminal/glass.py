@@ -186,7 +186,7 @@ def _used(table: dict[Named, int], used: Cells, first: int) -> tuple[dict[Named,
 def _starts(
     places: NDArray[np.intp], codes: NDArray[np.uint32], looks: NDArray[np.uint64], width: int
 ) -> list[int]:
-    """Where runs begin: at a gap, another look, another row, before and after what is not plain."""
+    """Return where runs begin: at a gap, another look, another row, before and after what is not plain."""
     odd = codes >= _CLUSTERS
     begins = np.ones(len(places), bool)
     begins[1:] = (

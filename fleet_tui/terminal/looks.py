@@ -1,4 +1,4 @@
-"""How a cell looks, as the parameters of SGR (the escape sequence that sets colours and weight)."""
+"""The look of a cell, as the parameters of SGR (the escape sequence that sets colours and weight)."""
 
 from functools import lru_cache
 from typing import NamedTuple

@@ -22,7 +22,7 @@ class Field(Input):
         self._on = on
 
     def on_paste(self, event: events.Paste) -> None:
-        """What is pasted may come from a robot: it is shown as it would be anywhere else."""
+        """Insert pasted text, sanitized: it may come from a robot."""
         event.text = "\n".join(map(sanitize, event.text.splitlines()))
 
     def on_key(self, event: events.Key) -> None:

@@ -79,7 +79,7 @@ class MapPicture(CellsView, can_focus=True):
         )
 
     def _backdrop(self, scene: Scene, camera: Camera) -> Cells:
-        """What stands behind the robots, made again only when something in it changed."""
+        """Return what stands behind the robots, made again only when something in it changed."""
         under = pointed(scene, camera, self.look.cursor)
         key = (scene, camera, replace(self.look, cursor=None, trails=False, pointed=under))
         if self._behind is None or self._behind_of is None or not _same(self._behind_of, key):
@@ -144,7 +144,7 @@ class MapPicture(CellsView, can_focus=True):
 
 
 def _same(before: tuple[Scene, Camera, MapOptions], now: tuple[Scene, Camera, MapOptions]) -> bool:
-    """Whether the same backdrop serves both; the large parts are compared by identity."""
+    """Tell whether the same backdrop serves both; the large parts are compared by identity."""
     old, new = before[0], now[0]
     same_parts = old.grid is new.grid and old.vertices is new.vertices and old.edges is new.edges
     return (

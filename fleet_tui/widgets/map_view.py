@@ -1,4 +1,4 @@
-"""What an operator does with the map. Keys are attached by whoever composes it."""
+"""Operations on the map. Keys are attached by its composer."""
 
 from dataclasses import replace
 from time import monotonic

@@ -1,4 +1,4 @@
-"""What a field can mean, listed below it: the field keeps the focus, one match is marked."""
+"""Matches of a field, listed below it: the field keeps the focus, one match is marked."""
 
 from collections.abc import Iterable
 

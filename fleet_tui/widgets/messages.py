@@ -1,4 +1,4 @@
-"""What crosses panes: each message says what happened, never what to do about it."""
+"""Messages between panes: each says what happened, never what to do about it."""
 
 from collections.abc import Hashable
 

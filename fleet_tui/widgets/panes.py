@@ -1,4 +1,4 @@
-"""Where the panes lie."""
+"""The layout of the panes."""
 
 from textual.containers import Container
 

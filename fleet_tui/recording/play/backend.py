@@ -34,7 +34,7 @@ class ReplayBackend:
 
     @property
     def counters(self) -> Mapping[str, LinkCounter]:
-        """What came over each link, as far as it was played."""
+        """Return what came over each link, as far as it was played."""
         return self.player.frames.counters
 
     def overhear(self, _on: bool) -> None:
