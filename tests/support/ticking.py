@@ -1,7 +1,24 @@
 """A store that keeps its state at each tick."""
 
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.client.queue_file import QueueFile
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
+from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.play.playhead import RecordingCursor
+from fleet_tui.recording.recorder import Recorder
+from fleet_tui.recording.recording import Recording
+from fleet_tui.recording.records import Told
+from tests.support.recordings import plain
+from tests.support.tapes import ORIGIN
 from tests.support.watched_store import WatchedStore
 
 
@@ -16,3 +33,34 @@ class Ticking(WatchedStore):
         super().tell(event)
         if isinstance(event, TimePassed):
             self.ticks[event.at] = self.state
+
+
+@contextmanager
+def taped(config: Config, folder: Path) -> Iterator[tuple[FleetLink, Ticking]]:
+    """A live link that is recorded; afterwards its replay is compared with it at each instant."""
+    store = Ticking(initial_state(config, time.monotonic()))
+    tap = Recorder(folder / "run.jsonl.gz", config, store, ORIGIN)
+    link = FleetLink(config, store, tap, QueueFile(None, "ana"))
+    link.open()
+    try:
+        for loaded in load_graphs(config):
+            link.tell(loaded)
+        yield link, store
+    finally:
+        link.close()
+        tap.close()
+    _replays(open_recording(tap.path), store.ticks)
+
+
+def _replays(recording: Recording, ticks: Mapping[float, FleetState]) -> None:
+    assert not recording.note
+    head, was = RecordingCursor(recording), list[tuple[float, object]]()
+    while (record := head.take()) is not None:
+        if isinstance(record, Told) and isinstance(record.event, TimePassed):
+            state = plain(ticks[record.event.at])
+            assert plain(head.state) == state
+            was.append((head.at, state))
+    assert len(was) > 20 and len(recording.keyframes) > 3
+    for at, state in [*was[::-3], *was[::5]]:
+        head.seek(at)
+        assert plain(head.state) == state

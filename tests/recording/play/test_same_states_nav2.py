@@ -1,27 +1,17 @@
 """Replay of a recording of robots with Nav2 gives the same state at every instant as the live run did."""
 
-import time
 from pathlib import Path
 
 import pytest
 
 from fleet_tui.client.fleet_link import FleetLink
-from fleet_tui.config.start import initial_state
-from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.commands import CancelOrder, PauseRobot, ResumeRobot, Stage
-from fleet_tui.model.events import TimePassed
 from fleet_tui.model.link import Phase
 from fleet_tui.recording import recorder
-from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import RecordingCursor
-from fleet_tui.recording.recorder import Recorder
-from fleet_tui.recording.records import Told
 from fleet_tui.transports.rosbridge import connection
 from tests.support.links import finished, phase
-from tests.support.nav2_site import Site, keeping, nav2_ready, nav2_site, reached
-from tests.support.recordings import plain
-from tests.support.tapes import ORIGIN
-from tests.support.ticking import Ticking
+from tests.support.nav2_site import Site, nav2_ready, nav2_site, reached
+from tests.support.ticking import Ticking, taped
 
 R0, R1 = "robot_0", "robot_1"
 
@@ -62,26 +52,5 @@ async def eventful(site: Site, link: FleetLink, store: Ticking) -> None:
 
 async def test_every_instant_is_as_it_was_and_every_keyframe_can_be_gone_to(tmp_path: Path) -> None:
     async with nav2_site(tmp_path) as site:
-        store = Ticking(initial_state(site.config, time.monotonic()))
-        tap = Recorder(tmp_path / "run.jsonl.gz", site.config, store, ORIGIN)
-        link = FleetLink(site.config, store, tap, keeping())
-        link.open()
-        try:
-            for loaded in load_graphs(site.config):
-                link.tell(loaded)
+        with taped(site.config, tmp_path) as (link, store):
             await eventful(site, link, store)
-        finally:
-            link.close()
-            tap.close()
-    recording, was = open_recording(tap.path), list[tuple[float, object]]()
-    assert not recording.note
-    head = RecordingCursor(recording)
-    while (record := head.take()) is not None:
-        if isinstance(record, Told) and isinstance(record.event, TimePassed):
-            state = plain(store.ticks[record.event.at])
-            assert plain(head.state) == state
-            was.append((head.at, state))
-    assert len(was) > 20 and len(recording.keyframes) > 3
-    for at, state in [*was[::-3], *was[::5]]:
-        head.seek(at)
-        assert plain(head.state) == state
