@@ -82,7 +82,8 @@ async def test_every_robot_reads_as_in_a_fleet_of_its_own_and_tells_what_its_kin
             for all_robots in (True, False):
                 mixed, own = (queue_table(one, name, all_robots, WIDE) for one in (state, by_itself))
                 assert words(mixed, name) == words(own, name) and words(own, name)
-            assert told_of(state, name) == told_of(by_itself, name)
+            # A robot in the way explains what alone nothing did.
+            assert all(one in told_of(by_itself, name) for one in told_of(state, name))
             assert [one for one in conditions(state, {}) if one.source == name] == [
                 one for one in conditions(by_itself, {}) if one.source == name
             ]
