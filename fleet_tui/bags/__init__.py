@@ -1,1 +1,1 @@
-"""ROS bags, made into recordings so that the console can show them. Only this room knows rosbags."""
+"""ROS bags, made into recordings so that the console can show them. Only this package knows rosbags."""

@@ -61,7 +61,7 @@ def _is_plain(held: Collection[tuple[str, str]]) -> bool:
 
 
 def _depth(names: Mapping[str, str]) -> int:
-    """Tell of how many parts the name of a robot is: two where all are under one roof."""
+    """Tell of how many parts the name of a robot is: two where all share the first part."""
     first = {name.strip("/").split("/")[0] for name in names if name.count("/") > 1}
     return 2 if len(first) == 1 else 1
 

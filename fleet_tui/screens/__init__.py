@@ -1,1 +1,1 @@
-"""The rooms: the main screen and what opens over its map."""
+"""Screens: the main screen and the overlays over its map."""

@@ -1,4 +1,4 @@
-"""The table in the middle of the house: the newest state, for everybody to read."""
+"""The store: the newest state, for every reader."""
 
 from collections.abc import Callable
 

@@ -59,7 +59,7 @@ def _robots(topics: Mapping[str, str]) -> tuple[list[str], bool]:
         found = [name.strip("/").split("/") for name, other in topics.items() if other == type_]
         found = [parts for parts in found if len(parts) > 1]
         first = {parts[0] for parts in found}
-        # All of them under one roof, like /site/robot_1/queue: a robot's name may have a slash.
+        # All of them below one name, like /site/robot_1/queue: a robot's name may have a slash.
         depth = (
             2 if len(first) == 1 and len({tuple(parts[:2]) for parts in found if len(parts) > 2}) > 1 else 1
         )
