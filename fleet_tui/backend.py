@@ -1,5 +1,6 @@
 """The backend: what the console talks to, a live fleet or a recording of one. Typing it costs no import."""
 
+import threading
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
@@ -110,19 +111,23 @@ class LiveBackend:
         self.links: OpenLinks | None = None
         self._map: tuple[str, str] | None = None
         self._overhears = self._closed = False
+        self._changing = threading.Lock()
+        """Held while the links come or are told what to watch: the newest is the last that they are told."""
 
     def open(self) -> None:
         """Connect."""
         self._connect(self._config, self._store, self._enter)
 
     def _enter(self, links: OpenLinks) -> None:
-        self.links = links
-        if self._map is not None:
-            links.show_map(*self._map)
-        if self._overhears:
-            links.overhear(True)
-        if self._closed:
-            links.close()
+        with self._changing:
+            self.links = links
+            if self._closed:
+                links.close()
+                return
+            if self._map is not None:
+                links.show_map(*self._map)
+            if self._overhears:
+                links.overhear(True)
 
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
@@ -144,18 +149,21 @@ class LiveBackend:
 
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for the live map of one robot's floor."""
-        self._map = robot, floor
-        if self.links is not None:
-            self.links.show_map(robot, floor)
+        with self._changing:
+            self._map = robot, floor
+            if self.links is not None:
+                self.links.show_map(robot, floor)
 
     def overhear(self, on: bool) -> None:
         """Listen to the log and diagnostics of all robots, or no longer."""
-        self._overhears = on
-        if self.links is not None:
-            self.links.overhear(on)
+        with self._changing:
+            self._overhears = on
+            if self.links is not None:
+                self.links.overhear(on)
 
     def close(self) -> None:
         """Close the links, also those that are still being opened."""
-        self._closed = True
-        if self.links is not None:
-            self.links.close()
+        with self._changing:
+            self._closed = True
+            if self.links is not None:
+                self.links.close()
