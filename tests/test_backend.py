@@ -8,7 +8,7 @@ from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import Event
 from fleet_tui.state.store import Store
-from tests.fleets import R0, fleet
+from tests.support.fleets import R0, fleet
 
 
 class CalledLinks:
