@@ -15,7 +15,7 @@ of its last run, in seconds from the fault until the state says so, and from its
 before. `make test` runs the same with shorter delays.
 
 In none of them is an order, an alarm or the terminal lost, and after each of them a check looks at that
-(`tests/faults/kept.py`, and `in_terminal.py` where the whole program runs):
+(`tests/support/invariants.py`, and `terminal_session.py` where the whole program runs):
 
 - Each command has exactly one end, or is open and says so as `outcome unknown` or `no answer`; it left
   once, or not at all if it was not sent; every step of it is a line of the audit log, and every line is
