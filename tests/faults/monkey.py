@@ -95,7 +95,7 @@ def play(running: InTerminal, seconds: float, seed: int) -> int:
     running.resize(120, 40)
     running.sent = b""
     running.press("\x0c")  # paints all anew, over whatever is open
-    running.until(lambda: "alarms" in running.text().splitlines()[0], what="the line that is always in view")
+    running.until(lambda: "alarm" in running.text().splitlines()[0], what="the line that is always in view")
     assert "Traceback" not in log.read_text(), log.read_text()
     return done
 

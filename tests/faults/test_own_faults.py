@@ -56,6 +56,6 @@ def test_what_others_wrote_over_an_open_dialog_is_painted_over(tmp_path: Path) -
         running.sent = b""
         running.press("\x0c")
         running.until(
-            lambda: "alarms" in running.text().splitlines()[0], 5.0, "the line that is always in view"
+            lambda: "alarm" in running.text().splitlines()[0], 5.0, "the line that is always in view"
         )
         running.shows("type to search")
