@@ -40,7 +40,7 @@ soak: $(READY)
 faults: $(READY)
 	@rm -f $(VENV)/faults.jsonl
 	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest $(FAULTS)
-	@$(BIN)/python -m tests.faults.report $(VENV)/faults.jsonl docs/faults.md
+	@$(BIN)/python -m tests.support.fault_report $(VENV)/faults.jsonl docs/faults.md
 
 # Coverage-guided, and no part of the tests: atheris has no wheels for some systems.
 fuzz: $(READY)

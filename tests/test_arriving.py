@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.bench.in_pty import simulator
+from tests.support.in_pty import simulator
 from tests.support.terminal_session import InTerminal
 
 ON, OFF = b"\x1b[?1049h", b"\x1b[?1049l"

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.bench.in_pty import serving
 from tests.support.hostile_fleet import ROBOTS
+from tests.support.in_pty import serving
 
 ESC = "\x1b]52;c;eA==\x07\x9b31m\u202e"
 IN_TOML = ESC.encode("unicode_escape").decode().replace("\\x", "\\u00")

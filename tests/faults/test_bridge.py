@@ -14,8 +14,8 @@ from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.report import report
 from tests.support.bridge_faults import all_online, raised
+from tests.support.fault_report import report
 from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, path, ready

@@ -17,8 +17,8 @@ from fleet_tui.model.events import LinkChanged, MessageRejected
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.transports.rosbridge import connection as transport
-from tests.faults.report import report
 from tests.support.fault_proxy import UPGRADE, Attend, answer, before, drop, goodbye, mute
+from tests.support.fault_report import report
 from tests.support.invariants import linked
 from tests.support.links import finished
 from tests.support.proxied_link import Stopwatch, fresh, lost, through

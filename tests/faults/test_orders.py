@@ -4,7 +4,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.report import report
+from tests.support.fault_report import report
 from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, ready

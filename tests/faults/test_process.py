@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.faults.report import report
 from tests.support import terminal_session as in_terminal_module
+from tests.support.fault_report import report
 from tests.support.terminal_session import InTerminal, exists, in_terminal
 
 RESTORED = "the shell, its terminal as before"

@@ -12,9 +12,9 @@ from fleet_tui.errors import ConfigError
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
 from fleet_tui.transports.rosbridge.reasons import refusal
-from tests.faults.report import report
 from tests.support.certificates import Signed, sign
 from tests.support.fault_proxy import before
+from tests.support.fault_report import report
 from tests.support.invariants import linked
 from tests.support.proxied_link import Stopwatch, fresh, lost
 from tests.support.watched_store import config_of

@@ -1,42 +1,16 @@
 """Commands by key and mouse: what is asked first, and what reaches the robots."""
 
-from typing import Any
-
 import msgspec
 import pytest
-from textual import events
-from textual.keys import _character_to_key
 from textual.widgets import Input
 
 from fleet_tui.model.link import Phase
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console, console
+from tests.support.console_pilot import console
+from tests.support.ordering import one_packet, place, sent, vertex
 from tests.support.watched_store import config_of
-
-
-def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:
-    """The calls that arrived, services by their last name, without request ids."""
-    return [
-        (service.rpartition("/")[2], {key: value for key, value in args.items() if key != "request_id"})
-        for service, args in server.calls
-    ]
-
-
-def vertex(it: Console, label: str, robot: str = "robot_0") -> int:
-    """The id of a vertex as it is on the wire."""
-    charts = it.store.state.robots[robot].charts.values()
-    return next(int(id_) for chart in charts for id_, name in chart.labels.items() if name == label)
-
-
-async def place(it: Console) -> None:
-    """An order by the promised keys."""
-    await it.press("o")
-    await it.type("Base")
-    await it.press("enter")
-    await it.type("Consumidores")
-    await it.press("enter")
 
 
 async def test_an_order_by_keyboard_is_driven_and_leaves_the_queue(server: RosbridgeServer) -> None:
@@ -51,17 +25,6 @@ async def test_an_order_by_keyboard_is_driven_and_leaves_the_queue(server: Rosbr
             server.world.step(0.1)
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
         await it.shows("no orders", "queue")
-
-
-def one_packet(it: Console, text: str) -> None:
-    """Every key is there before the first is handled, as a slow line or a paste delivers them."""
-    for letter in text:
-        named = {"\r": "enter", "\t": "tab", "\x1b": "escape"}
-        it.app.post_message(
-            events.Key(
-                named.get(letter) or _character_to_key(letter), letter if letter.isprintable() else None
-            )
-        )
 
 
 async def test_keys_typed_right_after_o_belong_to_the_form(server: RosbridgeServer) -> None:

@@ -9,9 +9,9 @@ from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.screens.test_commands import one_packet, place, sent, vertex
 from tests.support.console_pilot import Console, console
 from tests.support.fleets import place_order
+from tests.support.ordering import one_packet, place, sent, vertex
 from tests.support.watched_store import config_of
 
 

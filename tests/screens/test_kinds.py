@@ -3,9 +3,9 @@
 import pytest
 
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.screens.test_commands import sent, vertex
 from tests.support.console_pilot import console
 from tests.support.made_up_kind import mixed
+from tests.support.ordering import sent, vertex
 
 
 async def test_pause_all_reaches_who_can_be_paused_and_names_who_can_not(

@@ -7,8 +7,8 @@ from fleet_tui.model.events import LabelsReceived
 from fleet_tui.screens.simple import Simple
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.sanitize import sanitize
-from tests.screens.test_commands import sent, vertex
 from tests.support.console_pilot import Console, console
+from tests.support.ordering import sent, vertex
 from tests.support.watched_store import config_of
 
 

@@ -6,14 +6,10 @@ import pytest
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.order_form import OrderForm
 from fleet_tui.screens.why import Why
-from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
+from tests.support.scenario import plant
 from tests.support.watched_store import config_of
-
-
-def plant(server: RosbridgeServer, faults: str) -> None:
-    play(server, parse_faults(faults, server.world.robots))
 
 
 def is_open(it: Console) -> bool:

@@ -1,6 +1,6 @@
 """Keys, mouse, pastes and sizes at random, at the real console: none of them ends it or fails in it.
 
-Run: python -m tests.faults.monkey --minutes 10 --seed 1
+Run: python -m tests.support.monkey --minutes 10 --seed 1
 """
 
 import argparse
