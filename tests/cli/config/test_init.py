@@ -102,7 +102,7 @@ async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) ->
 
 
 def test_what_a_real_bridge_said() -> None:
-    lines = (Path(__file__).parents[1] / "wire" / "rosapi-and-scan.jsonl").read_text().splitlines()
+    lines = (Path(__file__).parents[2] / "wire" / "rosapi-and-scan.jsonl").read_text().splitlines()
     answers = [json.loads(json.loads(line)["text"]) for line in lines if '"in"' in line]
     told = {answer["service"]: answer["values"] for answer in answers if answer["op"] == "service_response"}
     topics = told["/rosapi/topics"]
@@ -114,7 +114,7 @@ def test_what_a_real_bridge_said() -> None:
 
 
 def test_what_a_real_bridge_of_ros_2_said() -> None:
-    packed = (Path(__file__).parents[1] / "wire" / "ros2-rosapi.jsonl.gz").read_bytes()
+    packed = (Path(__file__).parents[2] / "wire" / "ros2-rosapi.jsonl.gz").read_bytes()
     lines = gzip.decompress(packed).decode().splitlines()
     answers = [json.loads(json.loads(line)["text"]) for line in lines if '"in"' in line]
     told = {answer["service"]: answer["values"] for answer in answers if isinstance(answer["values"], dict)}
