@@ -9,21 +9,91 @@ Act = Callable[[], object]
 Step = Callable[[int], object]
 
 
-class MapActions(Struct, frozen=True):
-    """Actions of the map that work from every pane."""
+class MapActions(Protocol):
+    """Actions on the map."""
 
-    zoom_in: Act
-    zoom_out: Act
-    fit: Act
-    zoom_about: Act
-    follow: Act
-    centre: Act
-    edges: Act
-    labels: Act
-    trails: Act
-    drawing: Act
-    cursor: Act
-    next_vertex: Step
+    def zoom_in(self) -> None:
+        """Zoom in."""
+
+    def zoom_out(self) -> None:
+        """Zoom out."""
+
+    def fit(self) -> None:
+        """Show the whole floor."""
+
+    def zoom_about(self) -> None:
+        """Zoom about the selected robot, or about the centre."""
+
+    def follow(self) -> None:
+        """Follow the selected robot, or let it go."""
+
+    def centre(self) -> None:
+        """Centre on the selected robot, once."""
+
+    def edges(self) -> None:
+        """Show or hide the edges."""
+
+    def labels(self) -> None:
+        """Show or hide the labels."""
+
+    def trails(self) -> None:
+        """Show or hide the trails."""
+
+    def drawing(self) -> None:
+        """Go to the next drawing style."""
+
+    def cursor(self) -> None:
+        """Turn the cursor on or off."""
+
+    def next_vertex(self, step: int) -> None:
+        """Put the cursor on the next (1) or previous (-1) labelled vertex."""
+
+    def pan(self, dx: int, dy: int) -> None:
+        """Move by steps to the right and down."""
+
+    def pick(self) -> None:
+        """Pick what is under the cursor."""
+
+
+class RowActions(Protocol):
+    """Actions on the rows of a table."""
+
+    def move(self, step: int) -> None:
+        """Move the cursor by rows."""
+
+    def slide(self, step: int) -> None:
+        """Slide long rows to the left or right."""
+
+    def open_menu(self) -> None:
+        """Open the menu of the cursor's row."""
+
+
+class DiagnosticsActions(Protocol):
+    """Actions of the diagnostics screen."""
+
+    def page(self, number: int) -> None:
+        """Show a page."""
+
+    def step_page(self, step: int) -> None:
+        """Show the next (1) or previous (-1) page."""
+
+    def filter(self) -> None:
+        """Type what the rows must contain."""
+
+    def freeze(self) -> None:
+        """Freeze what is shown, or go on."""
+
+    def copy(self) -> None:
+        """Copy the message or the row to the terminal's clipboard."""
+
+    def next_level(self) -> None:
+        """Show fewer levels of the robots' log, or all again."""
+
+    def show_bad(self) -> None:
+        """Show the last bad message of the topic, or the last one."""
+
+    def leave(self) -> None:
+        """Go one level back."""
 
 
 class PlayerActions(Protocol):

@@ -13,6 +13,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keymap import keymap
+from fleet_tui.keys import Pane
 from fleet_tui.model.problem import Permissions
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.state.store import Store
@@ -41,7 +42,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
 
     TITLE = "fleet-tui"
     CSS_PATH = "fleet.tcss"
-    BINDINGS: ClassVar[list[BindingType]] = bindings("anywhere")
+    BINDINGS: ClassVar[list[BindingType]] = bindings(Pane.ANYWHERE)
     ENABLE_COMMAND_PALETTE = False
 
     def __init__(

@@ -1,11 +1,11 @@
 """Which keys an operator may give to what: checked before the screen opens, since Textual is silent."""
 
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from fleet_tui.errors import did_you_mean
-from fleet_tui.keys import BY_ID, KEYS, Key
+from fleet_tui.keys import BY_ID, KEYS, Key, Pane
 
-_EVERYWHERE = frozenset({"console", "recording", "anywhere"})
 # Textual's names of keys that print nothing.
 _NAMED = frozenset(
     [*("enter", "tab", "escape", "space", "backspace", "delete", "insert", "home", "end")]
@@ -43,12 +43,13 @@ def _types_nothing(key: str) -> bool:
     return "ctrl" in modifiers or "alt" in modifiers or (len(last) > 1 and last[1:].isdigit())
 
 
-def _same_place(one: Key, other: Key) -> bool:
+def _same_place(one: Key[Any], other: Key[Any]) -> bool:
     """Tell whether two keys can be pressed at the same moment."""
-    if "diagnostics" in (one.pane, other.pane):
+    panes = {one.pane, other.pane}
+    if Pane.DIAGNOSTICS in panes:
         # The console's keys don't reach in there; it is made of one table.
-        return {one.pane, other.pane} <= {"diagnostics", "table", "anywhere"}
-    return one.pane == other.pane or not _EVERYWHERE.isdisjoint((one.pane, other.pane))
+        return panes <= {Pane.DIAGNOSTICS, Pane.TABLE, Pane.ANYWHERE}
+    return len(panes) == 1 or any(pane.is_everywhere for pane in panes)
 
 
 def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list[str]]:
@@ -64,7 +65,7 @@ def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list
         chosen[id_] = tuple(keys)
         for key in chosen[id_]:
             wrong = _problem_of_key(key)
-            if BY_ID[id_].pane == "anywhere" and not _types_nothing(key):
+            if BY_ID[id_].pane is Pane.ANYWHERE and not _types_nothing(key):
                 wrong = "works while typing too, so it must be a function key or a ctrl key"
             if wrong:
                 problems.append(f"keys.{id_}: {key!r}: {wrong}")
@@ -79,12 +80,12 @@ def _yielded(chosen: Mapping[str, tuple[str, ...]], changes: Mapping[str, str]) 
     return {
         key.id: tuple(one for one in key.keys if one not in given)
         for key in KEYS
-        if key.pane == "recording" and key.id not in changes
+        if key.pane is Pane.RECORDING and key.id not in changes
     }
 
 
 def _clashes(chosen: Mapping[str, Iterable[str]]) -> list[str]:
-    taken: dict[str, list[Key]] = {}
+    taken: dict[str, list[Key[Any]]] = {}
     problems = []
     for id_, keys in chosen.items():
         this = BY_ID[id_]

@@ -1,11 +1,13 @@
 """One key does one thing, and the operator's page and the table of keys say the same."""
 
+from typing import Any
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.keymap import keymap
-from fleet_tui.keys import KEYS, Key
+from fleet_tui.keys import KEYS, Key, Pane
 
 IDS = [key.id for key in KEYS]
 # The operator's page, by what each key does. What is not there yet is in no table.
@@ -71,13 +73,15 @@ def test_the_defaults_have_no_clash() -> None:
 
 
 @pytest.mark.parametrize("key", [key for key in KEYS if key.id in PROMISED], ids=lambda key: key.id)
-def test_every_default_is_the_promised_key(key: Key) -> None:
+def test_every_default_is_the_promised_key(key: Key[Any]) -> None:
     assert set(PROMISED[key.id]) <= set(key.keys)
 
 
 def test_no_promised_key_of_the_console_does_something_else() -> None:
     promised = {name for keys in PROMISED.values() for name in keys}
-    others = [key for key in KEYS if key.id not in PROMISED and key.pane not in ("table", "diagnostics")]
+    others = [
+        key for key in KEYS if key.id not in PROMISED and key.pane not in (Pane.TABLE, Pane.DIAGNOSTICS)
+    ]
     assert [key.id for key in others if promised & set(key.keys)] == []
 
 
@@ -86,7 +90,7 @@ def test_ctrl_c_commands_nothing() -> None:
 
 
 def test_what_works_while_typing_types_nothing() -> None:
-    assert {key.id: key.keys for key in KEYS if key.pane == "anywhere"} == {
+    assert {key.id: key.keys for key in KEYS if key.pane is Pane.ANYWHERE} == {
         "help_anywhere": ("f1",),
         "repaint": ("ctrl+l",),
         "pause_all_anywhere": ("f12",),
@@ -184,9 +188,9 @@ def test_whatever_is_asked_either_works_or_is_refused(changes: dict[str, str]) -
         return
     panes = {key.id: key.pane for key in KEYS}
     everywhere = [
-        key for id_, keys in chosen.items() if panes[id_] in ("console", "anywhere") for key in keys
+        key for id_, keys in chosen.items() if panes[id_] in (Pane.CONSOLE, Pane.ANYWHERE) for key in keys
     ]
     assert len(everywhere) == len(set(everywhere))
-    for pane in ("map", "table"):
+    for pane in (Pane.MAP, Pane.TABLE):
         own = [key for id_, keys in chosen.items() if panes[id_] == pane for key in keys]
         assert len(own) == len(set(own)) and not set(own) & set(everywhere)

@@ -42,13 +42,13 @@ class AlarmResponses:
 
     def acknowledge(self) -> None:
         """Acknowledge the alarm under the cursor, and go to the next: the row moves to those seen."""
-        key, fresh = self._pane.cursor, unacknowledged(self._store.state)
+        key, fresh = self._pane.listing.cursor, unacknowledged(self._store.state)
         if not isinstance(key, tuple):
             return
         self._tell(AlarmAcknowledged(*key))
         if key in fresh and len(fresh) > 1:
             following = [*fresh[fresh.index(key) + 1 :], *fresh]
-            self._pane.cursor = following[0]
+            self._pane.listing.cursor = following[0]
 
     def acknowledge_all(self) -> None:
         """Acknowledge every alarm."""

@@ -13,11 +13,8 @@ from fleet_tui.view.selection import Selection, first_selection
 class MapCamera(Protocol):
     """The part of the map that is moved from elsewhere."""
 
-    def action_centre(self) -> None:
-        """Centre on the selected robot, once."""
-
-    def centre_on(self, x: float, y: float) -> None:
-        """Centre on a place in metres of the shown floor."""
+    def centre(self, at: tuple[float, float] | None = None) -> None:
+        """Centre on a place in metres of the shown floor, or on the selected robot."""
 
 
 class Navigation:
@@ -73,7 +70,7 @@ class Navigation:
         self.select(robot)
         self.settle(self._store.state, follow=True)
         self._refresh()
-        self._camera().action_centre()
+        self._camera().centre()
 
     def find_floor(self, floor: str) -> None:
         """Show a floor."""
@@ -83,4 +80,4 @@ class Navigation:
     def find_vertex(self, floor: str, x: float, y: float) -> None:
         """Bring the map to a place of a floor."""
         self.find_floor(floor)
-        self._camera().centre_on(x, y)
+        self._camera().centre((x, y))

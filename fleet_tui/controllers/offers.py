@@ -2,13 +2,14 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
+from typing import Any
 
 from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
 from fleet_tui.controllers.typed import Entry, Typed, typed
-from fleet_tui.keys import KEYS, Key
+from fleet_tui.keys import KEYS, Key, Pane
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.hints import hidden_keys
@@ -25,7 +26,7 @@ class Offers:
         session: ConsoleSession,
         save: SaveCommand,
         themes: Mapping[str, Callable[[], None]],
-        run: Callable[[Key], object],
+        run: Callable[[Key[Any]], object],
     ) -> None:
         self._store, self._dispatch, self._navigation = store, dispatch, navigation
         self._session, self._save, self._themes, self._run = session, save, themes, run
@@ -35,7 +36,7 @@ class Offers:
         state, navigation = self._store.state, self._navigation
         hidden = hidden_keys(state, navigation.robot)
         for key in KEYS:
-            if key.in_palette and key.pane in (*self._session.panes, "anywhere") and key.id not in hidden:
+            if key.in_palette and key.pane in (*self._session.panes, Pane.ANYWHERE) and key.id not in hidden:
                 yield key.text, partial(self._run, key)
         for name in state.robots:
             yield f"Go to robot {name}", partial(navigation.find_robot, name)

@@ -66,7 +66,7 @@ class OrderRequests:
 
     def cancel(self) -> None:
         """Cancel the order under the queue's cursor, after asking."""
-        match self._queue.cursor:
+        match self._queue.listing.cursor:
             case (str(robot), str(order_id), _):
                 self.ask_cancel(robot, order_id)
             case _:

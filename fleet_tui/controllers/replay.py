@@ -2,13 +2,13 @@
 
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from fleet_tui.actions import PlayerActions
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.session import Headline
 from fleet_tui.errors import FleetError
-from fleet_tui.keys import Key
+from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.status import status_line
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 class Replay:
     """Plays, seeks, and keeps the time line."""
 
-    panes: tuple[str, ...] = ("recording", "console")
-    pane = "recording"
+    panes: tuple[Pane, ...] = (Pane.RECORDING, Pane.CONSOLE)
+    pane: Pane | None = Pane.RECORDING
 
     def __init__(
         self,
@@ -38,7 +38,7 @@ class Replay:
         self._jumps = 0
         self._time_line: TimeLine | None = None
 
-    def offers(self, key: Key) -> bool:
+    def offers(self, key: Key[Any]) -> bool:
         """Leave out what only a live console can do."""
         return not key.only_live
 

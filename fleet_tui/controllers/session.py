@@ -2,12 +2,12 @@
 
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from fleet_tui.actions import PlayerActions
 from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.keys import Key
+from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.lines.status import console_notes, status_line, status_right
 from fleet_tui.view.tables.table import Run
@@ -23,12 +23,12 @@ Headline = tuple[tuple[Run, ...], tuple[Run, ...]]
 class ConsoleSession(Protocol):
     """A console on a live fleet or on a recording."""
 
-    panes: tuple[str, ...]
+    panes: tuple[Pane, ...]
     """The panes of keys that work everywhere."""
-    pane: str
-    """The pane whose keys come first, empty for the one with the focus."""
+    pane: Pane | None
+    """The pane whose keys come first, None for the one with the focus."""
 
-    def offers(self, key: Key) -> bool:
+    def offers(self, key: Key[Any]) -> bool:
         """Tell whether a key means anything."""
 
     def headline(self, state: FleetState, robot: str) -> Headline:
@@ -50,15 +50,15 @@ class ConsoleSession(Protocol):
 class LiveSession:
     """A console on the fleet itself: no key of a recording means anything."""
 
-    panes: tuple[str, ...] = ("console",)
-    pane = ""
+    panes: tuple[Pane, ...] = (Pane.CONSOLE,)
+    pane: Pane | None = None
 
     def __init__(self, dispatch: Dispatch, files: ConsoleFiles, clock: Callable[[float], str]) -> None:
         self._dispatch, self._files, self._clock = dispatch, files, clock
 
-    def offers(self, key: Key) -> bool:
+    def offers(self, key: Key[Any]) -> bool:
         """Leave out the keys of recordings."""
-        return key.pane != "recording"
+        return key.pane is not Pane.RECORDING
 
     def headline(self, state: FleetState, robot: str) -> Headline:
         """Show what holds for this console, the link, and who commands."""

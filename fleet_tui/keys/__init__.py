@@ -1,13 +1,15 @@
 """Every key of the console in one table, from which bindings, help, palette, footer and config check come."""
 
+from typing import Any
+
 from fleet_tui.keys.console import CONSOLE
 from fleet_tui.keys.diagnostics import DIAGNOSTICS, PAGES
-from fleet_tui.keys.key import LISTS, Key
+from fleet_tui.keys.key import LISTS, Key, Pane, by_id
 from fleet_tui.keys.map import MAP
 from fleet_tui.keys.recording import RECORDING
 from fleet_tui.keys.table import TABLE
 
-__all__ = ["BY_ID", "KEYS", "LISTS", "PAGES", "Key"]
+__all__ = ["BY_ID", "DIAGNOSTICS", "KEYS", "LISTS", "PAGES", "TABLE", "Key", "Pane", "by_id"]
 
-KEYS = (*CONSOLE, *RECORDING, *MAP, *DIAGNOSTICS, *TABLE)
+KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *DIAGNOSTICS, *TABLE)
 BY_ID = {key.id: key for key in KEYS}

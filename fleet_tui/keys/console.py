@@ -1,9 +1,10 @@
 """Keys of the console: they work from every pane."""
 
-from fleet_tui.keys.key import LISTS, Key
+from fleet_tui.actions import Actions
+from fleet_tui.keys.key import LISTS, Key, Pane
 
 
-def _robot(number: int) -> Key:
+def _robot(number: int) -> Key[Actions]:
     return Key(
         f"robot_{number}",
         (str(number),),
@@ -14,7 +15,7 @@ def _robot(number: int) -> Key:
     )
 
 
-CONSOLE: tuple[Key, ...] = (
+CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "help",
         ("?",),
@@ -29,7 +30,7 @@ CONSOLE: tuple[Key, ...] = (
         ("f1",),
         lambda do: do.view.help(),
         "Help, also while typing",
-        pane="anywhere",
+        pane=Pane.ANYWHERE,
         hint="help",
         in_palette=False,
     ),
@@ -44,7 +45,7 @@ CONSOLE: tuple[Key, ...] = (
         always=True,
     ),
     Key("suspend", ("ctrl+z",), lambda do: do.app.suspend(), "To the shell; fg comes back"),
-    Key("repaint", ("ctrl+l",), lambda do: do.app.repaint(), "Redraw the screen", pane="anywhere"),
+    Key("repaint", ("ctrl+l",), lambda do: do.app.repaint(), "Redraw the screen", pane=Pane.ANYWHERE),
     Key("quit", ("q",), lambda do: do.app.quit(), "Leave"),
     Key("back", ("escape",), lambda do: do.app.back(), "One level back", in_palette=False),
     Key("next_pane", ("tab",), lambda do: do.app.next_pane(), "Next pane", in_palette=False),
@@ -157,7 +158,7 @@ CONSOLE: tuple[Key, ...] = (
         ("f12",),
         lambda do: do.commands.pause_all(),
         "Pause every robot, also while typing. Not a safety device",
-        pane="anywhere",
+        pane=Pane.ANYWHERE,
         hint="pause all",
         needs="pause",
         commands=True,

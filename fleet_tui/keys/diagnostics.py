@@ -1,8 +1,11 @@
 """Keys and pages of the diagnostics screen."""
 
+from collections.abc import Callable
+
 from msgspec import Struct
 
-from fleet_tui.keys.key import Key
+from fleet_tui.actions import DiagnosticsActions
+from fleet_tui.keys.key import Key, Pane
 
 
 class DiagnosticsPage(Struct, frozen=True):
@@ -26,44 +29,62 @@ PAGES = {
 }
 """The pages of the diagnostics screen, by their names."""
 
-DIAGNOSTICS: tuple[Key, ...] = (
+
+def _page(number: int) -> Callable[[DiagnosticsActions], None]:
+    return lambda do: do.page(number)
+
+
+DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
     *(
-        Key(f"page_{name.lower()}", (str(n),), f"page({n})", f"Page {n}: {page.text}", pane="diagnostics")
+        Key(f"page_{name.lower()}", (str(n),), _page(n), f"Page {n}: {page.text}", pane=Pane.DIAGNOSTICS)
         for n, (name, page) in enumerate(PAGES.items(), 1)
     ),
-    Key("next_page", ("tab",), "step_page(1)", "Next page", pane="diagnostics", eager="selects"),
     Key(
-        "previous_page", ("shift+tab",), "step_page(-1)", "Previous page", pane="diagnostics", eager="selects"
+        "next_page", ("tab",), lambda do: do.step_page(1), "Next page", pane=Pane.DIAGNOSTICS, eager="selects"
+    ),
+    Key(
+        "previous_page",
+        ("shift+tab",),
+        lambda do: do.step_page(-1),
+        "Previous page",
+        pane=Pane.DIAGNOSTICS,
+        eager="selects",
     ),
     Key(
         "filter",
         ("/",),
-        "filter",
+        lambda do: do.filter(),
         "Filter the rows by text; Enter or Esc leaves it",
-        pane="diagnostics",
+        pane=Pane.DIAGNOSTICS,
         eager="opens",
     ),
     Key(
         "freeze",
         ("space", "f"),
-        "freeze",
+        lambda do: do.freeze(),
         "Freeze the message or the robots' log, or go on",
-        pane="diagnostics",
+        pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "copy",
         ("y",),
-        "copy",
+        lambda do: do.copy(),
         "Copy the message, or the row, to the clipboard (OSC 52)",
-        pane="diagnostics",
+        pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "level",
         ("v",),
-        "level",
+        lambda do: do.next_level(),
         "Robots' log: all levels, or only the worse ones",
-        pane="diagnostics",
+        pane=Pane.DIAGNOSTICS,
     ),
-    Key("bad", ("b",), "bad", "Raw: the last message, or the last bad one", pane="diagnostics"),
-    Key("leave", ("escape", "q"), "leave", "One level back", pane="diagnostics"),
+    Key(
+        "bad",
+        ("b",),
+        lambda do: do.show_bad(),
+        "Raw: the last message, or the last bad one",
+        pane=Pane.DIAGNOSTICS,
+    ),
+    Key("leave", ("escape", "q"), lambda do: do.leave(), "One level back", pane=Pane.DIAGNOSTICS),
 )

@@ -1,27 +1,46 @@
 """A row of the table of keys, with all its columns."""
 
-from collections.abc import Callable
-from typing import Literal
+from collections.abc import Callable, Iterable
+from enum import Enum
+from typing import Generic, Literal, TypeVar
 
 from msgspec import Struct
-
-from fleet_tui.actions import Actions
 
 LISTS = "lists orders"
 """A need: of robots that say what they are to do."""
 
 
-class Key(Struct, frozen=True):
-    """`id` names it in the config; `keys` are the defaults. `action`: a call on the actions of the console;
-    for "map", "table" and "diagnostics" Textual's action string of the pane's widget. `pane` is where it
-    works: one of these, "console", "recording" (everywhere while one is played), or "anywhere", which reaches
-    through text fields, forms and modals."""
+Doer = TypeVar("Doer")
+"""The actions that a key calls one of."""
+
+
+class Pane(Enum):
+    """The places where keys work, with their titles in help."""
+
+    CONSOLE = "Everywhere"
+    ANYWHERE = "Everywhere, also while typing"
+    """Reaches through text fields, forms and modals."""
+    RECORDING = "The recording"
+    """Everywhere, while one is played."""
+    MAP = "Map"
+    TABLE = "Tables: fleet, alarms, queue"
+    DIAGNOSTICS = "Diagnostics (d)"
+
+    @property
+    def is_everywhere(self) -> bool:
+        """Tell whether its keys work whatever has the focus."""
+        return self in (Pane.CONSOLE, Pane.ANYWHERE, Pane.RECORDING)
+
+
+class Key(Struct, Generic[Doer], frozen=True):
+    """`id` names it in the config; `keys` are the defaults. `action` is a call on the actions of its pane:
+    for tables and diagnostics those of the widget that has the focus, else those of the console."""
 
     id: str
     keys: tuple[str, ...]
-    action: Callable[[Actions], object] | str
+    action: Callable[[Doer], object]
     text: str
-    pane: str = "console"
+    pane: Pane = Pane.CONSOLE
     hint: str = ""
     """The footer's word, empty to stay out of the footer."""
     needs: str = ""
@@ -44,6 +63,11 @@ class Key(Struct, frozen=True):
     """A key of the map that works from every pane."""
 
     @property
-    def section(self) -> str:
+    def section(self) -> Pane:
         """The section of help that lists it."""
-        return "map" if self.of_map else self.pane
+        return Pane.MAP if self.of_map else self.pane
+
+
+def by_id(keys: Iterable[Key[Doer]]) -> dict[str, Key[Doer]]:
+    """Return the keys of one table by their ids."""
+    return {key.id: key for key in keys}

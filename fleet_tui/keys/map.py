@@ -1,8 +1,9 @@
 """Keys of the map, most of which work from every pane."""
 
-from fleet_tui.keys.key import Key
+from fleet_tui.actions import Actions
+from fleet_tui.keys.key import Key, Pane
 
-MAP: tuple[Key, ...] = (
+MAP: tuple[Key[Actions], ...] = (
     Key("zoom_in", ("+", "="), lambda do: do.map.zoom_in(), "Zoom in", hint="zoom", of_map=True),
     Key("zoom_out", ("-",), lambda do: do.map.zoom_out(), "Zoom out", of_map=True),
     Key("fit", ("0",), lambda do: do.map.fit(), "Fit the whole floor", hint="fit", of_map=True),
@@ -67,15 +68,15 @@ MAP: tuple[Key, ...] = (
         "Previous labelled vertex",
         of_map=True,
     ),
-    Key("pan_left", ("left", "h"), "pan_map(-1, 0)", "Pan left", pane="map"),
-    Key("pan_right", ("right", "l"), "pan_map(1, 0)", "Pan right", pane="map"),
-    Key("pan_up", ("up", "k"), "pan_map(0, -1)", "Pan up", pane="map"),
-    Key("pan_down", ("down", "j"), "pan_map(0, 1)", "Pan down", pane="map"),
+    Key("pan_left", ("left", "h"), lambda do: do.map.pan(-1, 0), "Pan left", pane=Pane.MAP),
+    Key("pan_right", ("right", "l"), lambda do: do.map.pan(1, 0), "Pan right", pane=Pane.MAP),
+    Key("pan_up", ("up", "k"), lambda do: do.map.pan(0, -1), "Pan up", pane=Pane.MAP),
+    Key("pan_down", ("down", "j"), lambda do: do.map.pan(0, 1), "Pan down", pane=Pane.MAP),
     Key(
         "pick",
         ("enter",),
-        "pick",
+        lambda do: do.map.pick(),
         "Order from the vertex (with cargo: to it), or select the robot, under the cursor",
-        pane="map",
+        pane=Pane.MAP,
     ),
 )

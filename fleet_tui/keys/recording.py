@@ -1,14 +1,15 @@
 """Keys that move in a recording while one is played."""
 
-from fleet_tui.keys.key import Key
+from fleet_tui.actions import Actions
+from fleet_tui.keys.key import Key, Pane
 
-RECORDING: tuple[Key, ...] = (
+RECORDING: tuple[Key[Actions], ...] = (
     Key(
         "play",
         ("space",),
         lambda do: do.play(lambda player: player.toggle()),
         "Play or stop",
-        pane="recording",
+        pane=Pane.RECORDING,
         hint="play/stop",
     ),
     Key(
@@ -16,14 +17,14 @@ RECORDING: tuple[Key, ...] = (
         ("<",),
         lambda do: do.play(lambda player: player.skip(-10)),
         "10 s back",
-        pane="recording",
+        pane=Pane.RECORDING,
     ),
     Key(
         "skip_on",
         (">",),
         lambda do: do.play(lambda player: player.skip(10)),
         "10 s on",
-        pane="recording",
+        pane=Pane.RECORDING,
         hint="10 s",
     ),
     Key(
@@ -31,14 +32,14 @@ RECORDING: tuple[Key, ...] = (
         ("(",),
         lambda do: do.play(lambda player: player.to_mark(-1)),
         "Previous alarm, command or gap",
-        pane="recording",
+        pane=Pane.RECORDING,
     ),
     Key(
         "next_mark",
         (")",),
         lambda do: do.play(lambda player: player.to_mark(1)),
         "Next alarm, command or gap",
-        pane="recording",
+        pane=Pane.RECORDING,
         hint="mark",
     ),
     Key(
@@ -46,14 +47,14 @@ RECORDING: tuple[Key, ...] = (
         (",",),
         lambda do: do.play(lambda player: player.step(-1)),
         "One tick back: 0.1 s",
-        pane="recording",
+        pane=Pane.RECORDING,
     ),
     Key(
         "step_on",
         (".",),
         lambda do: do.play(lambda player: player.step(1)),
         "One tick on: 0.1 s",
-        pane="recording",
+        pane=Pane.RECORDING,
         hint="step",
     ),
     Key(
@@ -61,21 +62,21 @@ RECORDING: tuple[Key, ...] = (
         (";",),
         lambda do: do.play(lambda player: player.step_record(-1)),
         "One record back",
-        pane="recording",
+        pane=Pane.RECORDING,
     ),
     Key(
         "record_on",
         ("'",),
         lambda do: do.play(lambda player: player.step_record(1)),
         "One record on: a message, or a fact",
-        pane="recording",
+        pane=Pane.RECORDING,
     ),
     Key(
         "faster",
         ("F",),
         lambda do: do.play(lambda player: player.change_speed(1)),
         "Faster: up to x64",
-        pane="recording",
+        pane=Pane.RECORDING,
         hint="faster",
     ),
     Key(
@@ -83,7 +84,7 @@ RECORDING: tuple[Key, ...] = (
         ("S",),
         lambda do: do.play(lambda player: player.change_speed(-1)),
         "Slower: down to x0.25",
-        pane="recording",
+        pane=Pane.RECORDING,
         hint="slower",
     ),
     Key(
@@ -91,14 +92,14 @@ RECORDING: tuple[Key, ...] = (
         ("backspace",),
         lambda do: do.play(lambda player: player.change_speed(0)),
         "As fast as it was",
-        pane="recording",
+        pane=Pane.RECORDING,
     ),
     Key(
         "go_to_time",
         ("@",),
         lambda do: do.view.go_to_time(),
         "Go to a time: 12:04:31, or +1m30s from the beginning",
-        pane="recording",
+        pane=Pane.RECORDING,
         hint="time",
         eager="opens",
     ),
@@ -107,13 +108,13 @@ RECORDING: tuple[Key, ...] = (
         ("home",),
         lambda do: do.play(lambda player: player.to_end(-1)),
         "To the beginning",
-        pane="recording",
+        pane=Pane.RECORDING,
     ),
     Key(
         "to_the_end",
         ("end",),
         lambda do: do.play(lambda player: player.to_end(1)),
         "To the end",
-        pane="recording",
+        pane=Pane.RECORDING,
     ),
 )

@@ -29,10 +29,6 @@ SHOWN = 1000
 HOW = "type to filter, robot: by: outcome: since:2h  Enter its steps  Ctrl-S CSV"
 
 
-class Records(RowsPane, can_focus=False):
-    """The list; the keys stay in the field."""
-
-
 class AuditLog(Overlay):
     """Reads the files in a thread, so that no size of theirs holds up the console."""
 
@@ -42,7 +38,8 @@ class AuditLog(Overlay):
         super().__init__(id="audit")
         self._audit = audit
         self._records: list[AuditRecord] = []
-        self.rows = Records(id="audit-rows")
+        self.rows = RowsPane(id="audit-rows")
+        self.rows.can_focus = False  # the keys stay in the field
 
     def compose(self) -> ComposeResult:
         """A field above the records, and below them all about the marked one."""
@@ -50,10 +47,10 @@ class AuditLog(Overlay):
             "escape": self.action_close,
             "enter": self._look_closer,
             "ctrl+s": self._export,
-            "up": partial(self.rows.action_move, -1),
-            "down": partial(self.rows.action_move, 1),
-            "pageup": partial(self.rows.action_move, -10),
-            "pagedown": partial(self.rows.action_move, 10),
+            "up": partial(self.rows.move, -1),
+            "down": partial(self.rows.move, 1),
+            "pageup": partial(self.rows.move, -10),
+            "pagedown": partial(self.rows.move, 10),
         }
         yield Field(keys, id="audit-filter", placeholder=HOW)
         yield self.rows
@@ -121,12 +118,12 @@ class AuditLog(Overlay):
 
     def _list(self, records: list[AuditRecord], note: str = "", empty: str = "") -> None:
         self._records = records
-        self.rows.cursor = 0
+        self.rows.listing.cursor = 0
         self.rows.show(audit_table(records, note, empty))
         self._detail()
 
     def _detail(self) -> None:
-        place = self.rows.cursor
+        place = self.rows.listing.cursor
         known = isinstance(place, int) and place < len(self._records)
         lines = details(self._records[place]) if known and isinstance(place, int) else []
         self._say("\n".join(lines))
@@ -146,7 +143,7 @@ class AuditLog(Overlay):
 
     def _look_closer(self) -> None:
         """The marked command alone, with all its steps; again, everything."""
-        place = self.rows.cursor
+        place = self.rows.listing.cursor
         if not isinstance(place, int) or place >= len(self._records):
             return
         record = self._records[place]

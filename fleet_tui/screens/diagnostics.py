@@ -2,7 +2,7 @@
 
 import base64
 import os
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Hashable, Mapping
 from functools import partial
 from typing import ClassVar
 
@@ -15,7 +15,7 @@ from textual.timer import Timer
 from textual.widgets import Input
 
 from fleet_tui.backend import Backend
-from fleet_tui.keys import PAGES
+from fleet_tui.keys import DIAGNOSTICS, PAGES, Pane, by_id
 from fleet_tui.screens.diagnostics_pages import FILTERED, Page, Pages
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.terminal.lean_app import LeanApp
@@ -27,6 +27,7 @@ from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.messages import RowPicked
 from fleet_tui.widgets.rows_pane import RowsPane
 
+KEYS = by_id(DIAGNOSTICS)
 EVERY = 0.25  # seconds between two looks
 
 
@@ -35,27 +36,14 @@ def clipboard(text: str) -> str:
     return f"\x1b]52;c;{base64.b64encode(text.encode(errors='replace')).decode()}\x07"
 
 
-class PageRows(RowsPane):
-    """Enter does its work at once: the next key is meant for what comes of it."""
-
-    def __init__(self, choose: Callable[[Hashable], None]) -> None:
-        super().__init__(id="diagnostics-rows")
-        self._choose = choose
-
-    def action_menu(self) -> None:
-        """Look closer at the marked row."""
-        if self.cursor is not None:
-            self._choose(self.cursor)
-
-
 class Diagnostics(Overlay):
     """One table whose rows are those of the page that is shown."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        *bindings("diagnostics"),
+        *bindings(Pane.DIAGNOSTICS),
         *(
             Binding(binding.key, "close", show=False, id=binding.id)
-            for binding in bindings("console")
+            for binding in bindings(Pane.CONSOLE)
             if isinstance(binding, Binding) and binding.id == "diagnostics"
         ),
     ]
@@ -70,7 +58,7 @@ class Diagnostics(Overlay):
         self._said = ""
         self._listens = False
         self._timer: Timer | None = None
-        self.rows = PageRows(self._choose)
+        self.rows = RowsPane(id="diagnostics-rows", choose=self._choose)
         self._tabs = LineView(id="diagnostics-pages")
         self._foot = LineView(id="diagnostics-keys", keep_right=True)
 
@@ -79,10 +67,10 @@ class Diagnostics(Overlay):
         keys: Keys = {
             "enter": self._leave_field,
             "escape": partial(self._leave_field, clear=True),
-            "up": partial(self.rows.action_move, -1),
-            "down": partial(self.rows.action_move, 1),
-            "pageup": partial(self.rows.action_move, -10),
-            "pagedown": partial(self.rows.action_move, 10),
+            "up": partial(self.rows.move, -1),
+            "down": partial(self.rows.move, 1),
+            "pageup": partial(self.rows.move, -10),
+            "pagedown": partial(self.rows.move, 10),
         }
         yield self._tabs
         yield Field(keys, id="diagnostics-filter", placeholder="text in the rows; Enter keeps it, Esc clears")
@@ -99,7 +87,7 @@ class Diagnostics(Overlay):
         if self._pages.topic is None:
             self._pages.topic = self._cursors[Page.TOPICS] = self._pages.first_topic(robot)
         self.open(self.rows)
-        self.action_page(self._page)
+        self.page(self._page)
         self._tick()
         if self._timer is None:
             self._timer = self.set_interval(EVERY, self._tick)
@@ -129,20 +117,24 @@ class Diagnostics(Overlay):
         table = self._pages.table(self._page, self._app.output.budget)
         keys = table.keys
         # At the end of the log, the cursor stays at the end.
-        if self._page is Page.LOG and keys and self.rows.cursor in (None, self._end):
-            self.rows.cursor = keys[-1]
+        if self._page is Page.LOG and keys and self.rows.listing.cursor in (None, self._end):
+            self.rows.listing.cursor = keys[-1]
         self._end = keys[-1] if keys else None
-        if self.rows.cursor is None and keys:
-            self.rows.cursor = keys[0]
+        if self.rows.listing.cursor is None and keys:
+            self.rows.listing.cursor = keys[0]
         self.rows.show(table)
         self._tabs.show(*page_runs(list(PAGES), self._page, self._pages.frozen(self._page)))
         self._foot.show(*foot_runs(self._keys, self._page, self._said))
 
-    def action_page(self, number: int) -> None:
+    def action_key(self, id_: str) -> None:
+        """Do what a key of this screen is for."""
+        KEYS[id_].action(self)
+
+    def page(self, number: int) -> None:
         """Show a page, with the cursor where it was."""
-        self._cursors[self._page] = self.rows.cursor
+        self._cursors[self._page] = self.rows.listing.cursor
         self._page, self._said, self._back = Page(number), "", False
-        self.rows.cursor = self._cursors.get(self._page)
+        self.rows.listing.cursor = self._cursors.get(self._page)
         field = self.query_one(Field)
         with field.prevent(Input.Changed):
             field.value = self._pages.wanted.get(self._page, "")
@@ -150,11 +142,11 @@ class Diagnostics(Overlay):
         self.screen.set_focus(self.rows)
         self.look()
 
-    def action_step_page(self, step: int) -> None:
+    def step_page(self, step: int) -> None:
         """The next or previous page."""
-        self.action_page((self._page - 1 + step) % len(Page) + 1)
+        self.page((self._page - 1 + step) % len(Page) + 1)
 
-    def action_filter(self) -> None:
+    def filter(self) -> None:
         """Type what must stand in the rows."""
         field = self.query_one(Field)
         if self.screen.focused is field:
@@ -176,43 +168,43 @@ class Diagnostics(Overlay):
         field.display = bool(field.value)
         self.screen.set_focus(self.rows)
 
-    def action_freeze(self) -> None:
+    def freeze(self) -> None:
         """Keep the message or the log as it is, or go on."""
         nothing = "only the message and the robots' log can be frozen"
         self._said = "" if self._pages.freeze(self._page) else nothing
         self.look()
 
-    def action_copy(self, tries: int = 5) -> None:
+    def copy(self, tries: int = 5) -> None:
         """To the clipboard of the terminal, wherever that runs. It may still be reading the last picture."""
-        text, what = self._pages.copy(self._page, self.rows.cursor, self._app.output.budget)
+        text, what = self._pages.copy(self._page, self.rows.listing.cursor, self._app.output.budget)
         if not text:
             self._said = "nothing to copy"
         elif self._app.output.call(clipboard(text)):
             tmux = " (tmux: set -s set-clipboard on)" if "TMUX" in os.environ else ""
             self._said = f"sent to the clipboard: {what}{tmux}"
         elif tries > 1:
-            self.set_timer(0.1, partial(self.action_copy, tries - 1))
+            self.set_timer(0.1, partial(self.copy, tries - 1))
             return
         else:
             self._said = "not copied: the terminal does not read now"
         self.look()
 
-    def action_level(self) -> None:
+    def next_level(self) -> None:
         """Fewer levels of the robots' log, or all again."""
         if self._page is Page.LOG:
             self._pages.next_level()
             self.look()
 
-    def action_bad(self) -> None:
+    def show_bad(self) -> None:
         """The last message of the topic, or the last bad one."""
         if self._page is Page.RAW:
             self._pages.turn_bad()
             self.look()
 
-    def action_leave(self) -> None:
+    def leave(self) -> None:
         """One level back: from a message to the topics, else out."""
         if self._page is Page.RAW and self._back:
-            self.action_page(Page.TOPICS)
+            self.page(Page.TOPICS)
         else:
             self.action_close()
 
@@ -223,10 +215,10 @@ class Diagnostics(Overlay):
     def _choose(self, key: Hashable) -> None:
         match self._page, key:
             case Page.LINK, _:
-                self.action_page(Page.TOPICS)
+                self.page(Page.TOPICS)
             case Page.TOPICS, (str(link), str(topic)):
                 self._pages.choose(link, topic)
-                self.action_page(Page.RAW)
+                self.page(Page.RAW)
                 self._back = True
             case Page.HEALTH, _:
                 self._pages.opened ^= {key}

@@ -2,25 +2,19 @@
 
 from collections.abc import Mapping
 from functools import partial
+from typing import Any
 
 from textual import on
 from textual.app import ComposeResult
 from textual.containers import VerticalScroll
 from textual.widgets import Input, Static
 
-from fleet_tui.keys import KEYS, Key
+from fleet_tui.keys import KEYS, Key, Pane
 from fleet_tui.model.kind import ORDER, Kind
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.widgets.field import Field, Keys
 
-SECTIONS = {
-    "recording": "The recording",
-    "map": "Map",
-    "table": "Tables: fleet, alarms, queue",
-    "diagnostics": "Diagnostics (d)",
-    "console": "Everywhere",
-    "anywhere": "Everywhere, also while typing",
-}
+SECTIONS = (Pane.RECORDING, Pane.MAP, Pane.TABLE, Pane.DIAGNOSTICS, Pane.CONSOLE, Pane.ANYWHERE)
 
 ORDER_FORM = """\
 Order form: typing filters the labels, Enter takes the marked one and goes on; Enter in To sends; > after \
@@ -56,7 +50,7 @@ class Help(Overlay):
     def __init__(self, keys: Mapping[str, tuple[str, ...]]) -> None:
         super().__init__(id="help")
         self._keys = keys
-        self._pane, self._hidden, self._kind = "console", set[str](), Kind()
+        self._pane, self._hidden, self._kind = Pane.CONSOLE, set[str](), Kind()
 
     def compose(self) -> ComposeResult:
         """A search field above the list."""
@@ -71,7 +65,7 @@ class Help(Overlay):
         with VerticalScroll(can_focus=False):
             yield Static(id="keys", markup=False)
 
-    def show(self, pane: str, detail: str, kind: Kind, hidden: set[str]) -> None:
+    def show(self, pane: Pane, detail: str, kind: Kind, hidden: set[str]) -> None:
         """Open on the keys of a pane, but for those `hidden`, for robots of a kind; `detail` says what the
         terminal can do."""
         self._pane, self._detail, self._kind, self._hidden = pane, detail, kind, hidden
@@ -88,22 +82,22 @@ class Help(Overlay):
 
     def _list(self, wanted: str) -> None:
         lines = []
-        for section in sorted(SECTIONS, key=lambda name: name != self._pane):
-            if section == "recording" != self._pane:
+        for section in sorted(SECTIONS, key=lambda section: section is not self._pane):
+            if section is Pane.RECORDING and self._pane is not section:
                 continue  # none is played
-            shown = (key for key in KEYS if key.section == section and key.id not in self._hidden)
+            shown = (key for key in KEYS if key.section is section and key.id not in self._hidden)
             found = [self._line(key) for key in shown if self._is_wanted(wanted, key)]
             if found:
-                lines += [SECTIONS[section], *found, ""]
+                lines += [section.value, *found, ""]
         if not wanted:
             lines += [notes(self._kind), "", self._detail]
         self.query_one("#keys", Static).update("\n".join(lines) or f"no key for {wanted!r}")
         self.query_one(VerticalScroll).scroll_home(animate=False)
 
-    def _line(self, key: Key) -> str:
+    def _line(self, key: Key[Any]) -> str:
         return f"  {' '.join(self._keys[key.id]) or '(palette)':<10} {key.text}  ({key.id})"
 
-    def _is_wanted(self, wanted: str, key: Key) -> bool:
+    def _is_wanted(self, wanted: str, key: Key[Any]) -> bool:
         """A single character means the key itself."""
         if len(wanted) == 1:
             return wanted in self._keys[key.id]

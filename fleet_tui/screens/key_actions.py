@@ -12,15 +12,12 @@ from fleet_tui.actions import (
     AppActions,
     CommandActions,
     FileActions,
-    MapActions,
     ViewActions,
 )
 from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.lines.hints import hidden_keys
-from fleet_tui.view.map.modes import ViewMode
-from fleet_tui.widgets.map_view import MapView
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
@@ -30,7 +27,7 @@ if TYPE_CHECKING:
 def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
     """Return what keys do on a screen with all its controllers."""
     return Actions(
-        app=_app_actions(screen, rest.map),
+        app=_app_actions(screen, rest),
         commands=CommandActions(
             order=rest.orders.start,
             cancel=rest.orders.cancel,
@@ -43,30 +40,29 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
         view=_view_actions(screen, rest),
         files=_file_actions(screen, rest),
         alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all),
-        map=_map_actions(rest.map),
+        map=rest.map_controls,
         play=screen.session.play,
     )
 
 
-def _app_actions(screen: "MainScreen", map_view: MapView) -> AppActions:
+def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
     app = screen.app
     assert isinstance(app, LeanApp)
     return AppActions(
         suspend=app.action_suspend_process,
         repaint=app.action_repaint,
         quit=app.action_quit,
-        back=partial(_back, map_view),
+        back=partial(_back, rest),
         next_pane=app.action_focus_next,
         previous_pane=app.action_focus_previous,
     )
 
 
-def _back(map_view: MapView) -> None:
+def _back(rest: "Rest") -> None:
     """Go one level back: the map's mode ends, then the focus goes to the map."""
-    if not isinstance(map_view.mode, ViewMode):
-        map_view.enter(ViewMode())
-    if map_view.display:
-        map_view.screen.set_focus(map_view)
+    rest.map_controls.leave_mode()
+    if rest.map.display:
+        rest.map.screen.set_focus(rest.map)
 
 
 def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
@@ -108,20 +104,3 @@ def _in_thread(screen: "MainScreen", work: Callable[[Cancelled], None]) -> None:
         work(lambda: worker.is_cancelled)
 
     screen.run_worker(run, thread=True, exit_on_error=False)
-
-
-def _map_actions(view: MapView) -> MapActions:
-    return MapActions(
-        zoom_in=view.action_zoom_in,
-        zoom_out=view.action_zoom_out,
-        fit=view.action_fit,
-        zoom_about=view.action_zoom_about,
-        follow=view.action_follow,
-        centre=view.action_centre,
-        edges=view.action_edges,
-        labels=view.action_labels,
-        trails=view.action_trails,
-        drawing=view.action_drawing,
-        cursor=view.action_cursor,
-        next_vertex=view.action_next_vertex,
-    )

@@ -18,7 +18,7 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.replay import Replay
 from fleet_tui.controllers.session import ConsoleSession, LiveSession
 from fleet_tui.controllers.settings import ConsoleSettings
-from fleet_tui.keys import BY_ID
+from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 class MainScreen(Screen[None]):
     """Shows the newest state at every tick, and forwards keys and mouse to the controllers."""
 
-    BINDINGS = [*bindings("console"), *bindings("recording")]  # noqa: RUF012  # as Textual declares it
+    BINDINGS = [*bindings(Pane.CONSOLE), *bindings(Pane.RECORDING)]  # noqa: RUF012  # as Textual declares it
     BLANK = True  # nothing is to be seen of the screen itself
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
@@ -69,7 +69,7 @@ class MainScreen(Screen[None]):
             self.hints,
         ]
         self.notices = Notices(store, self.tick, settings.message)
-        self.navigation = Navigation(store, self.fleet.put_cursor, lambda: self.rest.map, self.tick)
+        self.navigation = Navigation(store, self._mark_robot, lambda: self.rest.map_controls, self.tick)
         self.dispatch = Dispatch(
             store, backend, settings.permissions, self.notices, lambda *asked: self.rest.confirm.ask(*asked)
         )
@@ -117,22 +117,26 @@ class MainScreen(Screen[None]):
         state, robot = self.store.state, self.navigation.robot
         if self.is_complete:
             self._show_floor(state)
-        self.fleet.show(fleet_table(state, robot, self.fleet.room))
+        self.fleet.show(fleet_table(state, robot, self.fleet.row_width))
         self._show_alarms(state)
-        self.queue.show(queue_table(state, robot, self._all_orders, self.queue.room))
+        self.queue.show(queue_table(state, robot, self._all_orders, self.queue.row_width))
         self.status.show(*self.session.headline(state, robot))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
-        pane = "anywhere" if self._in_overlay() else self.focused_pane()
+        pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
         may_command = not self.dispatch.permissions.read_only
         self.hints.show(*hints(self.settings.keys, pane, may_command, hidden_keys(state, robot)))
         self.settings.announce(state)
         if self.is_complete:
             self.rest.simple.show()
 
+    def _mark_robot(self, robot: str) -> None:
+        """Put the fleet's cursor on a robot; it is shown with the next rows."""
+        self.fleet.listing.cursor = robot
+
     def _show_floor(self, state: FleetState) -> None:
         from fleet_tui.view.map.floor_scene import chart_robot, floor_scene
 
-        selection = self.navigation.settle(state, self.rest.map.viewport.follow)
+        selection = self.navigation.settle(state, self.rest.map.picture.viewport.follow)
         owner = chart_robot(state, selection)
         # The live map of what is shown, unless a file gives it.
         has_file = state.floors[selection.floor].grid is not None
@@ -146,20 +150,20 @@ class MainScreen(Screen[None]):
         """Show the newest alarms. Unless somebody is at it, the cursor leaves what has been seen for
         what has not; it never leaves an alarm that an `a` on its way may mean."""
         fresh = unacknowledged(state)
-        if fresh and self.alarms.cursor not in fresh and not self.alarms.has_focus:
-            self.alarms.cursor = fresh[0]
+        if fresh and self.alarms.listing.cursor not in fresh and not self.alarms.has_focus:
+            self.alarms.listing.cursor = fresh[0]
         self.alarms.show(alarm_table(state, self.settings.clock))
 
     def _forget_trails(self) -> bool:
         if self.is_complete:
-            self.rest.map.forget()
+            self.rest.map.picture.clear_trails()
         return self.is_complete
 
-    def focused_pane(self) -> str:
+    def focused_pane(self) -> Pane:
         """Return the pane whose keys help and the footer list first."""
         if self.session.pane or not self.is_complete or self.focused is self.rest.map:
-            return self.session.pane or "map"
-        return "diagnostics" if self.rest.diagnostics.is_open else "table"
+            return self.session.pane or Pane.MAP
+        return Pane.DIAGNOSTICS if self.rest.diagnostics.is_open else Pane.TABLE
 
     def all_orders(self) -> None:
         """Show the selected robot's orders, or all robots'."""
@@ -168,9 +172,7 @@ class MainScreen(Screen[None]):
 
     async def action_key(self, id_: str) -> None:
         """Do what a key is for."""
-        action = BY_ID[id_].action
-        assert callable(action)
-        done = action(self.rest.actions)
+        done = BY_ID[id_].action(self.rest.actions)
         if isawaitable(done):
             await done
 

@@ -2,9 +2,10 @@
 controllers that need them."""
 
 from functools import partial
-from typing import TYPE_CHECKING, assert_never
+from typing import TYPE_CHECKING, Any, assert_never
 
 from fleet_tui.controllers.alarms import AlarmResponses
+from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.orders import OrderRequests
 from fleet_tui.controllers.robots import RobotRequests
@@ -39,7 +40,8 @@ class Rest:
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
         navigation, notices = screen.navigation, screen.notices
         self.map = MapView(id="map")
-        self.map.look = MapOptions(drawing=settings.drawing)
+        self.map.picture.options = MapOptions(drawing=settings.drawing)
+        self.map_controls = MapControls(self.map)
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
         self.order_form = OrderForm(lambda: store.state, dispatch.give)
         self.key_help = Help(settings.keys)
@@ -95,7 +97,7 @@ class Rest:
                 self.orders.start_at(event.id, self._navigation.floor)
             case messages.RowPicked():
                 # The fleet's cursor selects. It may have moved on since.
-                if event.pane == "fleet" and event.key == self._fleet.cursor:
+                if event.pane == "fleet" and event.key == self._fleet.listing.cursor:
                     self._navigation.select(str(event.key))
             case messages.RowChosen():
                 self._open_menu(event)
@@ -123,6 +125,6 @@ class Rest:
                 self.orders.clear()
 
 
-def _run(screen: "MainScreen", key: Key) -> None:
+def _run(screen: "MainScreen", key: Key[Any]) -> None:
     """Do what a key is for, after what is going on."""
     screen.call_later(screen.run_action, action_of(key))

@@ -9,7 +9,7 @@ from textual.content import Content
 from textual.timer import Timer
 from textual.widgets import Static
 
-from fleet_tui.keys import BY_ID
+from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.text.sanitize import sanitize
@@ -25,12 +25,12 @@ class Why(Overlay, can_focus=True):
     BINDINGS: ClassVar[list[BindingType]] = [
         *(
             Binding(binding.key, f"help_it('{binding.id}')", show=False, id=binding.id)
-            for binding in bindings("console")
+            for binding in bindings(Pane.CONSOLE)
             if isinstance(binding, Binding) and binding.id and BY_ID[binding.id].helps
         ),
         *(
             Binding(binding.key, "close", show=False, id=binding.id)
-            for binding in bindings("console")
+            for binding in bindings(Pane.CONSOLE)
             if isinstance(binding, Binding) and binding.id in ("why", "back", "quit")
         ),
     ]

@@ -40,7 +40,7 @@ class FaultGuard:
 
     def action_failed(self, action: "str | ActionParseResult", problem: Exception) -> None:
         """Log and say that an action failed, by its key where it is that of one."""
-        name = str(action).removeprefix("screen.key('").removesuffix("')")
+        name = str(action).removeprefix("screen.").removeprefix("key('").removesuffix("')")
         LOG.error("action %s", name, exc_info=problem)
         self._tell(problem)
 

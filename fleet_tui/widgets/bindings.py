@@ -1,14 +1,15 @@
 """Textual's bindings from the one table of keys."""
 
 from collections.abc import Mapping
+from typing import Any
 
 from textual.binding import Binding, BindingType
 from textual.keys import _character_to_key
 
-from fleet_tui.keys import KEYS, Key
+from fleet_tui.keys import KEYS, Key, Pane
 
 
-def bindings(pane: str) -> list[BindingType]:
+def bindings(pane: Pane) -> list[BindingType]:
     """The bindings that work in a pane."""
     return [
         Binding(
@@ -17,16 +18,17 @@ def bindings(pane: str) -> list[BindingType]:
             key.text,
             show=False,
             id=key.id,
-            priority=pane == "anywhere" or bool(key.eager),
+            priority=pane is Pane.ANYWHERE or bool(key.eager),
         )
         for key in KEYS
-        if key.pane == pane
+        if key.pane is pane
     ]
 
 
-def action_of(key: Key) -> str:
-    """Textual's action string: the main screen looks most keys up in its actions."""
-    return key.action if isinstance(key.action, str) else f"screen.key({key.id!r})"
+def action_of(key: Key[Any]) -> str:
+    """Textual's action string: tables and diagnostics do their own keys, the main screen the others."""
+    widget = "" if key.pane in (Pane.TABLE, Pane.DIAGNOSTICS) else "screen."
+    return f"{widget}key({key.id!r})"
 
 
 def textual_key(key: str) -> str:

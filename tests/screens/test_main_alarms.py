@@ -108,7 +108,7 @@ async def test_the_cursor_goes_to_what_nobody_has_seen(server: RosbridgeServer) 
         await it.shows("▸▲ new  high robot_1", "alarms")
         it.app.main.alarms.focus()
         await it.press("j", "a")
-        assert it.app.main.alarms.cursor == ("robot_0", "obstacle")
+        assert it.app.main.alarms.listing.cursor == ("robot_0", "obstacle")
         assert it.store.state.unacknowledged == 1
 
 

@@ -382,12 +382,14 @@ async def test_the_send_button_does_what_enter_does(server: RosbridgeServer) -> 
 async def test_a_vertex_chosen_by_key_is_meant_even_where_a_robot_stands(server: RosbridgeServer) -> None:
     """robot_0 waits at Base."""
     async with console(config_of(server.url, 1)) as it:
-        it.app.main.rest.map.action_next_vertex(1)
-        scene = it.app.main.rest.map.scene
+        it.app.main.rest.map_controls.next_vertex(1)
+        scene = it.app.main.rest.map.picture.scene
         assert scene is not None
         labelled = [found for found in scene.vertices if found.label]
-        while it.app.main.rest.map.look.cursor != next((v.x, v.y) for v in labelled if v.label == "Base"):
-            it.app.main.rest.map.action_next_vertex(1)
+        while it.app.main.rest.map.picture.options.cursor != next(
+            (v.x, v.y) for v in labelled if v.label == "Base"
+        ):
+            it.app.main.rest.map_controls.next_vertex(1)
         await it.press("enter")
         await it.shows("Order")
         assert it.app.main.query_one("#from", Input).value == "Base"

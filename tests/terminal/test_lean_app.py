@@ -13,6 +13,7 @@ from textual.app import ComposeResult
 from textual.containers import Vertical
 from textual.widgets import Input, OptionList, Static
 
+from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.terminal import display_driver
@@ -60,6 +61,7 @@ class Pane(LeanApp):
     def __init__(self) -> None:
         super().__init__(driver_class=PlayedDriver)
         self.map = MapView(STYLES)
+        self.controls = MapControls(self.map)
 
     def compose(self) -> ComposeResult:
         yield self.map
@@ -70,7 +72,7 @@ class Pane(LeanApp):
 
     def drive(self, rng: random.Random) -> None:
         """The robots go a little further."""
-        scene = self.map.scene or a_scene()
+        scene = self.map.picture.scene or a_scene()
         robots = tuple(_moved(robot, rng) if rng.random() < 0.3 else robot for robot in scene.robots)
         if rng.random() < 0.1:
             ways = [tuple(_line(rng) for _ in range(rng.randrange(3))) for _ in range(2)]
@@ -112,16 +114,16 @@ def _palette(app: Pane, _rng: random.Random) -> None:
 
 
 STEPS: list[Callable[[Pane, random.Random], object]] = [
-    *[lambda app, _rng: app.map.action_zoom_in()] * 2,
-    *[lambda app, _rng: app.map.action_zoom_out()] * 2,
-    lambda app, rng: app.map.action_pan_map(rng.choice([-1, 1]), rng.choice([-1, 1])),
-    lambda app, _rng: app.map.action_labels(),
-    lambda app, _rng: app.map.action_edges(),
-    lambda app, _rng: app.map.action_trails(),
-    lambda app, _rng: app.map.action_follow(),
-    lambda app, rng: app.map.action_next_vertex(rng.choice([-1, 1])),
-    lambda app, _rng: app.map.action_drawing(),
-    lambda app, _rng: app.map.action_cursor(),
+    *[lambda app, _rng: app.controls.zoom_in()] * 2,
+    *[lambda app, _rng: app.controls.zoom_out()] * 2,
+    lambda app, rng: app.controls.pan(rng.choice([-1, 1]), rng.choice([-1, 1])),
+    lambda app, _rng: app.controls.labels(),
+    lambda app, _rng: app.controls.edges(),
+    lambda app, _rng: app.controls.trails(),
+    lambda app, _rng: app.controls.follow(),
+    lambda app, rng: app.controls.next_vertex(rng.choice([-1, 1])),
+    lambda app, _rng: app.controls.drawing(),
+    lambda app, _rng: app.controls.cursor(),
     lambda app, _rng: app.notify("a toast over 地図"),
     _overlay,
     _type,

@@ -10,6 +10,7 @@ from textual.app import App, ComposeResult
 from textual.geometry import Region
 from textual.pilot import Pilot
 
+from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.themes import load_themes
@@ -46,6 +47,7 @@ class Pane(App[None]):
     def __init__(self) -> None:
         super().__init__()
         self.map = MapView(load_themes()[0]["dark"].styles())
+        self.controls = MapControls(self.map)
 
     def compose(self) -> ComposeResult:
         yield self.map
@@ -106,11 +108,11 @@ async def test_nothing_new_refreshes_nothing_and_a_move_only_its_rows() -> None:
 async def test_the_backdrop_is_kept_while_only_robots_move() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         _, view = await started(pilot)
-        behind = view._behind
+        behind = view.picture._backdrop
         view.show(moved(SCENE, 7.0, 3.0))
-        assert view._behind is behind
+        assert view.picture._backdrop is behind
         view.show(replace(SCENE, vertices=(*SCENE.vertices, SceneVertex("4", 1, 1))))
-        assert view._behind is not behind
+        assert view.picture._backdrop is not behind
 
 
 @pytest.mark.parametrize("action", ["zoom_in", "zoom_out", "edges", "labels", "drawing", "cursor"])
@@ -118,7 +120,7 @@ async def test_an_action_changes_the_picture(action: str) -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         app, view = await started(pilot)
         before = app.rows(), [list(view.render_line(y)) for y in range(30)]
-        getattr(view, f"action_{action}")()
+        getattr(app.controls, action)()
         assert (app.rows(), [list(view.render_line(y)) for y in range(30)]) != before
 
 
@@ -126,22 +128,22 @@ async def test_zoom_pan_and_fit() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         app, view = await started(pilot)
         fit = app.rows()
-        view.action_zoom_in()
-        view.action_zoom_in()
-        nearer = view.viewport.camera(SCENE)
-        view.action_pan_map(1, 0)
-        assert view.viewport.camera(SCENE).column > nearer.column
-        view.action_fit()
+        app.controls.zoom_in()
+        app.controls.zoom_in()
+        nearer = view.picture.viewport.camera(SCENE)
+        app.controls.pan(1, 0)
+        assert view.picture.viewport.camera(SCENE).column > nearer.column
+        app.controls.fit()
         assert app.rows() == fit
 
 
 async def test_zoom_about_the_robot_keeps_it_in_its_cell() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
-        app, view = await started(pilot)
+        app, _ = await started(pilot)
         place = next((y, row.index("→1")) for y, row in enumerate(app.rows()) if "→1" in row)
-        view.action_zoom_about()
+        app.controls.zoom_about()
         assert "zoom robot" in app.rows()[0]
-        view.action_zoom_in()
+        app.controls.zoom_in()
         row, column = next((y, row.index("→1")) for y, row in enumerate(app.rows()) if "→1" in row)
         assert abs(row - place[0]) <= 1
         assert abs(column - place[1]) <= 1
@@ -151,28 +153,28 @@ async def test_follow_keeps_the_robot_in_view_and_a_pan_lets_it_go() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         app, view = await started(pilot)
         for _ in range(6):
-            view.action_zoom_in()
-        view.action_follow()
+            app.controls.zoom_in()
+        app.controls.follow()
         assert "follow on" in app.rows()[0]
         alone = replace(SCENE, robots=SCENE.robots[:1])
         for step in range(40):
             view.show(moved(alone, 1.0 + step * 0.45, 5.0))
             assert any("→1" in row for row in app.rows())
-        view.action_pan_map(-1, 0)
+        app.controls.pan(-1, 0)
         assert "follow off" in app.rows()[0]
 
 
 async def test_each_floor_keeps_its_camera_and_an_unmoved_one_refits() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         app, view = await started(pilot)
-        view.action_zoom_in()
+        app.controls.zoom_in()
         zoomed = app.rows()
         larger = MapFrame(0.05, 800, 600)
         view.show(Scene("floor_1", FRAME))
         view.show(Scene("floor_1", larger, build_grid(larger, a_grid(larger)), note="no map yet"))
         assert "floor_1" in app.rows()[0]
         assert "no map yet" in app.rows()[0]
-        assert view.viewport.camera(Scene("floor_1", larger)).extent == (800, 600)
+        assert view.picture.viewport.camera(Scene("floor_1", larger)).extent == (800, 600)
         view.show(SCENE)
         assert app.rows() == zoomed
 
@@ -180,11 +182,11 @@ async def test_each_floor_keeps_its_camera_and_an_unmoved_one_refits() -> None:
 async def test_resizing_keeps_the_centre() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         app, view = await started(pilot)
-        view.action_zoom_in()
-        before = view.viewport.camera(SCENE)
+        app.controls.zoom_in()
+        before = view.picture.viewport.camera(SCENE)
         await pilot.resize_terminal(60, 20)
         await pilot.pause()
-        after = view.viewport.camera(SCENE)
+        after = view.picture.viewport.camera(SCENE)
         assert (after.column, after.row, after.width) == (before.column, before.row, 60)
         assert len(app.rows()) == 20
         assert all(len(row) == 60 for row in app.rows())
@@ -195,8 +197,8 @@ async def test_drawing_goes_round_and_ascii_is_ascii() -> None:
         app, view = await started(pilot)
         seen = [Drawing.BRAILLE]
         for _ in range(3):
-            view.action_drawing()
-            seen.append(view.look.drawing)
+            app.controls.drawing()
+            seen.append(view.picture.options.drawing)
             assert "".join(app.rows()).isascii() == (seen[-1] is Drawing.ASCII)
         assert seen == [*Drawing, Drawing.BRAILLE]
 
@@ -220,7 +222,7 @@ async def test_tiny_panes_and_empty_scenes_break_nothing() -> None:
         for scene in scenes:
             view.show(scene)
             for action in ("zoom_in", "zoom_out", "follow", "centre", "cursor", "pick", "drawing", "fit"):
-                getattr(view, f"action_{action}")()
+                getattr(app.controls, action)()
             assert "\x1b" not in "".join(app.rows())
 
 
@@ -229,6 +231,6 @@ async def test_a_robot_that_is_nowhere_can_be_selected_followed_and_clicked_at()
         app, view = await started(pilot)
         view.show(moved(SCENE, float("nan"), float("inf")))
         for action in ("follow", "centre", "zoom_about", "zoom_in"):
-            getattr(view, f"action_{action}")()
-        view.pick_at(3, 3)
+            getattr(app.controls, action)()
+        view.post_pick(view.picture.pick(3, 3))
         assert "floor_0" in app.rows()[0]

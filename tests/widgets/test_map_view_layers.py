@@ -11,11 +11,12 @@ from msgspec import structs
 from textual.app import App, ComposeResult
 from textual.pilot import Pilot
 
+from fleet_tui.controllers import map as map_controls
+from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, build_grid
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.widgets import map_view
 from fleet_tui.widgets.map_view import MapView
 
 FRAME = MapFrame(0.05, 400, 200)
@@ -60,31 +61,33 @@ def driven(metres: float) -> Scene:
 async def test_trails_are_off_until_asked_for_and_then_tell_of_the_last_minute() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot)
+        controls = MapControls(view)
         for step in range(100):
             view.show(driven(step / 10))
         assert not inks(view) & {StyleRole.TRAIL, StyleRole.TRAIL_OLD}
-        view.action_trails()
+        controls.trails()
         assert StyleRole.TRAIL in inks(view)
         view.show(replace(driven(9.9), at=50.0))
         assert StyleRole.TRAIL_OLD in inks(view)
         view.show(replace(driven(9.9), at=200.0))
         assert not inks(view) & {StyleRole.TRAIL, StyleRole.TRAIL_OLD}
-        view.action_trails()
-        assert not view.look.trails
+        controls.trails()
+        assert not view.picture.options.trails
 
 
 async def test_the_backdrop_stands_while_the_robot_drives_to_where_its_mission_begins() -> None:
     lines = ((5.0, 5.0, 18.0, 8.0),)
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot, replace(SCENE, mission=Mission(lines, (), (3.0, 5.0, 5.0, 5.0))))
-        behind = view._behind
-        view.action_trails()
+        controls = MapControls(view)
+        behind = view.picture._backdrop
+        controls.trails()
         view.show(replace(driven(1.0), mission=Mission(lines, (), (3.0, 5.0, 5.0, 5.0))))
-        assert view._behind is behind
+        assert view.picture._backdrop is behind
         view.show(replace(driven(2.5), mission=Mission(lines, (), (5.0, 5.0, 18.0, 8.0))))
-        assert view._behind is behind
+        assert view.picture._backdrop is behind
         view.show(replace(driven(2.5), mission=Mission((), lines)))
-        assert view._behind is not behind
+        assert view.picture._backdrop is not behind
 
 
 async def test_a_note_that_is_too_long_for_the_caption_is_cut() -> None:
@@ -97,13 +100,14 @@ async def test_a_note_that_is_too_long_for_the_caption_is_cut() -> None:
 async def test_the_caption_tells_where_the_cursor_is_in_metres_while_it_is_on() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot)
+        controls = MapControls(view)
         assert " m " in caption(view)
         assert " x " not in caption(view)
-        view.action_next_vertex(1)
+        controls.next_vertex(1)
         assert " x 2.0 y 2.0 m " in caption(view)
-        view.action_next_vertex(1)
+        controls.next_vertex(1)
         assert " x 18.0 y 8.0 m " in caption(view)
-        view.action_cursor()
+        controls.cursor()
         assert " x " not in caption(view)
 
 
@@ -114,10 +118,11 @@ async def test_the_caption_tells_how_the_picture_is_turned(degrees: float, text:
     turned = structs.replace(FRAME, origin=Pose(0.0, 0.0, math.radians(degrees)))
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot, replace(SCENE, frame=turned))
+        controls = MapControls(view)
         assert text in caption(view)
         assert ("yaw" in caption(view)) == bool(text)
         for _ in range(2):
-            view.action_drawing()
+            controls.drawing()
         assert caption(view).isascii()
 
 
@@ -131,15 +136,16 @@ def grown(left: int, low: int, width: int, height: int) -> Scene:
 async def test_a_map_that_grows_keeps_the_place_in_the_middle_and_the_cursor() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot, grown(0, 0, 400, 200))
+        controls = MapControls(view)
         for _ in range(3):
-            view.action_zoom_in()
-        view.action_next_vertex(1)
-        view.action_next_vertex(1)
-        before = view.viewport.camera(view.scene or SCENE)
+            controls.zoom_in()
+        controls.next_vertex(1)
+        controls.next_vertex(1)
+        before = view.picture.viewport.camera(view.picture.scene or SCENE)
         middle = FRAME.to_world(before.column, before.row)
         for scene in (grown(40, 0, 440, 200), grown(40, 80, 700, 300), grown(300, 80, 960, 300)):
             view.show(scene)
-            camera = view.viewport.camera(scene)
+            camera = view.picture.viewport.camera(scene)
             assert scene.frame.to_world(camera.column, camera.row) == pytest.approx(middle)
             assert camera.scale == pytest.approx(before.scale)
             assert " x 18.0 y 8.0 m " in caption(view)
@@ -150,12 +156,13 @@ async def test_a_map_that_grows_keeps_the_place_in_the_middle_and_the_cursor() -
 async def test_a_cursor_left_behind_starts_again_in_the_middle() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot)
+        controls = MapControls(view)
         for _ in range(4):
-            view.action_zoom_in()
-        view.action_next_vertex(1)
-        view.viewport.centre(SCENE, (18.0, 8.0))
-        view.action_pan_map(1, 0)
-        camera, cursor = view.viewport.camera(SCENE), view.look.cursor
+            controls.zoom_in()
+        controls.next_vertex(1)
+        view.picture.viewport.centre(SCENE, (18.0, 8.0))
+        controls.pan(1, 0)
+        camera, cursor = view.picture.viewport.camera(SCENE), view.picture.options.cursor
         assert cursor is not None
         assert camera.to_cell(*FRAME.to_pixel(*cursor)) == (camera.width // 2, camera.height // 2)
 
@@ -167,12 +174,13 @@ async def test_the_view_moves_faster_while_a_key_is_held(monkeypatch: pytest.Mon
 
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot)
+        controls = MapControls(view)
         for _ in range(6):
-            view.action_zoom_in()
-        monkeypatch.setattr(map_view, "monotonic", seconds().__next__)
+            controls.zoom_in()
+        monkeypatch.setattr(map_controls, "monotonic", seconds().__next__)
         places = []
         for _ in range(12):
-            view.action_pan_map(1, 0)
-            places.append(view.viewport.camera(SCENE).column)
+            controls.pan(1, 0)
+            places.append(view.picture.viewport.camera(SCENE).column)
         steps = [after - before for before, after in pairwise(places)]
         assert steps[-1] == pytest.approx(4 * steps[0])

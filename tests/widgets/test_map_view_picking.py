@@ -8,6 +8,7 @@ from textual.events import MouseScrollUp
 from textual.message import Message
 from textual.pilot import Pilot
 
+from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
@@ -25,6 +26,7 @@ class Pane(App[None]):
     def __init__(self) -> None:
         super().__init__()
         self.map = MapView()
+        self.controls = MapControls(self.map)
         self.picked: list[Message] = []
 
     def compose(self) -> ComposeResult:
@@ -61,39 +63,39 @@ async def test_clicks_pick_and_drags_pan() -> None:
         assert app.picked[0].name == "robot_1"
         assert isinstance(app.picked[1], VertexPicked)
         assert app.picked[1].id == "1"
-        view.action_zoom_in()
-        centre = view.viewport.camera(SCENE).column
+        app.controls.zoom_in()
+        centre = view.picture.viewport.camera(SCENE).column
         await pilot.mouse_down(MapView, offset=(50, 15))
         await pilot.hover(MapView, offset=(40, 15))
         await pilot.mouse_up(MapView, offset=(40, 15))
         await pilot.pause()
-        assert view.viewport.camera(SCENE).column > centre
+        assert view.picture.viewport.camera(SCENE).column > centre
         assert len(app.picked) == 2
 
 
 async def test_the_cursor_visits_labelled_vertices_and_picks() -> None:
     async with started() as (pilot, app, view):
         for step, id_ in ((1, "1"), (1, "2"), (1, "1"), (-1, "2")):
-            view.action_next_vertex(step)
-            view.action_pick()
+            app.controls.next_vertex(step)
+            app.controls.pick()
             await pilot.pause()
             message = app.picked[-1]
             assert isinstance(message, VertexPicked)
             assert message.id == id_
-        view.action_pan_map(1, 0)
-        view.action_cursor()
-        assert view.look.cursor is None
+        app.controls.pan(1, 0)
+        app.controls.cursor()
+        assert view.picture.options.cursor is None
 
 
 async def test_the_wheel_zooms_and_what_is_under_the_pointer_stays() -> None:
     async with started() as (pilot, app, view):
         rows = app.rows()
         vertex = next((row.index("o Base"), y) for y, row in enumerate(rows) if "o Base" in row)
-        before = view.viewport.camera(SCENE).scale
+        before = view.picture.viewport.camera(SCENE).scale
         for event in (MouseScrollUp, MouseScrollUp):
             view.post_message(event(view, *vertex, 0, -1, 0, False, False, False, *vertex))
         await pilot.pause()
-        assert view.viewport.camera(SCENE).scale < before * 0.6
-        x, y = view.viewport.camera(SCENE).to_cell(*SCENE.frame.to_pixel(2.0, 2.0))
+        assert view.picture.viewport.camera(SCENE).scale < before * 0.6
+        x, y = view.picture.viewport.camera(SCENE).to_cell(*SCENE.frame.to_pixel(2.0, 2.0))
         assert abs(x - vertex[0]) <= 2
         assert abs(y + 1 - vertex[1]) <= 2

@@ -1,8 +1,9 @@
 """The footer: the keys that work where the focus is."""
 
 from collections.abc import Collection, Mapping
+from typing import Any
 
-from fleet_tui.keys import KEYS, LISTS, Key
+from fleet_tui.keys import KEYS, LISTS, Key, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.roles import StyleRole
@@ -24,26 +25,26 @@ def _serves(robot: Robot, need: str) -> bool:
     return robot.kind.lists_orders if need == LISTS else robot.kind.can(need)
 
 
-def _runs(key: Key, keys: Mapping[str, tuple[str, ...]]) -> list[Run]:
+def _runs(key: Key[Any], keys: Mapping[str, tuple[str, ...]]) -> list[Run]:
     shown = keys[key.id][0]
     return [(f" {shown} ", StyleRole.KEY), (f"{key.hint} ", StyleRole.DIM)]
 
 
 def hints(
     keys: Mapping[str, tuple[str, ...]],
-    pane: str,
+    pane: Pane,
     can_command: bool = True,
     hidden: Collection[str] = (),
 ) -> tuple[list[Run], list[Run]]:
     """Hints for the left, the pane's own first, and for the right what is always there. In an overlay
-    only what works "anywhere" reaches the console. `hidden`: ids of keys that nothing here has a use for."""
+    only what works anywhere reaches the console. `hidden`: ids of keys that nothing here has a use for."""
     away = {*hidden, *(key.id for key in KEYS if key.commands and not can_command)}
     offered = [key for key in KEYS if key.hint and keys[key.id] and key.id not in away]
-    if pane == "anywhere":
-        left, right = [key for key in offered if key.pane == pane], []
+    if pane is Pane.ANYWHERE:
+        left, right = [key for key in offered if key.pane is pane], []
     else:
-        offered.sort(key=lambda key: key.pane != pane)
-        left = [key for key in offered if key.pane in (pane, "console") and not key.always]
+        offered.sort(key=lambda key: key.pane is not pane)
+        left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
         right = [key for key in offered if key.always]
     return [run for key in left for run in _runs(key, keys)], [
         run for key in right for run in _runs(key, keys)

@@ -2,11 +2,14 @@
 
 import socket
 from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
 
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.recording.indexing import open_recording
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.terminal.display_driver import DisplayDriver
 from tests.support.console_pilot import console
@@ -95,9 +98,15 @@ async def test_it_plays_at_its_pace_and_stops_at_the_end(night: Path) -> None:
 
 
 async def test_nothing_can_be_sent_or_acknowledged(night: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    opened: list[object] = []
-    monkeypatch.setattr(socket.socket, "connect", lambda *address: opened.append(address))
-    monkeypatch.setattr(socket.socket, "connect_ex", lambda *address: opened.append(address))
+    asked: list[object] = []  # the hosts that anything in this process looks up; other tests' links, too
+    look_up = socket.getaddrinfo
+
+    def looked_up(host: object, *args: Any, **options: Any) -> Any:
+        asked.append(host)
+        return look_up(host, *args, **options)
+
+    monkeypatch.setattr(socket, "getaddrinfo", looked_up)
+    recorded = open_recording(night).config.rosbridge.url
     async with replayed(night, "+110s") as it:
         before = it.store.state
         for key in ("p", "r", "P", "X", "f12"):
@@ -117,7 +126,7 @@ async def test_nothing_can_be_sent_or_acknowledged(night: Path, monkeypatch: pyt
         await it.shows("this console keeps no audit log")
         assert it.store.state is before
         assert it.store.events == []
-    assert opened == []
+    assert urlsplit(recorded).hostname not in asked
 
 
 async def test_help_and_hints_begin_with_the_recording(night: Path) -> None:
@@ -132,12 +141,12 @@ async def test_help_and_hints_begin_with_the_recording(night: Path) -> None:
 async def test_old_trails_are_forgotten_where_time_jumps(night: Path) -> None:
     async with replayed(night, "+20s") as it:
         await it.press("t", ".", ".")
-        assert it.app.main.rest.map.scene is not None
+        assert it.app.main.rest.map.picture.scene is not None
         await it.shows(at(22))
-        assert len(it.app.main.rest.map._trails.of(it.app.main.rest.map.scene))
+        assert len(it.app.main.rest.map.picture._trails.of(it.app.main.rest.map.picture.scene))
         await it.press("<")
         await it.shows(at(12))
-        points = it.app.main.rest.map._trails.of(it.app.main.rest.map.scene)
+        points = it.app.main.rest.map.picture._trails.of(it.app.main.rest.map.picture.scene)
         assert points[:, 0].max(initial=0.0) <= 12.0
 
 

@@ -6,6 +6,7 @@ import pytest
 
 from fleet_tui.cli.status.report import report
 from fleet_tui.keymap import keymap
+from fleet_tui.keys import Pane
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import CargoReported, ObstacleReported
 from fleet_tui.model.fleet import FleetState
@@ -95,7 +96,7 @@ def test_only_what_is_accepted_has_a_button(kind: Kind, cancels: bool, clears: b
 
 
 def offered(state: FleetState) -> set[str]:
-    left, _ = hints(KEYS, "console", hidden=hidden_keys(state, R0))
+    left, _ = hints(KEYS, Pane.CONSOLE, hidden=hidden_keys(state, R0))
     return set(text_of(left).split()) & {"order", "cancel", "clear", "pause", "resume", "all"}
 
 

@@ -1,0 +1,120 @@
+"""Actions on the map: zoom, follow, what is drawn, the mode and its cursor."""
+
+from dataclasses import replace
+from time import monotonic
+
+from fleet_tui.view.map.camera import ZOOM_STEP
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.modes import CursorMode, MapMode, ViewMode
+from fleet_tui.view.map.stride import Stride
+from fleet_tui.widgets.map_view import MapView
+
+
+class MapControls:
+    """Changes how the map pane looks at its floor. Without a scene nothing happens but to the options."""
+
+    def __init__(self, view: MapView) -> None:
+        self._view, self._picture = view, view.picture
+        self._stride = Stride()
+
+    def pan(self, dx: int, dy: int) -> None:
+        """Have the mode follow the arrow keys: faster while the key is held."""
+        scene, mode = self._picture.scene, self._picture.mode
+        if scene is not None:
+            self._stride = self._stride.then((dx, dy), monotonic())
+            times = self._stride.times
+            mode.move(self._picture.viewport, scene, dx * times, dy * times)
+            self.enter(mode)
+
+    def zoom_in(self) -> None:
+        """Zoom in, about the robot or the centre."""
+        self._zoom(ZOOM_STEP)
+
+    def zoom_out(self) -> None:
+        """Zoom out."""
+        self._zoom(1 / ZOOM_STEP)
+
+    def _zoom(self, factor: float) -> None:
+        if self._picture.scene is not None:
+            self._picture.viewport.zoom(self._picture.scene, factor)
+            self._view.draw()
+
+    def fit(self) -> None:
+        """Show the whole floor."""
+        if self._picture.scene is not None:
+            self._picture.viewport.fit(self._picture.scene)
+            self._view.draw()
+
+    def zoom_about(self) -> None:
+        """Zoom about the selected robot, or about the centre of the view."""
+        self._picture.viewport.zoom_robot = not self._picture.viewport.zoom_robot
+        self._view.draw()
+
+    def follow(self) -> None:
+        """Follow the selected robot, or let it go."""
+        self._picture.viewport.follow = not self._picture.viewport.follow
+        self._view.draw()
+
+    def centre(self, at: tuple[float, float] | None = None) -> None:
+        """Centre once, on a place in metres of the shown floor, or on the selected robot."""
+        if self._picture.scene is not None:
+            self._picture.viewport.centre(self._picture.scene, at)
+            self._view.draw()
+
+    def edges(self) -> None:
+        """Show or hide the graph's edges."""
+        options = self._picture.options
+        self._picture.options = replace(options, edges=not options.edges)
+        self._view.draw()
+
+    def labels(self) -> None:
+        """Show or hide the labels."""
+        options = self._picture.options
+        self._picture.options = replace(options, labels=not options.labels)
+        self._view.draw()
+
+    def trails(self) -> None:
+        """Show or hide the robots' positions of the last minute."""
+        options = self._picture.options
+        self._picture.options = replace(options, trails=not options.trails)
+        self._view.draw()
+
+    def drawing(self) -> None:
+        """Go to the next drawing style."""
+        options, styles = self._picture.options, list(Drawing)
+        following = styles[(styles.index(options.drawing) + 1) % len(styles)]
+        self._picture.options = replace(options, drawing=following)
+        self._view.draw()
+
+    def enter(self, mode: MapMode) -> None:
+        """Work on the map in this mode from now on."""
+        self._picture.mode = mode
+        self._picture.options = replace(self._picture.options, cursor=mode.cursor)
+        self._view.draw()
+
+    def leave_mode(self) -> None:
+        """Go back to the plain view."""
+        if not isinstance(self._picture.mode, ViewMode):
+            self.enter(ViewMode())
+
+    def cursor(self) -> None:
+        """Turn the cursor on, in the middle of the view, or off."""
+        picture = self._picture
+        if picture.mode.cursor is None and picture.scene is not None:
+            self.enter(CursorMode(picture.viewport.middle(picture.scene)))
+        else:
+            self.enter(ViewMode())
+
+    def next_vertex(self, step: int) -> None:
+        """Put the cursor on the next (1) or previous (-1) labelled vertex, brought into the view."""
+        picture = self._picture
+        cursor = picture.mode.cursor
+        place = picture.viewport.next_labelled(picture.scene, cursor, step) if picture.scene else None
+        if place:
+            self.enter(CursorMode(place))
+
+    def pick(self) -> None:
+        """Pick what Enter means in this mode."""
+        picture = self._picture
+        if picture.scene is not None:
+            self._view.post_pick(picture.mode.pick(picture.viewport, picture.scene))

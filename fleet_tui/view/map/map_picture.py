@@ -1,0 +1,104 @@
+"""The picture of a floor as the operator looks at it, and what is kept from one tick to the next."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.caption import Caption, caption_row
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.layers import MapOptions, Tags
+from fleet_tui.view.map.modes import MapMode, ViewMode
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.trails import Trails
+from fleet_tui.view.map.viewport import Viewport, pick, pointed
+
+CAPTION_ROWS = 1
+
+
+class MapPicture:
+    """Camera, options and mode over the newest scene, as cells below a caption."""
+
+    def __init__(self) -> None:
+        self.options = MapOptions()
+        self.mode: MapMode = ViewMode()
+        self.viewport = Viewport()
+        self.scene: Scene | None = None
+        self._trails = Trails()
+        self._tags: Tags = {}
+        self._tags_of: tuple[Camera, MapOptions] | None = None
+        self._backdrop: Cells | None = None
+        self._backdrop_of: tuple[Scene, Camera, MapOptions] | None = None
+
+    def show(self, scene: Scene) -> None:
+        """Take the newest scene."""
+        self.scene = scene
+        self._trails.note(scene)
+
+    def clear_trails(self) -> None:
+        """Begin the trails again: another time is shown from now on."""
+        self._trails = Trails()
+
+    def cells(self, width: int, height: int, focused: bool) -> Cells | None:
+        """Return the picture in this many cells, None without a scene or without space for one."""
+        scene, view = self.scene, self.viewport
+        if scene is None or width < 1 or height <= CAPTION_ROWS:
+            return None
+        view.width, view.height = width, height - CAPTION_ROWS
+        camera = view.camera(scene)
+        if self.options.trails:
+            scene = replace(scene, trail=self._trails.of(scene))
+        head = caption_row(self._caption(scene, camera, focused))
+        if self._tags_of != (camera, self.options):
+            self._tags, self._tags_of = {}, (camera, self.options)
+        behind = self._still(scene, camera)
+        body = picture(behind, scene, camera, self.options, self._tags, self.mode.layers)
+        return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.inks, body.inks)))
+
+    def pick(self, x: int, y: int) -> SceneRobot | SceneVertex | None:
+        """Return what is shown at cell (x, y) of the whole picture, if anything is."""
+        if self.scene is None or y < CAPTION_ROWS:
+            return None
+        return pick(self.scene, self.viewport.camera(self.scene), x, y - CAPTION_ROWS)
+
+    def _caption(self, scene: Scene, camera: Camera, focused: bool) -> Caption:
+        return Caption(
+            floor=scene.floor,
+            note=scene.note,
+            frame=scene.frame,
+            camera=camera,
+            drawing=self.options.drawing,
+            follow=self.viewport.follow,
+            zoom_robot=self.viewport.zoom_robot,
+            focused=focused,
+            banner=self.mode.banner,
+        )
+
+    def _still(self, scene: Scene, camera: Camera) -> Cells:
+        """Return the backdrop of the robots, made again only when something in it changed."""
+        under = pointed(scene, camera, self.options.cursor)
+        key = (scene, camera, replace(self.options, cursor=None, trails=False, pointed=under))
+        if self._backdrop is None or self._backdrop_of is None or not _same(self._backdrop_of, key):
+            self._backdrop = backdrop(*key)
+            self._backdrop_of = key
+        return self._backdrop
+
+
+def _same(before: tuple[Scene, Camera, MapOptions], now: tuple[Scene, Camera, MapOptions]) -> bool:
+    """Tell whether the same backdrop serves both; the large parts are compared by identity."""
+    old, new = before[0], now[0]
+    same_parts = old.grid is new.grid and old.vertices is new.vertices and old.edges is new.edges
+    return (
+        same_parts
+        and before[1:] == now[1:]
+        and old.frame == new.frame
+        and old.target_vertices == new.target_vertices
+        and _lines(old) == _lines(new)
+    )
+
+
+def _lines(scene: Scene) -> tuple[object, ...]:
+    """The mission without where it begins, which moves with the robot."""
+    mission = scene.mission
+    return (mission.current, mission.following) if mission else ((), ())

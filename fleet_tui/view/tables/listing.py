@@ -1,0 +1,101 @@
+"""The part of a table that is in view: a cursor that stays with its row, scrolled and slid."""
+
+from collections.abc import Hashable
+
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Button, Row, Run, Table, cut, width_of
+
+MARK = "▸"
+NO_MARK = (" ", StyleRole.TEXT)
+SLIDE = 8
+"""Cells that long rows slide at once."""
+
+
+class Listing:
+    """`cursor` is the key of the row that keys and menus mean."""
+
+    def __init__(self) -> None:
+        self.cursor: Hashable | None = None
+        self._table = Table((), ())
+        self._top = 0
+        self._slid = 0
+        self._place = 0
+
+    def show(self, table: Table) -> None:
+        """Take the newest rows. If the cursor's row is gone, the one now in its place has it."""
+        self._table = table
+        keys = table.keys
+        if self.cursor in keys:
+            self._place = keys.index(self.cursor)
+        else:
+            self._place = max(0, min(self._place, len(keys) - 1))
+            self.cursor = keys[self._place] if keys else None
+
+    def move(self, step: int) -> bool:
+        """Move the cursor by rows; return False where there are none."""
+        rows = self._table.rows
+        if rows:
+            self._place = max(0, min(self._place + step, len(rows) - 1))
+            self.cursor = rows[self._place].key
+        return bool(rows)
+
+    def slide(self, step: int) -> None:
+        """Slide long rows to the left or right."""
+        self._slid = max(0, self._slid + step * SLIDE)
+
+    def lines(self, width: int, height: int, focused: bool) -> list[tuple[Run, ...]]:
+        """Return the title and the rows in view, each `width` cells wide."""
+        rows = height - 1
+        # The cursor's row stays in view, and no line is wasted at the end.
+        self._top = max(0, min(self._top, self._place, len(self._table.rows) - rows))
+        self._top = max(self._top, self._place - rows + 1, 0)
+        mark = MARK, StyleRole.ACCENT if focused else StyleRole.DIM
+        shown = [
+            (mark if row.key == self.cursor else NO_MARK, *_slide(row, self._slid, max(0, width - 1)))
+            for row in self._table.rows[self._top : self._top + rows]
+        ]
+        if not shown:
+            shown = [cut([NO_MARK, (self._table.empty, StyleRole.DIM)], width)]
+        blank = [((" " * width, StyleRole.TEXT),)] * (rows - len(shown))
+        return [self._title(width, rows, focused), *shown, *blank][:height]
+
+    def _title(self, width: int, rows: int, focused: bool) -> tuple[Run, ...]:
+        title: list[Run] = [
+            (text, StyleRole.TITLE_FOCUSED if role is StyleRole.TITLE and focused else role)
+            for text, role in self._table.title
+        ]
+        if len(self._table.rows) > rows and not self._table.title_buttons:
+            title.append((f" {self._place + 1}/{len(self._table.rows)}", StyleRole.DIM))
+        runs = [("─ ", StyleRole.RULE), *title, (" ", StyleRole.RULE)]
+        return cut([*runs, ("─" * (width - width_of(runs)), StyleRole.RULE)], width)
+
+    def row_at(self, y: int) -> bool:
+        """Put the cursor on the row of line `y`; return False where there is none."""
+        place = self._top + y - 1
+        if not 0 <= place < len(self._table.rows) or y == 0:
+            return False
+        return self.move(place - self._place)
+
+    def button_at(self, x: int, y: int) -> str:
+        """Return the name of the button in cell (x, y), empty where there is none: in the title, or in the
+        cursor's row."""
+        if y == 0:
+            return _pressed(self._table.title_buttons, x - 2)
+        return _pressed(self._table.rows[self._place].buttons, x - 1)
+
+
+def _pressed(buttons: tuple[Button, ...], x: int) -> str:
+    return next((button.name for button in buttons if button.start <= x < button.end), "")
+
+
+def _slide(row: Row, cells: int, width: int) -> tuple[Run, ...]:
+    """Return a row without its first cells, never further than its end."""
+    if not cells:
+        return cut(row.runs, width)
+    left = max(0, min(cells, width_of(row.runs) - width))
+    runs: list[Run] = []
+    for text, role in row.runs:
+        gone = min(left, len(text))
+        left -= gone
+        runs.append((text[gone:], role))
+    return cut(runs, width)
