@@ -11,7 +11,7 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.view.lines.hints import hints
-from fleet_tui.view.lines.status import status_line
+from fleet_tui.view.lines.status import console_notes, status_line
 from fleet_tui.view.roles import StyleRole
 from tests.support.fleets import (
     LINK,
@@ -129,3 +129,16 @@ def test_a_console_that_can_not_command_offers_no_commands(pane: Pane) -> None:
     may_not = "".join(text_of(part) for part in hints(chosen, pane, can_command=False))
     assert " pause all " in may and " help " in may_not
     assert not any(f" {word} " in may_not for word in ("order", "cancel", "clear", "pause", "resume"))
+
+
+def test_a_calm_console_says_nothing() -> None:
+    assert console_notes(fleet(), read_only=False, armed=True, standstill=0.1) == []
+
+
+def test_what_holds_is_said() -> None:
+    assert console_notes(fleet(), read_only=True, armed=False, standstill=0.0) == ["read-only", "not armed"]
+
+
+def test_a_console_gone_blind_says_so() -> None:
+    (note,) = console_notes(fleet(), read_only=False, armed=True, standstill=7.2)
+    assert note == "nothing is updated for 7 s: restart this console"

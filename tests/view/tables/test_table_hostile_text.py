@@ -4,7 +4,6 @@ from collections.abc import Iterable
 
 import pytest
 from hypothesis import example, given
-from hypothesis import strategies as st
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import CancelOrder, PlaceOrder, Stage
@@ -15,12 +14,11 @@ from fleet_tui.model.order import Order, OrderQueue, Stop, at_vertices
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.status import status_line
 from fleet_tui.view.map.floor_scene import floor_scene
-from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.selection import Selection
 from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import CANCEL, queue_table
-from fleet_tui.view.tables.table import Row, Run, Table, column, cut, width_of
+from fleet_tui.view.tables.table import Row, Run, Table, cut, width_of
 from tests.support.fleets import (
     F0,
     LINK,
@@ -129,25 +127,3 @@ def test_the_map_gets_only_harmless_labels_and_notes(text: str) -> None:
         scene = floor_scene(state, Selection(R0, F0))
         assert harmless(scene.note)
         assert all(harmless(vertex.label) for vertex in scene.vertices)
-
-
-RUNS = st.lists(
-    st.tuples(
-        st.text(st.characters(categories=["L", "N", "Mn", "So"]), max_size=9), st.sampled_from(StyleRole)
-    )
-)
-
-
-@given(RUNS, st.integers(0, 60))
-def test_cut_takes_exactly_its_cells_and_keeps_the_beginning(runs: list[Run], cells: int) -> None:
-    shown = cut(runs, cells)
-    assert width_of(shown) == cells
-    if width_of(runs) <= cells:
-        assert "".join(text for text, _ in shown).rstrip(" ") == "".join(text for text, _ in runs)
-
-
-@given(st.lists(TEXTS), st.integers(0, 10), st.integers(10, 30))
-def test_a_column_holds_its_texts_within_its_limits(texts: list[str], least: int, most: int) -> None:
-    width = column(texts, least, most)
-    assert least <= width <= most
-    assert width == most or all(width_of([(text, StyleRole.TEXT)]) <= width for text in texts)
