@@ -14,23 +14,12 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.events import QueueReported
-from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import ORDER_TO, Kind
 from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
 from fleet_tui.rules.language.completion import complete, is_command
 from fleet_tui.rules.language.grammar import parse, parse_words, written
-from tests.support.fleets import R0, commanded, fleet, graph, labels, of_kinds, place_order, queue, told
-
-NAMED = {1: "Base", 2: "Consumidores", 3: "Dock 7", 4: "Lab > base", 5: "Joe's", 6: "x-"}
-R1 = "robot_1"
-
-
-def known(named: dict[int, str] | None = None) -> FleetState:
-    ids = sorted({*range(1, 10), *(named or ())})
-    facts = (graph(*ids, robot=name) for name in (R0, R1))
-    words = (labels(named or NAMED, robot=name) for name in (R0, R1))
-    return told(fleet(2), *facts, *words, queue(1000.0, (12, 1, 2, "W"), (13, 2, 1, "Q")))
-
+from tests.support.fleets import R0, commanded, fleet, graph, labels, of_kinds, place_order, told
+from tests.support.typed import R1, known
 
 ASKED: list[tuple[str, tuple[Command, ...]]] = [
     ("robot_0 Base > Consumidores", (place_order(R0, 1, 2),)),
@@ -193,49 +182,6 @@ def test_no_text_is_more_than_refused(line: str, named: dict[int, str]) -> None:
         assert str(problem)
     complete(line, state, R0)
     is_command(line, state)
-
-
-@pytest.mark.parametrize(
-    ("line", "completed"),
-    [
-        ("", []),
-        ("ro", ["robot_0 ", "robot_1 "]),
-        ("cl", ["clear "]),
-        ("pause ", ["pause all", "pause robot_0", "pause robot_1"]),
-        ("clear r", ["clear robot_0", "clear robot_1"]),
-        ("cancel ", ["cancel 12", "cancel 13", "cancel robot_0 ", "cancel robot_1 "]),
-        ("cancel 2 ", []),
-        ("cancel robot_0 1", ["cancel robot_0 12", "cancel robot_0 13"]),
-        ("cancel robot_0 12 ", []),
-        ("robot_0 cons", ["robot_0 Consumidores "]),
-        ("robot_0 Consumidores ", ["robot_0 Consumidores > "]),
-        ("robot_0 Dock", ["robot_0 Dock 7 "]),
-        ("robot_0 Dock 7", ["robot_0 Dock 7 "]),
-        ("robot_0 Base > Dock ", ["robot_0 Base > Dock 7 "]),
-        ("robot_0 Base >lab", ['robot_0 Base > "Lab > base" ']),
-        ("robot_0 Base > sumi", ["robot_0 Base > Consumidores "]),
-        ("order ro", ["order robot_0 ", "order robot_1 "]),
-        ("order robot_0 Do", ['order robot_0 "Dock 7" ']),
-        ('order robot_0 "Do', ['order robot_0 "Dock 7" ']),
-        ("order robot_0 Base > Do", ["order robot_0 Base > Dock 7 "]),
-        ("nobody Ba", []),
-        ("order nobody Ba", []),
-    ],
-)
-def test_what_a_line_can_become(line: str, completed: list[str]) -> None:
-    assert complete(line, known(), R0) == completed
-
-
-def test_completed_lines_lead_to_an_order_without_typing_a_label() -> None:
-    """The last destinations first."""
-    line = "robot_0 "
-    for _ in range(3):
-        line = complete(line, known(), R0)[0]
-    assert line == "robot_0 Base > Base "
-    assert complete("robot_0 Base > ", known(), R0)[:2] == [
-        "robot_0 Base > Base ",
-        "robot_0 Base > Consumidores ",
-    ]
 
 
 def test_a_line_begins_as_a_command_or_is_a_search() -> None:

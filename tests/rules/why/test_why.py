@@ -26,7 +26,9 @@ from fleet_tui.model.events import (
     PausedReported,
     PoseReported,
 )
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import Kind
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.robot import SimOrder
@@ -46,6 +48,7 @@ from tests.support.fleets import (
     tick,
     told,
 )
+from tests.support.kinds import FULL, GOALS, MUTE, moved
 from tests.support.planted_fleet import Planted
 
 BASE, CONSUMIDORES, PACKING, CHARGER = 0, 19, 17, 15
@@ -339,3 +342,23 @@ def test_a_pause_that_was_obeyed_late_is_named() -> None:
     assert "pause from here: not confirmed" in [one.name for one in reasons(state, state.robots[R0])]
     state = told(state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, "paused"), pose(T0 + 12), tick(T0 + 12))
     assert reasons(state, state.robots[R0])[0].name == "paused (by us)"
+
+
+def names(state: FleetState) -> list[str]:
+    return [reason.name for reason in reasons(state, state.robots[R0])]
+
+
+def test_no_reason_is_made_of_what_is_never_reported() -> None:
+    still = told(moved(MUTE), pose(T0 + 9), tick(T0 + 9))
+    assert names(still) == ["cause unknown"]
+    assert names(told(moved(Kind("silent")), battery(T0 + 9), tick(T0 + 9))) == ["cause unknown"]
+    assert "queue unknown" in names(told(moved(FULL), pose(T0 + 9), tick(T0 + 9)))
+
+
+def test_a_robot_without_cargo_does_not_load() -> None:
+    order = (1, 1, 2, "W")
+    for kind, name in ((GOALS, "cause unknown"), (FULL, "loading at 1")):
+        driving = told(
+            moved(kind), queue(T0 + 1, order, current=1), pose(T0 + 9), queue(T0 + 9, order, current=1)
+        )
+        assert name in names(told(driving, tick(T0 + 9)))

@@ -5,12 +5,9 @@ from msgspec.structs import replace
 
 from fleet_tui.config.schema import Link, RobotEntry
 from fleet_tui.config.start import initial_state
-from fleet_tui.keymap import keymap
-from fleet_tui.keys import Pane
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.view.lines.hints import hints
 from fleet_tui.view.lines.status import console_notes, status_line
 from fleet_tui.view.roles import StyleRole
 from tests.support.fleets import (
@@ -104,31 +101,6 @@ def test_a_shelved_alarm_is_not_counted() -> None:
 def test_what_must_not_be_cut_stands_first() -> None:
     text = line(told(fleet(), link_lost(T0), tick(T0)), "read-only")
     assert text.index(R0) < text.index("alarms") < text.index("read-only") < text.index("no link")
-
-
-@pytest.mark.parametrize("pane", [Pane.MAP, Pane.TABLE])
-def test_hints_show_the_keys_as_they_are_set(pane: Pane) -> None:
-    chosen, problems = keymap({"order": "O", "menu": "home"})
-    left, right = hints(chosen, pane)
-    assert problems == []
-    assert " O order " in text_of(left) and " ? help " in text_of(right) and " : command " in text_of(right)
-    assert (" home menu " in text_of(left)) is (pane is Pane.TABLE)
-    assert text_of(left).startswith(" home menu " if pane is Pane.TABLE else " ] robot ")
-
-
-def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
-    chosen, _ = keymap({"help_anywhere": "f2"})
-    left, right = hints(chosen, Pane.ANYWHERE)
-    assert text_of(left) == " f2 help  f12 pause all " and right == []
-
-
-@pytest.mark.parametrize("pane", [Pane.MAP, Pane.TABLE, Pane.RECORDING, Pane.ANYWHERE])
-def test_a_console_that_can_not_command_offers_no_commands(pane: Pane) -> None:
-    chosen, _ = keymap({})
-    may = "".join(text_of(part) for part in hints(chosen, pane))
-    may_not = "".join(text_of(part) for part in hints(chosen, pane, can_command=False))
-    assert " pause all " in may and " help " in may_not
-    assert not any(f" {word} " in may_not for word in ("order", "cancel", "clear", "pause", "resume"))
 
 
 def test_a_calm_console_says_nothing() -> None:

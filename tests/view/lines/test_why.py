@@ -3,11 +3,23 @@
 from fleet_tui.keymap import keymap
 from fleet_tui.model.events import CargoReported, PoseReported
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import Kind
 from fleet_tui.view.lines.why import SHOWN, why_lines
-from tests.support.fleets import R0, T0, fleet, graph, labels, link_up, pose, queue, tick, told
+from tests.support.fleets import (
+    R0,
+    T0,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    pose,
+    queue,
+    tick,
+    told,
+)
+from tests.support.kinds import FULL, KEYS, heard
 from tests.support.planted_fleet import Planted
 
-KEYS, _ = keymap({})
 REMAPPED, _ = keymap({"resume": "f5", "clear": "ctrl+x"})
 
 
@@ -79,3 +91,12 @@ def test_what_the_wire_says_is_only_text_and_there_is_an_end_to_it() -> None:
     assert "    for order 1, ␛[2JBase -> [red]x" in lines
     assert all(line.isprintable() for line in lines)
     assert sum(line.startswith(("▶", "  2", "  3", "  4", "  5")) for line in lines) <= SHOWN
+
+
+def test_why_offers_no_key_that_the_kind_does_not_accept() -> None:
+    orders = queue(T0 + 9)
+    for kind, is_offered in ((FULL, True), (Kind("x", FULL.reports), False)):
+        state = told(heard(kind), orders, pose(T0 + 9), tick(T0 + 9))
+        lines = why_lines(state, state.robots[R0], KEYS)
+        assert any("no orders" in line for line in lines)
+        assert any("Order form" in line for line in lines) is is_offered

@@ -7,10 +7,13 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop, at_vertices
 from fleet_tui.text.sanitize import cells_of
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.queue import CANCEL, CLEAR, queue_table
+from fleet_tui.view.tables.queue import CANCEL as CANCEL_BUTTON
+from fleet_tui.view.tables.queue import CLEAR as CLEAR_BUTTON
 from fleet_tui.view.tables.table import Button, Run, width_of
 from tests.support.fleets import (
     R0,
@@ -25,6 +28,7 @@ from tests.support.fleets import (
     tick,
     told,
 )
+from tests.support.kinds import BARE, FULL, LATE, heard
 
 WIDTHS = range(20, 121)
 ORDERS = ((11, 1, 2, "Q"), (12, 2, 3, "W"), (15, 3, 99, "X"))
@@ -169,3 +173,17 @@ def test_an_order_that_is_over_has_nothing_to_cancel(letter: str) -> None:
     over, waiting = queue_table(state, R0, False, 60).rows
     assert CANCEL not in text_of(over.runs) and not over.buttons
     assert CANCEL in text_of(waiting.runs) and waiting.buttons
+
+
+def test_the_queue_pane_of_a_kind_without_a_queue() -> None:
+    table = queue_table(heard(BARE), R0, False, 80)
+    assert (text_of(table.title), table.empty) == ("Queue robot_0", "this kind has no queue")
+    assert queue_table(heard(LATE), R0, False, 80).empty == "no order has been heard of yet"
+    assert queue_table(heard(FULL), R0, False, 80).empty == "the queue has not been heard yet"
+
+
+@pytest.mark.parametrize(("kind", "cancels", "clears"), [(FULL, True, True), (LATE, True, False)])
+def test_only_what_is_accepted_has_a_button(kind: Kind, cancels: bool, clears: bool) -> None:
+    table = queue_table(told(heard(kind), queue(T0, (1, 1, 2, "Q"))), R0, False, 80)
+    assert (CLEAR_BUTTON in text_of(table.title)) is clears
+    assert (CANCEL_BUTTON in text_of(table.rows[0].runs)) is cancels
