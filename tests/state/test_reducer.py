@@ -3,15 +3,14 @@
 import pytest
 
 from fleet_tui.model import events
-from fleet_tui.model.alarm import Alarm
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
-from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.state.command_events import COMMANDS_KEPT
 from fleet_tui.text.durations import age
+from tests.support.alarms import alarms
 from tests.support.fleets import (
     F0,
     LINK,
@@ -34,10 +33,6 @@ from tests.support.fleets import (
 
 FRAME = MapFrame(0.05, 2, 1, Pose(-1.0, -2.0))
 GRID = grid_from_ros(FRAME, b"\x00\x64")
-
-
-def alarms(state: FleetState) -> dict[tuple[str, str], Alarm]:
-    return {alarm.key: alarm for alarm in state.alarms}
 
 
 def test_live_maps_of_many_robots_do_not_add_up(monkeypatch: pytest.MonkeyPatch) -> None:
