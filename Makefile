@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
-PURE := $(addprefix tests/,text model rules state view adapters config test_house.py test_keys.py)
+PURE := $(addprefix tests/,text model keys rules state view adapters config test_house.py test_keymap.py test_errors.py)
 # They wait more than they work: several at once.
 FAULTS := -q -n 6 --maxschedchunk 1 tests/faults
 

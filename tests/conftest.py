@@ -14,8 +14,9 @@ from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.terminal import fault_guard
 from tests.support.cli import config_file
 
-# In the background of a shell SIGINT is ignored; programs that a test interrupts would inherit that.
+# In the background of a shell SIGINT is ignored, under nohup SIGHUP: what a test starts would inherit that.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 # How long an example takes on a busy machine says nothing; what hangs meets pytest's own timeout.
 settings.register_profile("fleet-tui", deadline=None)

@@ -11,7 +11,6 @@ from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import ConfigError
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
-from fleet_tui.transports.rosbridge.reasons import refusal
 from tests.support.certificates import Signed, sign
 from tests.support.fault_proxy import before
 from tests.support.fault_report import report
@@ -151,18 +150,3 @@ async def test_what_is_no_certificate_is_named(server: RosbridgeServer, tmp_path
     (tmp_path / "ca.pem").write_text("nothing of the kind")
     async with linked(secured(server.url.replace("ws:", "wss:"), ca_file=tmp_path / "ca.pem")) as (_, store):
         await store.until(lost("ca_file: no PEM file"))
-
-
-@pytest.mark.parametrize(
-    ("reason", "words"),
-    [
-        ("TLSV13_ALERT_CERTIFICATE_REQUIRED", "set client_cert, client_key"),
-        ("SSLV3_ALERT_BAD_CERTIFICATE", "set client_cert, client_key"),
-        ("WRONG_VERSION_NUMBER", "no TLS there"),
-        ("UNSUPPORTED_PROTOCOL", "TLS: unsupported protocol"),
-    ],
-)
-def test_what_openssl_says_in_plain_words(reason: str, words: str) -> None:
-    problem = ssl.SSLError(1, f"[SSL: {reason}] {reason.lower().replace('_', ' ')} (_ssl.c:2580)")
-    problem.reason = reason
-    assert words in refusal(problem, Link("wss://a"))

@@ -35,7 +35,8 @@ def all_known(state: FleetState) -> bool:
 
 def alone(state: FleetState, name: str) -> FleetState:
     """The same moment of a fleet that has this robot only."""
-    return replace(state, robots={name: state.robots[name]})
+    commands = tuple(record for record in state.commands if record.command.robot == name)
+    return replace(state, robots={name: state.robots[name]}, commands=commands)
 
 
 def words(table: Table, robot: str) -> list[list[str]]:

@@ -16,6 +16,7 @@ async def pick_by_arrows(it: Console, label: str) -> None:
     """Down to a label of the list that is open, and Enter."""
     options = it.app.main.query_one("#simple-list")
     await it.until(lambda _: it.app.main.focused is options)
+    await it.shows(label, "simple-list")
     lines = [line.strip() for line in it.pane("simple-list").splitlines()]
     at = next(n for n, line in enumerate(lines) if line.startswith(label))
     await it.press(*["down"] * at, "enter")

@@ -5,6 +5,7 @@ from typing import Any
 from textual import events
 from textual.keys import _character_to_key
 
+from fleet_tui.rules.commands.checks import SAME_WITHIN
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console
 
@@ -24,7 +25,9 @@ def vertex(it: Console, label: str, robot: str = "robot_0") -> int:
 
 
 async def place(it: Console) -> None:
-    """An order by the promised keys."""
+    """An order by the promised keys; the same one given again at once would count as a slip."""
+    given = [record.issued_at for record in it.store.state.commands]
+    await it.until(lambda state: not given or state.now - given[-1] >= SAME_WITHIN)
     await it.press("o")
     await it.type("Base")
     await it.press("enter")
