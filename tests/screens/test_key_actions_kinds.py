@@ -13,9 +13,9 @@ async def test_pause_all_reaches_who_can_be_paused_and_names_who_can_not(
 ) -> None:
     async with console(mixed(monkeypatch, server.url, 1)) as it:
         await it.press("P")
+        await it.shows("robot_1: this kind has no pause", "message")
         await it.until(lambda state: state.robots["robot_0"].paused and state.robots["robot_0"].paused.value)
         assert [service for service, _ in server.calls] == ["/robot_0/Application_layout/Pause"]
-        await it.shows("robot_1: this kind has no pause", "message")
 
 
 async def test_a_key_that_the_kind_has_nothing_for_says_so_and_is_not_hinted(
