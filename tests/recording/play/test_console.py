@@ -101,7 +101,7 @@ async def test_nothing_can_be_sent_or_acknowledged(night: Path, monkeypatch: pyt
     asked: list[object] = []  # the hosts that anything in this process looks up; other tests' links, too
     look_up = socket.getaddrinfo
 
-    def looked_up(host: object, *args: Any, **options: Any) -> Any:
+    def looked_up(host: Any, *args: Any, **options: Any) -> Any:
         asked.append(host)
         return look_up(host, *args, **options)
 
