@@ -76,7 +76,7 @@ def test_functions_are_short() -> None:
 
 # Lines and methods of those that are larger still, to be emptied.
 LARGE_CLASSES: dict[str, tuple[int, int]] = {
-    "Nav2Fleet": (198, 23),
+    "Nav2Fleet": (197, 23),
     "RosbridgeServer": (432, 44),
     "TopicDesk": (268, 28),
 }
