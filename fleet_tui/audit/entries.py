@@ -5,18 +5,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any, assert_never
 
+from fleet_tui.model import commands
 from fleet_tui.model.alarm import Alarm, AlarmStage, transitions
 from fleet_tui.model.audit_record import VERSION, AuditRecord
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    CommandRecord,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-    Step,
-)
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Stop, pose_text
@@ -77,7 +68,9 @@ def _summaries(
             yield _summary(origin, after, batch, wall(max(record.at for record in batch)))
 
 
-def _summary(origin: Origin, state: FleetState, batch: list[CommandRecord], wall: float) -> AuditRecord:
+def _summary(
+    origin: Origin, state: FleetState, batch: list[commands.CommandRecord], wall: float
+) -> AuditRecord:
     what, words = summary(state, batch)
     return origin.record(wall, kind="command", what=what, change="summary", words=words)
 
@@ -95,12 +88,12 @@ def closing_records(origin: Origin, state: FleetState, wall: float) -> Iterator[
 
 
 def _of_step(
-    origin: Origin, state: FleetState, record: CommandRecord, step: Step, wall: float
+    origin: Origin, state: FleetState, record: commands.CommandRecord, step: commands.Step, wall: float
 ) -> AuditRecord:
     return origin.record(wall, change=step.stage.value, words=step.words, **_about(state, record))
 
 
-def _about(state: FleetState, record: CommandRecord) -> dict[str, Any]:
+def _about(state: FleetState, record: commands.CommandRecord) -> dict[str, Any]:
     robot = state.robots.get(record.command.robot)
     return {
         "kind": "command",
@@ -121,19 +114,19 @@ def _link(state: FleetState, name: str) -> dict[str, Any]:
     return {"link": name, "url": link.url if link else ""}
 
 
-def _arguments(robot: Robot | None, command: Command) -> dict[str, Any]:
+def _arguments(robot: Robot | None, command: commands.Command) -> dict[str, Any]:
     match command:
-        case PlaceOrder(_, stops):
+        case commands.PlaceOrder(_, stops):
             start = _stop("start", robot, stops[0]) if len(stops) > 1 else {}
             what = command.what(robot.kind if robot else Kind())
             return {"what": what, **start, **_stop("end", robot, stops[-1])}
-        case CancelOrder(_, order_id):
+        case commands.CancelOrder(_, order_id):
             return {"what": "cancel", "order": order_id}
-        case ClearOrders():
+        case commands.ClearOrders():
             return {"what": "clear"}
-        case PauseRobot():
+        case commands.PauseRobot():
             return {"what": "pause"}
-        case ResumeRobot():
+        case commands.ResumeRobot():
             return {"what": "resume"}
         case _:
             assert_never(command)

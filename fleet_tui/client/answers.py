@@ -5,10 +5,13 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 
 from fleet_tui.adapters.adapter import Adapter, ServiceCall
+from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.calls import Calls, LinkLostError, NoAnswerError, PendingCall
 from fleet_tui.client.services import Services
+from fleet_tui.client.tap import Tap
 from fleet_tui.client.writer import Writer
+from fleet_tui.errors import WireError
 from fleet_tui.model.commands import Command, Stage
 
 LOG = logging.getLogger(__name__)
@@ -17,6 +20,17 @@ LOG = logging.getLogger(__name__)
 LATE_ANSWER = 60.0
 WORST = (Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN)
 """Ends of the calls of one command, the worst last."""
+
+
+def decoded(tap: Tap | None, link: str, payload: bytes, is_binary: bool) -> operations.Operation | None:
+    """Record a frame of a command connection and decode it; None where it says nothing to us."""
+    if tap is not None:
+        tap.heard(link, "commands", payload, is_binary, time.monotonic())
+    try:
+        return None if is_binary else operations.decode(payload)
+    except WireError as problem:
+        LOG.warning("%s", problem)
+        return None
 
 
 class Answers:

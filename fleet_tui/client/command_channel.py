@@ -10,7 +10,7 @@ from contextlib import suppress
 from fleet_tui.adapters.adapter import ActionGoal, Adapter, Outgoing, Publication, ServiceCall
 from fleet_tui.adapters.answers import said
 from fleet_tui.adapters.ros import operations
-from fleet_tui.client.answers import Answers
+from fleet_tui.client.answers import Answers, decoded
 from fleet_tui.client.calls import Calls, PendingCall
 from fleet_tui.client.goal_channel import Goals
 from fleet_tui.client.heartbeat import Heartbeat
@@ -18,7 +18,7 @@ from fleet_tui.client.publishing import Publishing
 from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
-from fleet_tui.errors import CommandError, LinkError, WireError
+from fleet_tui.errors import CommandError, LinkError
 from fleet_tui.model.commands import UNANSWERED, Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
@@ -82,13 +82,7 @@ class CommandChannel:
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Only answers come here."""
-        if self._writer.tap is not None:
-            self._writer.tap.heard(self._link, "commands", payload, is_binary, time.monotonic())
-        try:
-            operation = None if is_binary else operations.decode(payload)
-        except WireError as problem:
-            LOG.warning("%s", problem)
-            return
+        operation = decoded(self._writer.tap, self._link, payload, is_binary)
         if not isinstance(operation, operations.ServiceResponse):
             return
         self._heartbeat.take(operation)

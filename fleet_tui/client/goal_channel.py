@@ -10,9 +10,10 @@ from contextlib import suppress
 
 from fleet_tui.adapters.adapter import ActionGoal, Adapter
 from fleet_tui.adapters.ros import operations
+from fleet_tui.client.answers import decoded
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
-from fleet_tui.errors import LinkError, WireError
+from fleet_tui.errors import LinkError
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.navigation_events import GoalAnswered
 from fleet_tui.rules.commands.keeping import withdrawn
@@ -69,13 +70,7 @@ class GoalChannel:
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Only ends of goals come here."""
-        if self._writer.tap is not None:
-            self._writer.tap.heard(self._link, "commands", payload, is_binary, time.monotonic())
-        try:
-            operation = None if is_binary else operations.decode(payload)
-        except WireError as problem:
-            LOG.warning("%s", problem)
-            return
+        operation = decoded(self._writer.tap, self._link, payload, is_binary)
         if isinstance(operation, operations.GoalResult) and operation.id in self._commands:
             self._take(self._commands.pop(operation.id), operation)
 

@@ -2,11 +2,14 @@
 
 import heapq
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from enum import Enum
 from functools import cached_property
+from typing import TypeVar
 
 from msgspec import Struct, field
+
+Id = TypeVar("Id", str, int)
 
 
 class Role(Enum):
@@ -60,20 +63,26 @@ class RouteGraph(Struct, frozen=True, dict=True):
         """The shortest way as vertex ids, both ends included; empty if there is none."""
         if start not in self.vertices or end not in self.vertices:
             return ()
-        reached: dict[str, tuple[float, str]] = {start: (0.0, start)}
-        queue = [(0.0, start)]
-        while queue:
-            distance, vertex = heapq.heappop(queue)
-            if vertex == end:
-                break
-            for neighbour, length in self.neighbours[vertex]:
-                further = distance + length
-                if neighbour not in reached or further < reached[neighbour][0]:
-                    reached[neighbour] = (further, vertex)
-                    heapq.heappush(queue, (further, neighbour))
-        if end not in reached:
-            return ()
-        way = [end]
-        while way[-1] != start:
-            way.append(reached[way[-1]][1])
-        return tuple(reversed(way))
+        return shortest_path(self.neighbours, start, end)
+
+
+def shortest_path(neighbours: Mapping[Id, Iterable[tuple[Id, float]]], start: Id, end: Id) -> tuple[Id, ...]:
+    """Return the shortest way over `neighbours` (each with the metres to it), both ends included; empty if
+    there is none."""
+    reached: dict[Id, tuple[float, Id]] = {start: (0.0, start)}
+    queue = [(0.0, start)]
+    while queue:
+        metres, vertex = heapq.heappop(queue)
+        if vertex == end:
+            break
+        for neighbour, length in neighbours[vertex]:
+            further = metres + length
+            if neighbour not in reached or further < reached[neighbour][0]:
+                reached[neighbour] = (further, vertex)
+                heapq.heappush(queue, (further, neighbour))
+    if end not in reached:
+        return ()
+    way = [end]
+    while way[-1] != start:
+        way.append(reached[way[-1]][1])
+    return tuple(reversed(way))

@@ -66,9 +66,8 @@ class Keyframe(Struct, frozen=True, tag="keyframe", tag_field="kind"):
         return _decoded(_STATES, self.state if version >= VERSION else _upgraded_state(self.state))
 
 
-class Heard(Struct, frozen=True, omit_defaults=True, tag="heard", tag_field="kind"):
-    """A frame came: `text`, or `data` where it is none. `came` is when, if that was before `at`: a large
-    frame is decoded beside the loop. `channel` is topics or commands."""
+class LinkFrame(Struct, frozen=True, omit_defaults=True):
+    """A frame: `text`, or `data` where it is none. `channel` is topics or commands."""
 
     at: float
     wall: float
@@ -76,6 +75,11 @@ class Heard(Struct, frozen=True, omit_defaults=True, tag="heard", tag_field="kin
     channel: str
     text: str = ""
     data: bytes = b""
+
+
+class Heard(LinkFrame, frozen=True, omit_defaults=True, tag="heard", tag_field="kind"):
+    """A frame came. `came` is when, if that was before `at`: a large frame is decoded beside the loop."""
+
     binary: bool = False
     came: float | None = None
 
@@ -85,15 +89,8 @@ class Heard(Struct, frozen=True, omit_defaults=True, tag="heard", tag_field="kin
         return self.data or self.text.encode()
 
 
-class Sent(Struct, frozen=True, omit_defaults=True, tag="sent", tag_field="kind"):
+class Sent(LinkFrame, frozen=True, omit_defaults=True, tag="sent", tag_field="kind"):
     """A frame left. Those with a secret in them are not recorded."""
-
-    at: float
-    wall: float
-    link: str
-    channel: str
-    text: str = ""
-    data: bytes = b""
 
 
 class Told(Struct, frozen=True, tag="told", tag_field="kind"):

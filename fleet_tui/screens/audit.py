@@ -122,6 +122,7 @@ class AuditLog(Overlay):
         self.rows.show(audit_table(records, note, empty))
         self._detail()
 
+    @on(RowPicked)
     def _detail(self) -> None:
         place = self.rows.listing.cursor
         known = isinstance(place, int) and place < len(self._records)
@@ -131,16 +132,7 @@ class AuditLog(Overlay):
     def _say(self, text: str) -> None:
         self.query_one("#audit-detail", Static).update(text)
 
-    @on(RowPicked)
-    def _picked(self, event: RowPicked) -> None:
-        event.stop()
-        self._detail()
-
     @on(RowChosen)
-    def _chosen(self, event: RowChosen) -> None:
-        event.stop()
-        self._look_closer()
-
     def _look_closer(self) -> None:
         """The marked command alone, with all its steps; again, everything."""
         place = self.rows.listing.cursor

@@ -13,12 +13,12 @@ from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.keys import Key
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.confirm import Confirm
-from fleet_tui.screens.diagnostics import Diagnostics
-from fleet_tui.screens.diagnostics_pages import Pages
+from fleet_tui.screens.diagnosing.overlay import Diagnostics
+from fleet_tui.screens.diagnosing.pages import Pages
 from fleet_tui.screens.help import Help
 from fleet_tui.screens.key_actions import key_actions
 from fleet_tui.screens.menu import Menu
-from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.screens.simple import Simple
 from fleet_tui.screens.simple_switch import SimpleSwitch

@@ -13,7 +13,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, places
-from fleet_tui.screens.choices import order
+from fleet_tui.screens.ordering.choices import order
 from fleet_tui.text.sanitize import sanitize
 
 

@@ -1,10 +1,11 @@
 """The simulator's own route graph: the ids are numbers, as on the wire."""
 
-import heapq
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+
+from fleet_tui.model.graph import shortest_path
 
 
 @dataclass(frozen=True)
@@ -44,18 +45,4 @@ class SimGraph:
 
     def path(self, start: int, end: int) -> tuple[int, ...]:
         """The shortest way as vertex ids, both ends included; empty if there is none."""
-        reached: dict[int, tuple[float, int]] = {start: (0.0, start)}
-        queue = [(0.0, start)]
-        while queue:
-            metres, vertex = heapq.heappop(queue)
-            for neighbour, length in self._ways[vertex]:
-                further = metres + length
-                if neighbour not in reached or further < reached[neighbour][0]:
-                    reached[neighbour] = (further, vertex)
-                    heapq.heappush(queue, (further, neighbour))
-        if end not in reached:
-            return ()
-        way = [end]
-        while way[-1] != start:
-            way.append(reached[way[-1]][1])
-        return tuple(reversed(way))
+        return shortest_path(self._ways, start, end)

@@ -25,6 +25,35 @@ def robot_numbers(robots: int, first: int, step: int) -> range:
     return range(first, first + robots * step, step)
 
 
+class Obstructed:
+    """A robot before which obstacles come and go; the attribute without an underscore is for tests."""
+
+    _rng: random.Random
+    _obstacle_in: float
+    """Seconds until the next one of its own."""
+    _obstacle_for = 0.0
+    obstacle = 0.0
+    """Seconds in front of an obstacle, 0 = none."""
+
+    def block(self) -> None:
+        """Put an obstacle before it that stays."""
+        self.obstacle, self._obstacle_for = STEP, math.inf
+
+    def _blocked(self, one_may_come: bool) -> bool:
+        """Tell whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
+        if self.obstacle == 0.0:
+            if not one_may_come:
+                return False
+            self._obstacle_in -= STEP
+            if self._obstacle_in > 0.0:
+                return False
+            self._obstacle_in, self._obstacle_for = self._rng.uniform(60.0, 90.0), self._rng.uniform(2.0, 8.0)
+        self.obstacle += STEP
+        if self.obstacle > self._obstacle_for:
+            self.obstacle = 0.0
+        return self.obstacle > 0.0
+
+
 @dataclass
 class SimOrder:
     """A transport order; status is `Q` queued, `W` in process or `C` cancelled."""
@@ -36,7 +65,7 @@ class SimOrder:
     status: str = "Q"
 
 
-class SimRobot:
+class SimRobot(Obstructed):
     """A robot and its queue. `quiet` turns off obstacles and trips to the docking station."""
 
     def __init__(self, index: int, building: Building, vertex: int, rng: random.Random, quiet: bool) -> None:
@@ -50,8 +79,6 @@ class SimRobot:
         self.battery = rng.uniform(28.0, 33.0) if index == 1 and not quiet else rng.uniform(45.0, 95.0)
         self.cargo = False
         self.paused = False
-        self.obstacle = 0.0
-        """Seconds in front of an obstacle, 0 = none."""
         self.idle = 0.0
         """Seconds since it has nothing to do."""
         self.silence = 0.0
@@ -64,7 +91,6 @@ class SimRobot:
         self.last_order_id = self.request_id = 0
         self._driving = False
         self._obstacle_in = rng.uniform(25.0, 90.0)
-        self._obstacle_for = 0.0
         self._work = self._live()
 
     @property
@@ -98,12 +124,8 @@ class SimRobot:
         self.silence = max(0.0, self.silence - STEP)
         self._use_battery()
         held = self.paused or (self.stuck and self.current_order_id != -1)
-        if not self._blocked() and not held:
+        if not self._blocked(not (self._quiet or self.paused) and self._driving) and not held:
             next(self._work)
-
-    def block(self) -> None:
-        """Put an obstacle before it that stays."""
-        self.obstacle, self._obstacle_for = STEP, math.inf
 
     def _start_anew(self) -> None:
         self._driving = False
@@ -187,20 +209,6 @@ class SimRobot:
         charging = at_charger and self.current_order_id == -1
         rate = CHARGE if charging else -DRAIN if self._driving else -DRAIN_STANDING
         self.battery = min(100.0, max(0.0, self.battery + rate * STEP))
-
-    def _blocked(self) -> bool:
-        """Tell whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
-        if self.obstacle == 0.0:
-            if self._quiet or self.paused or not self._driving:
-                return False
-            self._obstacle_in -= STEP
-            if self._obstacle_in > 0.0:
-                return False
-            self._obstacle_in, self._obstacle_for = self._rng.uniform(60.0, 90.0), self._rng.uniform(2.0, 8.0)
-        self.obstacle += STEP
-        if self.obstacle > self._obstacle_for:
-            self.obstacle = 0.0
-        return self.obstacle > 0.0
 
 
 def _wait(seconds: float) -> Work:

@@ -54,9 +54,10 @@ class RowsPane(InkView, can_focus=True):
         KEYS[id_].action(self)
 
     def move(self, step: int) -> None:
-        """Move the cursor up or down."""
+        """Move the cursor up or down, and report it."""
         if self.listing.move(step):
-            self._report_cursor()
+            self.post_message(RowPicked(self.id or "", self.listing.cursor))
+            self.draw()
 
     def slide(self, step: int) -> None:
         """Slide long rows to the left or right."""
@@ -68,18 +69,14 @@ class RowsPane(InkView, can_focus=True):
         if self.listing.cursor is not None:
             self._choose(self.listing.cursor)
 
-    def _report_cursor(self) -> None:
-        self.post_message(RowPicked(self.id or "", self.listing.cursor))
-        self.draw()
-
     def on_click(self, event: events.Click) -> None:
         """Press a button where one is, else mark the row; a second click opens its menu."""
         event.stop()
-        if event.y and not self.listing.row_at(event.y):
+        if event.y and not self.listing.shows_row(event.y):
             return
-        button = self.listing.button_at(event.x, event.y)
         if event.y:
-            self._report_cursor()
+            self.move(self.listing.steps_to(event.y))
+        button = self.listing.button_at(event.x, event.y)
         if button:
             self.post_message(ButtonPressed(self.id or "", button, self.listing.cursor if event.y else None))
         elif event.y and event.chain == 2:

@@ -5,7 +5,7 @@ import pytest
 from textual.widgets import Input
 
 from fleet_tui.model.link import Phase
-from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console

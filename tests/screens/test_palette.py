@@ -6,7 +6,7 @@ from fleet_tui.model.events import BatteryReported, QueueReported
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.model.problem import Permissions
 from fleet_tui.screens.confirm import Confirm
-from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console

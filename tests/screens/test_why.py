@@ -4,7 +4,7 @@ import msgspec
 import pytest
 
 from fleet_tui.screens.confirm import Confirm
-from fleet_tui.screens.order_form import OrderForm
+from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.why import Why
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console

@@ -2,11 +2,10 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import assert_never
 
 import msgspec
 
-from fleet_tui.adapters.adapter import Feed, Outgoing, Site
+from fleet_tui.adapters.adapter import Feed, Site
 from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.move_base import reading
 from fleet_tui.adapters.move_base.goals import cancel, cancel_all, cancel_own, order
@@ -16,26 +15,19 @@ from fleet_tui.adapters.move_base.vocabulary import VOCABULARY
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros_navigation import feeds
-from fleet_tui.adapters.ros_navigation.base import NavigationAdapter
+from fleet_tui.adapters.ros_navigation.base import GoalMessages, NavigationAdapter
 from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model import commands
 from fleet_tui.model.kind import Kind
-from fleet_tui.model.robot import Robot
+
+GOALS = GoalMessages(order, cancel, cancel_own, cancel_all)
 
 
 class MoveBase(NavigationAdapter):
     """Robots that drive one goal at a time, which is published; they list the state of each."""
 
     def __init__(self, profile: Profile, site: Site) -> None:
-        super().__init__("move_base", VOCABULARY, profile, site, MoveBaseSettings)
+        super().__init__("move_base", VOCABULARY, profile, site, MoveBaseSettings, GOALS)
         self.readers = {
             **self.readers,
             "status": reading.read_status(self.names),
@@ -76,28 +68,9 @@ class MoveBase(NavigationAdapter):
         """Return what decides whether such a robot can be driven."""
         return probes(self.names, robot)
 
-    def outgoing(
-        self, command: Command, command_id: int, robot: Robot, unique: str = ""
-    ) -> Sequence[Outgoing]:
-        """Return what carries a command, in the order in which it must leave. Raises CommandError for one
-        that must not; nothing for one that this console carries out itself."""
-        match command:
-            case PlaceOrder(_, stops):
-                return (order(self.names, robot, stops, unique),)
-            case CancelOrder(_, order_id):
-                return cancel(self.names, robot, order_id)
-            case ClearOrders():
-                return cancel_own(self.names, robot)
-            case PauseRobot():
-                return self.pauses.switch("pause", robot.name) or cancel_all(self.names, robot)
-            case ResumeRobot():
-                return self.pauses.switch("resume", robot.name)
-            case _:
-                assert_never(command)
-
     def outcome(
-        self, command: Command, values: object, result: bool, status: int | None = None
-    ) -> tuple[Stage, str]:
+        self, command: commands.Command, values: object, result: bool, status: int | None = None
+    ) -> tuple[commands.Stage, str]:
         """Return what the answer of a service that pauses or resumes means; nothing else is answered."""
         return judge(command, values, result, ())
 

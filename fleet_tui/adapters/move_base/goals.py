@@ -19,7 +19,7 @@ ALL = ""
 """The id of all goals."""
 
 
-def order(names: Names, robot: Robot, stops: Sequence[Stop], unique: str) -> Publication:
+def order(names: Names, robot: Robot, stops: Sequence[Stop], unique: str) -> tuple[Publication]:
     """Return the goal that leads to a stop, under a name of its own. Raises CommandError."""
     if len(stops) != 1:
         raise CommandError("a goal of move_base leads to one stop")
@@ -33,7 +33,7 @@ def order(names: Names, robot: Robot, stops: Sequence[Stop], unique: str) -> Pub
         "goal_id": {"stamp": NO_STAMP, "id": name},
         "goal": {"target_pose": {**stamped(pose), "header": {"stamp": NO_STAMP, "frame_id": "map"}}},
     }
-    return Publication(topic, names.type("goal"), message, name)
+    return (Publication(topic, names.type("goal"), message, name),)
 
 
 def cancel(names: Names, robot: Robot, order_id: str) -> list[Publication]:

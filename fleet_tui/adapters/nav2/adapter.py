@@ -2,31 +2,21 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import assert_never
 
-from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
+from fleet_tui.adapters.adapter import Feed, ServiceCall, Site
 from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.nav2 import reading
 from fleet_tui.adapters.nav2.answers import judge_cancel, judge_goal
-from fleet_tui.adapters.nav2.goals import cancel_all, cancel_call, cancel_own, order_goal, unknown_goals
+from fleet_tui.adapters.nav2.goals import cancel, cancel_all, cancel_own, order, unknown_goals
 from fleet_tui.adapters.nav2.probes import probes
 from fleet_tui.adapters.nav2.settings import Nav2Settings
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros_navigation import feeds
-from fleet_tui.adapters.ros_navigation.base import NavigationAdapter
+from fleet_tui.adapters.ros_navigation.base import GoalMessages, NavigationAdapter
 from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
-from fleet_tui.model import events, navigation_events
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model import commands, events, navigation_events
 from fleet_tui.model.robot import Robot
 
 REPORTS = ("blocked", "map", "queue", "progress")
@@ -39,12 +29,14 @@ FEEDBACK_TYPES = {
     "navigate_to_pose": "nav2_msgs/action/NavigateToPose_FeedbackMessage",
 }
 
+GOALS = GoalMessages(order, cancel, cancel_own, cancel_all)
+
 
 class Nav2(NavigationAdapter):
     """Robots that drive one goal at a time, and give each goal's state to all clients."""
 
     def __init__(self, profile: Profile, site: Site) -> None:
-        super().__init__("nav2", VOCABULARY, profile, site, Nav2Settings)
+        super().__init__("nav2", VOCABULARY, profile, site, Nav2Settings, GOALS)
         self.readers = {
             **self.readers,
             "blocked": reading.read_blocked(self.names),
@@ -82,28 +74,9 @@ class Nav2(NavigationAdapter):
         """Return what decides whether such a robot can be driven."""
         return probes(self.names, robot)
 
-    def outgoing(
-        self, command: Command, command_id: int, robot: Robot, unique: str = ""
-    ) -> Sequence[Outgoing]:
-        """Return what carries a command, in the order in which it must leave. Raises CommandError for one
-        that must not; nothing for one that this console carries out itself."""
-        match command:
-            case PlaceOrder(_, stops):
-                return (order_goal(self.names, robot, stops),)
-            case CancelOrder(_, order_id):
-                return (cancel_call(self.names, robot, order_id),)
-            case ClearOrders():
-                return cancel_own(self.names, robot)
-            case PauseRobot():
-                return self.pauses.switch("pause", robot.name) or cancel_all(self.names, robot)
-            case ResumeRobot():
-                return self.pauses.switch("resume", robot.name)
-            case _:
-                assert_never(command)
-
     def outcome(
-        self, command: Command, values: object, result: bool, status: int | None = None
-    ) -> tuple[Stage, str]:
+        self, command: commands.Command, values: object, result: bool, status: int | None = None
+    ) -> tuple[commands.Stage, str]:
         """Return what an answer means for a command; `status` is that of a goal."""
         if status is not None:
             return judge_goal(values, status, result)

@@ -20,7 +20,7 @@ NO_ERROR, UNKNOWN_GOAL = 0, 2
 """Return codes of a cancellation. One of all goals finds no error where there is none."""
 
 
-def order_goal(names: Names, robot: Robot, stops: Sequence[Stop]) -> ActionGoal:
+def order(names: Names, robot: Robot, stops: Sequence[Stop], _unique: str) -> tuple[ActionGoal]:
     """Return the goal that leads to the stops one after the other. Raises CommandError."""
     poses, here = list[Pose](), robot.pose.value if robot.pose else None
     if not stops:
@@ -30,27 +30,24 @@ def order_goal(names: Names, robot: Robot, stops: Sequence[Stop]) -> ActionGoal:
         poses.append(here)
     if len(poses) == 1:
         args: dict[str, object] = {"pose": stamped(poses[0]), "behavior_tree": ""}
-        return ActionGoal(
-            _action(names, "navigate_to_pose", robot), names.action_type("navigate_to_pose"), args
-        )
-    args = {"poses": [stamped(pose) for pose in poses]}
-    return ActionGoal(_action(names, "follow_waypoints", robot), names.action_type("follow_waypoints"), args)
+        return (_goal(names, "navigate_to_pose", robot, args),)
+    return (_goal(names, "follow_waypoints", robot, {"poses": [stamped(pose) for pose in poses]}),)
 
 
-def _action(names: Names, key: str, robot: Robot) -> str:
+def _goal(names: Names, key: str, robot: Robot, args: Mapping[str, object]) -> ActionGoal:
     name = names.action(key, robot.name)
     if not name:
         raise CommandError(f"this robot has no {key}: [{names.table}.actions] {key} is empty")
-    return name
+    return ActionGoal(name, names.action_type(key), args)
 
 
-def cancel_call(names: Names, robot: Robot, order_id: str) -> ServiceCall:
+def cancel(names: Names, robot: Robot, order_id: str) -> tuple[ServiceCall]:
     """Return the call that cancels one goal, whoever gave it. Raises CommandError for an unknown one."""
     found = [goal for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
         known = f"{len(found)} goals begin with {order_id}" if found else f"no goal {order_id} is known"
         raise CommandError(f"{known}: see the queue of {robot.name}")
-    return _cancel(names, robot, found[0].action, found[0].uuid)
+    return (_cancel(names, robot, found[0].action, found[0].uuid),)
 
 
 def cancel_own(names: Names, robot: Robot) -> list[ServiceCall]:

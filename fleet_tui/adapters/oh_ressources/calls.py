@@ -8,20 +8,13 @@ from fleet_tui.adapters.adapter import ServiceCall
 from fleet_tui.adapters.ros.fields import put
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.errors import CommandError
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-)
+from fleet_tui.model import commands
 from fleet_tui.model.order import Stop
 
 INT32_MAX = 2**31 - 1
 
 
-def call_of(names: Names, command: Command, request_id: int) -> ServiceCall:
+def call_of(names: Names, command: commands.Command, request_id: int) -> ServiceCall:
     """The service call of a command. Raises CommandError for one that must not leave."""
     args: dict[str, object]
 
@@ -29,25 +22,25 @@ def call_of(names: Names, command: Command, request_id: int) -> ServiceCall:
         return ServiceCall(names.service(key, command.robot), names.service_type(key), given)
 
     match command:
-        case PlaceOrder(robot, (end,)):
+        case commands.PlaceOrder(robot, (end,)):
             args = {"request_id": request_id, "agent": robot, "end_point": _vertex(end)}
             return call("order_with_cargo", _named(names, "cargo_call", args))
-        case PlaceOrder(_, (start, end)):
+        case commands.PlaceOrder(_, (start, end)):
             args = {"request_id": request_id, "initial_point": _vertex(start), "end_point": _vertex(end)}
             return call("order", _named(names, "order_call", args))
-        case PlaceOrder(_, stops):
+        case commands.PlaceOrder(_, stops):
             raise CommandError(f"an order of these robots has one stop or two, not {len(stops)}")
-        case CancelOrder(robot, order_id):
+        case commands.CancelOrder(robot, order_id):
             number = _int32(order_id, "order id")
             if number <= 0:
                 raise CommandError(f"order id {number} means all orders to the robot: use clear for that")
             args = {"robot": robot, "ind": number}
             return call("cancel", _named(names, "cancel_call", args))
-        case ClearOrders(robot):
+        case commands.ClearOrders(robot):
             return call("clear", _named(names, "cancel_call", {"robot": robot, "ind": 0}))
-        case PauseRobot():
+        case commands.PauseRobot():
             return call("pause", {})
-        case ResumeRobot():
+        case commands.ResumeRobot():
             return call("resume", {})
         case _:
             assert_never(command)

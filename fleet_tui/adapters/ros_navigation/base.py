@@ -1,27 +1,48 @@
 """The part of an adapter that both navigation stacks have in common."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import NamedTuple, assert_never
 
 import msgspec
 
-from fleet_tui.adapters.adapter import Feed, ServiceCall, Site
+from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.facts import read_map
 from fleet_tui.adapters.ros.names import Names, Vocabulary
 from fleet_tui.adapters.ros_navigation.kinds import READERS
 from fleet_tui.adapters.ros_navigation.pauses import Pauses, PauseSettings
 from fleet_tui.adapters.ros_navigation.reading import Read
-from fleet_tui.model import events
+from fleet_tui.model import commands, events
+from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
+
+
+class GoalMessages(NamedTuple):
+    """What carries orders and cancellations, in the order in which it must leave. Each raises CommandError
+    for one that must not leave."""
+
+    order: Callable[[Names, Robot, Sequence[Stop], str], Sequence[Outgoing]]
+    """The last argument is a name that no other goal has."""
+    cancel: Callable[[Names, Robot, str], Sequence[Outgoing]]
+    cancel_own: Callable[[Names, Robot], Sequence[Outgoing]]
+    """Of the goals of this console."""
+    cancel_all: Callable[[Names, Robot], Sequence[Outgoing]]
 
 
 class NavigationAdapter:
     """Names, pauses and readers of robots that drive one goal at a time."""
 
     def __init__(
-        self, kind: str, vocabulary: Vocabulary, profile: Profile, site: Site, settings: type[PauseSettings]
+        self,
+        kind: str,
+        vocabulary: Vocabulary,
+        profile: Profile,
+        site: Site,
+        settings: type[PauseSettings],
+        goals: GoalMessages,
     ) -> None:
         """`kind` is the name of the profile's table of `settings`."""
+        self._goals = goals
         self.names = Names(vocabulary, profile, site.table)
         self.site = site
         self.pauses = Pauses(self.names, msgspec.convert(profile.settings.get(kind, {}), settings))
@@ -41,6 +62,25 @@ class NavigationAdapter:
     def publications(self, robot: str) -> Iterable[tuple[str, str]]:
         """Return the topic of a lock, if pauses go over one."""
         return self.pauses.publications(robot)
+
+    def outgoing(
+        self, command: commands.Command, command_id: int, robot: Robot, unique: str = ""
+    ) -> Sequence[Outgoing]:
+        """Return what carries a command, in the order in which it must leave. Raises CommandError for one
+        that must not; nothing for one that this console carries out itself."""
+        match command:
+            case commands.PlaceOrder(_, stops):
+                return self._goals.order(self.names, robot, stops, unique)
+            case commands.CancelOrder(_, order_id):
+                return self._goals.cancel(self.names, robot, order_id)
+            case commands.ClearOrders():
+                return self._goals.cancel_own(self.names, robot)
+            case commands.PauseRobot():
+                return self.pauses.switch("pause", robot.name) or self._goals.cancel_all(self.names, robot)
+            case commands.ResumeRobot():
+                return self.pauses.switch("resume", robot.name)
+            case _:
+                assert_never(command)
 
     def learned(
         self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float

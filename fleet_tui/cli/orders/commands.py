@@ -2,8 +2,9 @@
 
 import sys
 from collections.abc import Callable, Sequence
+from functools import wraps
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import click
 
@@ -21,8 +22,37 @@ def orders() -> None:
     """Holds the commands; the command line shows them as its own."""
 
 
-def _asked(command: F) -> F:
-    """Return what every command here can be told."""
+class OrderOptions(NamedTuple):
+    """The options of every command here."""
+
+    config_file: str | None
+    url: str | None
+    debug: bool
+    as_json: bool
+    yes: bool
+    timeout: float | None
+
+    def start(self) -> Config:
+        """Load the configuration, and log to the file."""
+        from fleet_tui.cli.chosen import chosen_to_command
+        from fleet_tui.log_file import log_to_file
+
+        log_to_file(self.debug)
+        return chosen_to_command(self.config_file, self.url)
+
+
+def _takes_options(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the options of all of them as one argument, `options`."""
+
+    @wraps(command)
+    def run_with_options(**given: Any) -> None:
+        options = OrderOptions(**{name: given.pop(name) for name in OrderOptions._fields})
+        command(**given, options=options)
+
+    return _options(fleet(merged(run_with_options)))
+
+
+def _options(command: F) -> F:
     limits = click.FloatRange(0.1, 86400)
     text = "Seconds to wait at most: 15, with --until-done 3600."
     command = click.option("--timeout", type=limits, help=text)(command)
@@ -30,64 +60,43 @@ def _asked(command: F) -> F:
     return click.option("--json", "as_json", is_flag=True, help="As JSON: docs/commands.md.")(command)
 
 
-def _start(config_file: str | None, url: str | None, debug: bool) -> Config:
-    from fleet_tui.cli.chosen import chosen_to_command
-    from fleet_tui.log_file import log_to_file
-
-    log_to_file(debug)
-    return chosen_to_command(config_file, url)
-
-
-def _give(
-    words: Sequence[str],
-    config_file: str | None,
-    url: str | None,
-    debug: bool,
-    as_json: bool,
-    yes: bool,
-    timeout: float | None,
-    until_done: bool = False,
-) -> None:
+def _give(words: Sequence[str], options: OrderOptions, until_done: bool = False) -> None:
     from fleet_tui.cli.orders.giving import command, how
 
-    config = _start(config_file, url, debug)
-    seconds = timeout or (DRIVE_TIMEOUT if until_done else TIMEOUT)
-    sys.exit(command(config, words, how(config, seconds, yes, until_done), as_json, click.echo))
+    config = options.start()
+    seconds = options.timeout or (DRIVE_TIMEOUT if until_done else TIMEOUT)
+    sys.exit(
+        command(config, words, how(config, seconds, options.yes, until_done), options.as_json, click.echo)
+    )
 
 
 @orders.command()
 @click.argument("robot")
 @click.argument("places", nargs=-1, required=True, metavar="FROM TO [TO ...]")
 @click.option("--until-done", is_flag=True, help="Wait until it is driven, not only in the queue.")
-@_asked
-@fleet
-@merged
-def order(robot: str, places: tuple[str, ...], **options: Any) -> None:
+@_takes_options
+def order(robot: str, places: tuple[str, ...], until_done: bool, options: OrderOptions) -> None:
     """Place an order: A B is A -> B, TO alone is where the robot goes from where it is. A B C is A -> B and B
     -> C, or one order with three stops where the robot takes such. Places are labels or vertex ids (id=7 is
     always the id). Done when it is in the queue."""
-    _give(["order", robot, *places], **options)
+    _give(["order", robot, *places], options, until_done)
 
 
 @orders.command()
 @click.argument("robot")
 @click.argument("id", metavar="ID")
-@_asked
-@fleet
-@merged
-def cancel(robot: str, id: str, **options: Any) -> None:
+@_takes_options
+def cancel(robot: str, id: str, options: OrderOptions) -> None:
     """Cancel one order of a robot."""
-    _give(["cancel", robot, id], **options)
+    _give(["cancel", robot, id], options)
 
 
 @orders.command()
 @click.argument("robot")
-@_asked
-@fleet
-@merged
-def clear(robot: str, **options: Any) -> None:
+@_takes_options
+def clear(robot: str, options: OrderOptions) -> None:
     """Clear all orders of a robot."""
-    _give(["clear", robot], **options)
+    _give(["clear", robot], options)
 
 
 def _which(robot: str | None, every: bool) -> str:
@@ -104,54 +113,36 @@ def _fleet(command: F) -> F:
 
 @orders.command()
 @_fleet
-@_asked
-@fleet
-@merged
-def pause(
-    robot: str | None,
-    every: bool,
-    config_file: str | None,
-    url: str | None,
-    debug: bool,
-    as_json: bool,
-    yes: bool,
-    timeout: float | None,
-) -> None:
+@_takes_options
+def pause(robot: str | None, every: bool, options: OrderOptions) -> None:
     """Pause a robot, or with --all every one, at once. Not a safety device."""
     from fleet_tui.cli.orders.giving import how
     from fleet_tui.cli.orders.giving import pause as run
 
-    name, config = _which(robot, every), _start(config_file, url, debug)
-    sys.exit(run(config, name, how(config, timeout or TIMEOUT, yes), as_json, click.echo))
+    name, config = _which(robot, every), options.start()
+    sys.exit(
+        run(config, name, how(config, options.timeout or TIMEOUT, options.yes), options.as_json, click.echo)
+    )
 
 
 @orders.command()
 @_fleet
-@_asked
-@fleet
-@merged
-def resume(robot: str | None, every: bool, **options: Any) -> None:
+@_takes_options
+def resume(robot: str | None, every: bool, options: OrderOptions) -> None:
     """Resume a robot, or with --all every one."""
-    _give(["resume", _which(robot, every)], **options)
+    _give(["resume", _which(robot, every)], options)
 
 
 @orders.command()
 @click.argument("file", type=FileName(allow_dash=True))
 @click.option("--dry-run", is_flag=True, help="Say what would be sent, and send nothing.")
 @click.option("--keep-going", is_flag=True, help="Go on after a command that failed.")
-@_asked
-@fleet
-@merged
+@_takes_options
 def run(
     file: str,
     dry_run: bool,
     keep_going: bool,
-    config_file: str | None,
-    url: str | None,
-    debug: bool,
-    as_json: bool,
-    yes: bool,
-    timeout: float | None,
+    options: OrderOptions,
 ) -> None:
     """Send the commands of FILE, one a line as in the console's palette (robot_0 Base > Store, cancel
     robot_0 12, pause all), each when the one before has ended; - is standard input, # begins a comment
@@ -159,9 +150,9 @@ def run(
     from fleet_tui.cli.orders.batch import lines_of, run_batch
     from fleet_tui.cli.orders.giving import how
 
-    config, lines = _start(config_file, url, debug), lines_of(_text(file))
-    asked = how(config, timeout or TIMEOUT, yes)
-    sys.exit(run_batch(config, lines, asked, dry_run, keep_going, as_json, click.echo))
+    config, lines = options.start(), lines_of(_text(file))
+    limits = how(config, options.timeout or TIMEOUT, options.yes)
+    sys.exit(run_batch(config, lines, limits, dry_run, keep_going, options.as_json, click.echo))
 
 
 def _text(file: str) -> str:

@@ -8,19 +8,8 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
+from fleet_tui.model import commands
 from fleet_tui.model.alarm import Condition, Key, Priority
-from fleet_tui.model.commands import (
-    FAILURES,
-    ORDER_ENDS,
-    CancelOrder,
-    ClearOrders,
-    Command,
-    CommandRecord,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-    Stage,
-)
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
@@ -28,27 +17,30 @@ from fleet_tui.rules.commands.batches import batches
 
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""
-_OVER = {stage: f"was {stage.value}" for stage in FAILURES & (ORDER_ENDS | {Stage.LATE}) - {Stage.FAILED}}
+_OVER = {
+    stage: f"was {stage.value}"
+    for stage in commands.FAILURES & (commands.ORDER_ENDS | {commands.Stage.LATE}) - {commands.Stage.FAILED}
+}
 MANY = 5
 """Failed commands to so many robots that were given together are one alarm."""
 
 
-def has_failed(record: CommandRecord) -> bool:
+def has_failed(record: commands.CommandRecord) -> bool:
     """Tell whether a command that left this console needs a person: it failed, or went on unexpectedly."""
-    return record.stage in FAILURES and record.stage is not Stage.NOT_SENT
+    return record.stage in commands.FAILURES and record.stage is not commands.Stage.NOT_SENT
 
 
-def _wish(robot: Robot, command: Command) -> str:
+def _wish(robot: Robot, command: commands.Command) -> str:
     match command:
-        case PlaceOrder(_, stops):
+        case commands.PlaceOrder(_, stops):
             return command.text(robot.kind, route_text(stops, lambda vertex: robot.name_of(vertex) or vertex))
-        case CancelOrder(_, order_id):
+        case commands.CancelOrder(_, order_id):
             return f"cancel order {order_id}"
-        case ClearOrders():
+        case commands.ClearOrders():
             return "clear all orders"
-        case PauseRobot():
+        case commands.PauseRobot():
             return "pause"
-        case ResumeRobot():
+        case commands.ResumeRobot():
             return "resume"
         case _:
             assert_never(command)
@@ -61,7 +53,7 @@ def failed_commands(state: FleetState) -> Iterator[Condition]:
     if not fresh:
         return
     given = {record.id: len(batch) for batch in batches(state.commands) for record in batch}
-    failed: dict[Key, list[CommandRecord]] = defaultdict(list)
+    failed: dict[Key, list[commands.CommandRecord]] = defaultdict(list)
     for record in fresh:
         robot = state.robots.get(record.command.robot)
         if robot is not None:
@@ -71,13 +63,13 @@ def failed_commands(state: FleetState) -> Iterator[Condition]:
         yield _failed(state, key, records)
 
 
-def _failed(state: FleetState, key: Key, records: Sequence[CommandRecord]) -> Condition:
+def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecord]) -> Condition:
     last = records[-1]
     wish = _wish(state.robots[last.command.robot], last.command)
     robots = len({record.command.robot for record in records})
     if robots > 1:
         wish += f" of {robots} robots"
-    high = any(isinstance(record.command, PauseRobot) for record in records)
+    high = any(isinstance(record.command, commands.PauseRobot) for record in records)
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,

@@ -6,14 +6,7 @@ from itertools import pairwise
 from typing import assert_never
 
 from fleet_tui.errors import did_you_mean
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-)
+from fleet_tui.model import commands
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import vertices_of
@@ -25,25 +18,25 @@ def _name(robot: Robot, vertex: str) -> str:
     return robot.name_of(vertex) or vertex
 
 
-def ends_of(command: Command) -> tuple[str, ...]:
+def ends_of(command: commands.Command) -> tuple[str, ...]:
     """The vertices that an order names."""
     match command:
-        case PlaceOrder(_, stops):
+        case commands.PlaceOrder(_, stops):
             return vertices_of(stops)
-        case CancelOrder() | ClearOrders() | PauseRobot() | ResumeRobot():
+        case commands.CancelOrder() | commands.ClearOrders() | commands.PauseRobot() | commands.ResumeRobot():
             return ()
         case _:
             assert_never(command)
 
 
-def _legs(command: Command) -> Iterator[tuple[str, str]]:
+def _legs(command: commands.Command) -> Iterator[tuple[str, str]]:
     """The vertices of an order that follow each other."""
-    for one, other in pairwise(command.stops if isinstance(command, PlaceOrder) else ()):
+    for one, other in pairwise(command.stops if isinstance(command, commands.PlaceOrder) else ()):
         if one.pose is None and other.pose is None:
             yield one.vertex, other.vertex
 
 
-def unknown_vertex(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+def unknown_vertex(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
     """The robot's graphs have the vertices. A graph that has not come proves nothing."""
     missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
     for vertex in ends_of(command):
@@ -61,7 +54,7 @@ def unknown_vertex(state: FleetState, robot: Robot, command: Command) -> Iterato
             yield Problem("unknown vertex", text)
 
 
-def same_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+def same_place(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
     """Check that start and end differ."""
     for start, end in _legs(command):
         if start == end:
@@ -95,7 +88,7 @@ def _lack_lifts(robot: Robot, floors: Iterable[str]) -> bool:
     return any(not _lifts(_graphs(robot)[floor]) for floor in floors)
 
 
-def no_path(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+def no_path(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
     """The graph leads from one to the other."""
     if not robot.knows_all_graphs():
         return
@@ -107,7 +100,7 @@ def no_path(state: FleetState, robot: Robot, command: Command) -> Iterator[Probl
             yield Problem("no path", f"{robot.name} knows no path from {names}")
 
 
-def no_way_there(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+def no_way_there(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
     """The graph leads from where the robot is to where the order begins."""
     graphs, floor = _graphs(robot), robot.floor or ""
     here = graphs.get(floor)
@@ -123,7 +116,7 @@ def no_way_there(state: FleetState, robot: Robot, command: Command) -> Iterator[
             yield Problem("no path", text, blocks=False)
 
 
-def floor_mismatch(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+def floor_mismatch(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
     """The robot and both places are on one floor, or an elevator is known. A floor that is not known
     proves nothing."""
     stops = [(robot.name, {floor for floor in _graphs(robot) if floor == robot.floor})]

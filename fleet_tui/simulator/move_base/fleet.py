@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from itertools import chain
 from typing import Any
 
 from fleet_tui.simulator.fleets import Line
@@ -34,8 +35,7 @@ class MoveBaseFleet(MoveBaseWorld):
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
         """Every topic; the maps were loaded at this wall time."""
         yield from map_topics(self.building, self.robots, loaded_at, dialect)
-        for navigation in self.navigation.values():
-            yield from steady_topics(navigation, dialect)
+        yield from chain.from_iterable(steady_topics(each, dialect) for each in self.navigation.values())
         yield from self._news.topics(dialect)
 
     def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property, partial
+from itertools import chain
 from typing import Any
 
 from fleet_tui.simulator.fleets import Line
@@ -53,8 +54,7 @@ class Nav2Fleet(Nav2World):
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
         """Every topic; the maps were loaded at this wall time."""
         yield from map_topics(self.building, self.robots, loaded_at, dialect)
-        for navigation in self.navigation.values():
-            yield from steady_topics(navigation, dialect)
+        yield from chain.from_iterable(steady_topics(each, dialect) for each in self.navigation.values())
         yield from self._news.topics(dialect)
 
     def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.navigating.paths import NoPathError, Spot, length, plan
-from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN
+from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN, Obstructed
 from fleet_tui.simulator.warehouse import SimFloor
 
 SLIP, SKID = 1.01, 1.004  # what the wheels count for a metre, for a radian
@@ -19,7 +19,7 @@ Failure = tuple[int, str]
 """Nav2's error code and words."""
 
 
-class NavigatingRobot:
+class NavigatingRobot(Obstructed):
     """A robot without a queue. `quiet` turns off obstacles of its own. Its attributes may be changed."""
 
     percent = 0.01
@@ -31,8 +31,6 @@ class NavigatingRobot:
     moved, turned = 0.25, 0.2
     """Metres and radians after which its localisation tells the pose."""
     docked = False
-    obstacle = 0.0
-    """Seconds in front of an obstacle, 0 = none."""
     silence = 0.0
     """Seconds for which nothing of it is published."""
     stuck = False
@@ -58,7 +56,7 @@ class NavigatingRobot:
         self.failure: Failure | None = None
         """Why it gave up its last drive."""
         self._stood = 0.0
-        self._obstacle_in, self._obstacle_for = rng.uniform(25.0, 90.0), 0.0
+        self._obstacle_in = rng.uniform(25.0, 90.0)
         self._work: Iterator[None] = iter(())
 
     @property
@@ -92,20 +90,16 @@ class NavigatingRobot:
         """Make its localisation unsure, and wrong by as much."""
         self.variance = LOST
 
-    def block(self) -> None:
-        """Put an obstacle before it that stays."""
-        self.obstacle, self._obstacle_for = STEP, math.inf
-
     def step(self) -> None:
         """Live on for STEP seconds."""
         self.silence = max(0.0, self.silence - STEP)
         before = self.pose
         if self.driving:
-            held = self._blocked() or self.stuck
+            held = self._blocked(self.moving and not self._quiet) or self.stuck
             if not held:
                 next(self._work, None)
         elif self.obstacle:
-            self._blocked()
+            self._blocked(self.moving and not self._quiet)
         self.moving = self.driving and self.pose != before
         self._watch_progress()
         self._count_wheels(before)
@@ -171,17 +165,3 @@ class NavigatingRobot:
         y = self.odom.y + SLIP * (dx * math.sin(turn) + dy * math.cos(turn))
         turned = SKID * math.remainder(self.pose.yaw - before.yaw, math.tau)
         self.odom = Pose(x, y, math.remainder(self.odom.yaw + turned, math.tau))
-
-    def _blocked(self) -> bool:
-        """Tell whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
-        if self.obstacle == 0.0:
-            if self._quiet or not self.moving:
-                return False
-            self._obstacle_in -= STEP
-            if self._obstacle_in > 0.0:
-                return False
-            self._obstacle_in, self._obstacle_for = self._rng.uniform(60.0, 90.0), self._rng.uniform(2.0, 8.0)
-        self.obstacle += STEP
-        if self.obstacle > self._obstacle_for:
-            self.obstacle = 0.0
-        return self.obstacle > 0.0

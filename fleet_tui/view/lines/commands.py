@@ -3,17 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
-from fleet_tui.model.commands import (
-    FAILURES,
-    CancelOrder,
-    ClearOrders,
-    Command,
-    CommandRecord,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model import commands
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
 from fleet_tui.text.durations import age
@@ -29,52 +19,61 @@ REMEMBERED = 30.0
 # Seconds for which the end of an order that ended well does.
 ENDED_WELL = 5.0
 
-TROUBLE = FAILURES | {Stage.NO_ANSWER, Stage.UNKNOWN}
+TROUBLE = commands.FAILURES | {commands.Stage.NO_ANSWER, commands.Stage.UNKNOWN}
 _INKS = dict.fromkeys(
-    (Stage.CONFIRMED, Stage.ACCEPTED, Stage.TAKEN, Stage.DONE, Stage.CANCELLED), StyleRole.GOOD
+    (
+        commands.Stage.CONFIRMED,
+        commands.Stage.ACCEPTED,
+        commands.Stage.TAKEN,
+        commands.Stage.DONE,
+        commands.Stage.CANCELLED,
+    ),
+    StyleRole.GOOD,
 )
 
 
-def command_text(state: FleetState, command: Command) -> str:
+def command_text(state: FleetState, command: commands.Command) -> str:
     """A command in the words of the operator."""
     robot = state.robots[command.robot]
     match command:
-        case PlaceOrder(name, stops):
+        case commands.PlaceOrder(name, stops):
             return f"{name} {command.text(robot.kind, way(robot, stops))}"
-        case CancelOrder(name, order_id):
+        case commands.CancelOrder(name, order_id):
             return f"{name} cancel order {sanitize(order_id)}"
-        case ClearOrders(name):
+        case commands.ClearOrders(name):
             return f"{name} clear all orders"
-        case PauseRobot(name):
+        case commands.PauseRobot(name):
             return f"{name} pause"
-        case ResumeRobot(name):
+        case commands.ResumeRobot(name):
             return f"{name} resume"
         case _:
             assert_never(command)
 
 
-def stage_text(record: CommandRecord, now: float) -> str:
+def stage_text(record: commands.CommandRecord, now: float) -> str:
     """Return where a command stands, as it is written everywhere."""
-    if record.stage in (Stage.SENT, Stage.ACCEPTED):
+    if record.stage in (commands.Stage.SENT, commands.Stage.ACCEPTED):
         return f"{record.stage.value} {age(now - record.at)} ago"
-    return "sending" if record.stage is Stage.CHECKED else str(record.stage.value)
+    return "sending" if record.stage is commands.Stage.CHECKED else str(record.stage.value)
 
 
-def _group_runs(state: FleetState, records: list[CommandRecord], brief: bool = False) -> tuple[Run, ...]:
+def _group_runs(
+    state: FleetState, records: list[commands.CommandRecord], brief: bool = False
+) -> tuple[Run, ...]:
     """Commands of one kind at one stage, as one: pause all of a large fleet is one line."""
     first = records[0]
     text = command_text(state, first.command)
-    if brief and isinstance(first.command, PlaceOrder):
+    if brief and isinstance(first.command, commands.PlaceOrder):
         text = f"{first.command.robot} order"
     if len(records) > 1:
         text += f" and {len(records) - 1} more like it"
     ink = StyleRole.ALARM if first.stage in TROUBLE else _INKS.get(first.stage, StyleRole.DIM)
     # What a robot says on accepting ("paused") is true for that moment only.
-    words = "" if first.stage is Stage.ACCEPTED or not first.words else f" ({sanitize(first.words)})"
+    words = "" if first.stage is commands.Stage.ACCEPTED or not first.words else f" ({sanitize(first.words)})"
     return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", ink), (words, StyleRole.DIM)
 
 
-def _worth_saying(state: FleetState) -> list[CommandRecord]:
+def _worth_saying(state: FleetState) -> list[commands.CommandRecord]:
     """Return what was given last, what is under way, and what went wrong a short while ago."""
     last = state.commands[-1]
     return [
@@ -82,9 +81,12 @@ def _worth_saying(state: FleetState) -> list[CommandRecord]:
         for record in state.commands
         if last.issued_at - record.issued_at < TOGETHER
         # What waits here stands in the queue.
-        or not (record.is_decided or record.stage is Stage.WAITING)
+        or not (record.is_decided or record.stage is commands.Stage.WAITING)
         or (record.stage in TROUBLE and state.now - record.at < REMEMBERED)
-        or (record.stage in (Stage.DONE, Stage.CANCELLED) and state.now - record.at < ENDED_WELL)
+        or (
+            record.stage in (commands.Stage.DONE, commands.Stage.CANCELLED)
+            and state.now - record.at < ENDED_WELL
+        )
     ]
 
 
@@ -100,7 +102,7 @@ def _parts(state: FleetState) -> Iterator[tuple[bool, float, Part, Part]]:
                 worth.pop(record.id, None)
             part = _batch_runs(state, batch)
             yield not _is_trouble(batch), batch[-1].issued_at, part, part
-    groups: dict[object, list[CommandRecord]] = {}
+    groups: dict[object, list[commands.CommandRecord]] = {}
     for record in sorted(worth.values(), key=lambda record: -record.issued_at):
         group = (type(record.command), record.stage, record.words)
         groups.setdefault(group if len(worth) > FEW else record.id, []).append(record)
@@ -109,11 +111,11 @@ def _parts(state: FleetState) -> Iterator[tuple[bool, float, Part, Part]]:
         yield not _is_trouble(together), together[0].issued_at, _group_runs(state, together), brief
 
 
-def _is_trouble(records: Sequence[CommandRecord]) -> bool:
+def _is_trouble(records: Sequence[commands.CommandRecord]) -> bool:
     return any(record.stage in TROUBLE for record in records)
 
 
-def _batch_runs(state: FleetState, batch: Sequence[CommandRecord]) -> Part:
+def _batch_runs(state: FleetState, batch: Sequence[commands.CommandRecord]) -> Part:
     what, words = summary(state, batch)
     if _is_trouble(batch):
         ink = StyleRole.ALARM

@@ -69,12 +69,13 @@ class Listing:
         runs = [("─ ", StyleRole.RULE), *title, (" ", StyleRole.RULE)]
         return cut([*runs, ("─" * (width - width_of(runs)), StyleRole.RULE)], width)
 
-    def row_at(self, y: int) -> bool:
-        """Put the cursor on the row of line `y`; return False where there is none."""
-        place = self._top + y - 1
-        if not 0 <= place < len(self._table.rows) or y == 0:
-            return False
-        return self.move(place - self._place)
+    def shows_row(self, y: int) -> bool:
+        """Tell whether line `y` is that of a row."""
+        return y > 0 and self._top + y - 1 < len(self._table.rows)
+
+    def steps_to(self, y: int) -> int:
+        """Return how far the row of line `y` is from the cursor."""
+        return self._top + y - 1 - self._place
 
     def button_at(self, x: int, y: int) -> str:
         """Return the name of the button in cell (x, y), empty where there is none: in the title, or in the

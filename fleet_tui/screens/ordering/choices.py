@@ -41,6 +41,12 @@ def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Request:
     return Request(chain(robot.name, vertices, only_to, robot.kind.takes_stops), floors)
 
 
+def title(robot: Robot | None, has_start: bool) -> str:
+    """Return the title of the form."""
+    loaded = robot is not None and robot.has_cargo
+    return "Come here: cargo is on board" if loaded and not has_start else "Order"
+
+
 def wanted_now(robot: Robot, only_to: bool) -> str:
     """Return what a robot needs since its cargo or its orders changed."""
     alone = "carries cargo and has no orders now: only To" if robot.has_cargo else "takes only a To"

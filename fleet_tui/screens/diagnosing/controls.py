@@ -1,0 +1,105 @@
+"""Actions of the diagnostics screen: its page, and what is kept or copied of it."""
+
+import base64
+import os
+from collections.abc import Hashable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from fleet_tui.screens.diagnosing.pages import Page, Pages
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.diagnosing.overlay import Diagnostics
+
+
+def clipboard(text: str) -> str:
+    """Return the bytes that ask a terminal to put a text into its clipboard (OSC 52)."""
+    return f"\x1b]52;c;{base64.b64encode(text.encode(errors='replace')).decode()}\x07"
+
+
+class DiagnosticsControls:
+    """`current` is the page that is shown, `notice` the answer to the last key."""
+
+    def __init__(self, view: "Diagnostics", pages: Pages) -> None:
+        self._view, self._pages = view, pages
+        self.current = Page.LINK
+        self.notice = ""
+        self._cursors: dict[Page, Hashable] = {}
+        self._came_from_topics = False
+
+    def begin(self, robot: str) -> None:
+        """Show the page that was shown last; the first time a topic of `robot` is marked."""
+        if self._pages.topic is None:
+            self._pages.topic = self._cursors[Page.TOPICS] = self._pages.first_topic(robot)
+        self.page(self.current)
+
+    def page(self, number: int) -> None:
+        """Show a page, with the cursor where it was."""
+        self._cursors[self.current] = self._view.rows.listing.cursor
+        self.current, self.notice, self._came_from_topics = Page(number), "", False
+        self._view.rows.listing.cursor = self._cursors.get(self.current)
+        self._view.put_filter(self._pages.wanted.get(self.current, ""))
+        self._view.look()
+
+    def step_page(self, step: int) -> None:
+        """Show the next (1) or previous (-1) page."""
+        self.page((self.current - 1 + step) % len(Page) + 1)
+
+    def filter(self) -> None:
+        """Type what the rows must contain."""
+        self._view.open_filter()
+
+    def freeze(self) -> None:
+        """Keep the message or the log as it is, or go on."""
+        nothing = "only the message and the robots' log can be frozen"
+        self.notice = "" if self._pages.freeze(self.current) else nothing
+        self._view.look()
+
+    def copy(self, tries: int = 5) -> None:
+        """Copy to the clipboard of the terminal, wherever that runs. It may still be reading the last
+        picture."""
+        output = self._view.output
+        text, what = self._pages.copy(self.current, self._view.rows.listing.cursor, output.budget)
+        if not text:
+            self.notice = "nothing to copy"
+        elif output.call(clipboard(text)):
+            tmux = " (tmux: set -s set-clipboard on)" if "TMUX" in os.environ else ""
+            self.notice = f"sent to the clipboard: {what}{tmux}"
+        elif tries > 1:
+            self._view.set_timer(0.1, partial(self.copy, tries - 1))
+            return
+        else:
+            self.notice = "not copied: the terminal does not read now"
+        self._view.look()
+
+    def next_level(self) -> None:
+        """Show fewer levels of the robots' log, or all again."""
+        if self.current is Page.LOG:
+            self._pages.next_level()
+            self._view.look()
+
+    def show_bad(self) -> None:
+        """Show the last bad message of the topic, or the last one again."""
+        if self.current is Page.RAW:
+            self._pages.turn_bad()
+            self._view.look()
+
+    def leave(self) -> None:
+        """Go one level back: from a message to the topics, else out."""
+        if self.current is Page.RAW and self._came_from_topics:
+            self.page(Page.TOPICS)
+        else:
+            self._view.action_close()
+
+    def choose(self, key: Hashable) -> None:
+        """Look closer at a row."""
+        match self.current, key:
+            case Page.LINK, _:
+                self.page(Page.TOPICS)
+            case Page.TOPICS, (str(link), str(topic)):
+                self._pages.choose(link, topic)
+                self.page(Page.RAW)
+                self._came_from_topics = True
+            case Page.HEALTH, _:
+                self._pages.opened ^= {key}
+                self._view.look()

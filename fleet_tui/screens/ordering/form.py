@@ -1,0 +1,193 @@
+"""The order form: robot, from, to. Typing filters the labels, Enter goes on, the last Enter sends; `>`
+after a label adds a leg: A > B > C."""
+
+from collections.abc import Callable
+from functools import partial
+
+from textual import events, on
+from textual.app import ComposeResult
+from textual.widgets import Button, Input, Static
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.request import Request
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start
+from fleet_tui.screens.ordering.choices import (
+    Choices,
+    choices,
+    is_in_label,
+    line,
+    missing,
+    order,
+    title,
+    wanted_now,
+)
+from fleet_tui.screens.ordering.fields import OrderFields
+from fleet_tui.screens.ordering.legs import SIGN, Legs
+from fleet_tui.screens.overlay import MouseButton, Overlay
+from fleet_tui.widgets.matches import Matches
+
+
+class OrderForm(Overlay):
+    """`start` opens it for a robot. What is complete goes to `give`, which returns what is wrong with
+    it, and calls back when it was sent."""
+
+    def __init__(
+        self, state: Callable[[], FleetState], give: Callable[[Request, Callable[[], None]], str]
+    ) -> None:
+        super().__init__(id="order-form")
+        self._state = state
+        self._give = give
+        self._found: Choices = []
+        self._picked: Place | None = None
+        self._said_of: list[str] = []
+        self._matches = Matches(id="matches")
+        self._fields = OrderFields(
+            {
+                "enter": self._enter,
+                "greater_than_sign": self._add_leg,
+                "escape": self.action_close,
+                "tab": lambda: self._fields.step(1),
+                "shift+tab": lambda: self._fields.step(-1),
+                "up": partial(self._matches.step, -1),
+                "down": partial(self._matches.step, 1),
+            }
+        )
+
+    def compose(self) -> ComposeResult:
+        """Three fields, the matches of the one that is being filled, and what is missing."""
+        yield self._fields
+        yield self._matches
+        yield Static(id="missing", markup=False)
+        yield MouseButton("Enter  send", id="send", compact=True)
+
+    def _robot(self) -> Robot | None:
+        return self._state().robots.get(self._fields["robot"].value.strip())
+
+    def start(self, robot: str, picked: Place | None = None) -> None:
+        """Open with the robot chosen and the cursor in the first field to fill. A vertex `picked` on the map
+        is the start, or the end where the order needs no start."""
+        self._picked = picked
+        self._fields.clear(robot)
+        self._say("")
+        self._arrange()
+        self.open(self._fields.first_empty)
+        self._list()
+
+    def _forget_other_robot(self) -> None:
+        if robot := self._robot():
+            self._fields.choose_for(robot.name)
+
+    def _arrange(self) -> None:
+        """With cargo on board and no orders there is only a destination."""
+        has_start = (robot := self._robot()) is None or not destination_only(robot)
+        self._fields.show_start(has_start)
+        if self._picked is not None:
+            field = "from" if has_start and not may_skip_start(robot) else "to"
+            self._fields.take(field, self._picked)
+            self._picked = None
+        self.border_title = title(robot, has_start)
+
+    def _say(self, text: str, field: str = "") -> None:
+        """Say what is wrong, and go to the field where it is."""
+        self._said_of = self._fields.values
+        self.query_one("#missing", Static).update(text)
+        if field:
+            self.screen.set_focus(self._fields[field])
+
+    @on(events.DescendantFocus)
+    def _list(self) -> None:
+        """List the matches of the field with the cursor, the first one marked."""
+        if self.is_open:
+            field = self._fields.current
+            typed = self._fields[field].typed
+            self._found = choices(self._state(), self._robot(), field, typed, self._fields.chosen.get(field))
+            self._matches.show(map(line, self._found), mark=bool(typed.strip()))
+
+    @on(Input.Changed)
+    def filter(self, event: Input.Changed) -> None:
+        """Filter the matches by the typed text."""
+        event.stop()
+        field = event.input.id or ""
+        self._fields.drop_changed(field)
+        self._forget_other_robot()
+        if field == "robot":
+            self._arrange()
+        if self._fields.values != self._said_of:
+            self._say("")
+        self._list()
+
+    @on(Matches.OptionSelected, "#matches")
+    def click_match(self, event: Matches.OptionSelected) -> None:
+        """A match by mouse."""
+        event.stop()
+        if self.is_open and event.option_index < len(self._found):
+            self._take(self._fields.current, self._found[event.option_index])
+
+    @on(Button.Pressed, "#send")
+    def _enter(self) -> None:
+        """Take the marked match and go on; in the last field send."""
+        if (choice := self._choice()) is not None:
+            self._take(self._fields.current, choice)
+
+    def _add_leg(self) -> None:
+        """Take the marked match as one place of several, unless a label goes on with the sign."""
+        field = self._fields.current
+        box = self._fields[field]
+        if field == "robot" or is_in_label(self._robot(), box.typed + SIGN):
+            box.insert_text_at_cursor(SIGN)
+        elif field == "from":
+            self._enter()
+        elif isinstance(choice := self._choice(), Place):
+            box.put("", Legs((*box.legs.places, choice)))
+            self._list()
+
+    def _choice(self) -> Place | str | None:
+        """Return what Enter takes, None after saying why there is nothing."""
+        # What was typed last may not have been listed yet: look again before choosing.
+        field = self._fields.current
+        typed = self._fields[field].typed
+        found = choices(self._state(), self._robot(), field, typed, self._fields.chosen.get(field))
+        marked = self._matches.highlighted if found == self._found else None
+        self._found, typed = found, typed.strip()
+        if found and (typed or marked is not None):
+            return found[marked or 0]
+        if field == "from" and not typed and may_skip_start(self._robot()):
+            self._fields.step(1)
+            return None
+        self._say(f"{field.capitalize()}: nothing is called {typed!r}" if typed else missing(field))
+        return None
+
+    def _take(self, field: str, choice: Place | str) -> None:
+        """Fill the field and go on to the next one; after the last one send."""
+        if isinstance(choice, str):
+            self._fields[field].put(choice)
+            self._arrange()
+        else:
+            self._fields.take(field, choice)
+        if field == "to":
+            self._finish()
+        else:
+            self._fields.step(1)
+
+    def _finish(self) -> None:
+        """Send what is complete; name what is missing."""
+        robot = self._robot()
+        if robot is None:
+            self._say(f"Robot: nothing is called {self._fields['robot'].value.strip()!r}", "robot")
+            return
+        self._forget_other_robot()
+        only_to = destination_only(robot)
+        if only_to == self._fields["from"].display:
+            self._arrange()
+            self._say(wanted_now(robot, only_to), "to" if only_to else "from")
+            return
+        only_to = only_to or (may_skip_start(robot) and not self._fields["from"].value.strip())
+        for field in ("to",) if only_to else ("from", "to"):
+            if field not in self._fields.chosen:
+                self._say(missing(field, self._fields[field].typed), field)
+                return
+        first = [] if only_to else [self._fields.chosen["from"]]
+        visited = [*first, *self._fields["to"].legs.places, self._fields.chosen["to"]]
+        if problem := self._give(order(robot, visited, only_to), self.action_close):
+            self._say(problem, "to")
