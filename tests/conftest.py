@@ -23,6 +23,14 @@ settings.register_profile("fleet-tui", deadline=None)
 settings.load_profile("fleet-tui")
 
 
+LONGEST = ("test_soak.py", "test_main_fuzz.py", "test_process.py")
+"""They begin first: whoever ran one of them at the end would run alone."""
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    items.sort(key=lambda item: item.path.name not in LONGEST)
+
+
 @pytest.fixture
 async def server() -> AsyncIterator[RosbridgeServer]:
     """Two quiet simulated robots on two floors behind a real server."""
