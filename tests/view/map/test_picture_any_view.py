@@ -15,7 +15,6 @@ from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.places import pixels
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 
 metres = st.one_of(st.floats(-60, 60), st.sampled_from([math.nan, math.inf, -math.inf, 1e300]))
@@ -113,9 +112,3 @@ def test_a_cell_to_metres_and_back_is_the_same_cell(data: st.DataObject, grid: O
     x, y = data.draw(st.integers(0, camera.width - 1)), data.draw(st.integers(0, camera.height - 1))
     place = frame.to_world(*camera.to_pixel(x, y))
     assert camera.to_cell(*frame.to_pixel(*place)) == (x, y)
-
-
-@given(grids(), st.lists(st.tuples(st.floats(-60, 60), st.floats(-60, 60)), min_size=1, max_size=9))
-def test_many_places_at_once_are_where_each_is(grid: OccupancyGrid, at: list[tuple[float, float]]) -> None:
-    one_by_one = np.array([grid.frame.to_pixel(*place) for place in at])
-    assert np.allclose(pixels(grid.frame, np.array(at)), one_by_one, atol=1e-6)
