@@ -1,6 +1,5 @@
 """Without colour no screen sends any, and what is marked still stands out."""
 
-import os
 import re
 import time
 from collections.abc import AsyncIterator
@@ -11,7 +10,6 @@ from textual.pilot import Pilot
 from fleet_tui.app import FleetApp
 from fleet_tui.config.start import initial_state
 from fleet_tui.state.store import Store
-from fleet_tui.terminal.detect import has_colour
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.terminal import PlayedDriver, shown, terminal_of
@@ -61,24 +59,3 @@ async def test_what_is_marked_stands_out(pilot: Pilot[None]) -> None:
     await pilot.press("escape", "o", *"robot")
     await pilot.pause()
     assert "" in marked(pilot, "reverse")
-
-
-@pytest.mark.parametrize(
-    ("term", "no_color", "colour"),
-    [
-        ("xterm-256color", None, True),
-        ("xterm-256color", "", True),
-        ("xterm-256color", "1", False),
-        ("dumb", None, False),
-        ("vt100", "", False),
-    ],
-)
-def test_when_there_is_colour(
-    monkeypatch: pytest.MonkeyPatch, term: str, no_color: str | None, colour: bool
-) -> None:
-    monkeypatch.setenv("TERM", term)
-    monkeypatch.setenv("NO_COLOR", no_color or "")
-    if no_color is None:
-        monkeypatch.delenv("NO_COLOR")
-    assert has_colour() is colour
-    assert ("NO_COLOR" in os.environ) is not colour

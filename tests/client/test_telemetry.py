@@ -1,7 +1,6 @@
 """What the counters of a link say of a real server: rates, losses, bad data, the robots' log."""
 
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros import reading
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.counting import counter, until
@@ -82,29 +81,3 @@ async def test_a_topic_of_a_wrong_type_says_why_it_is_not_subscribed(server: Ros
     async with linked(msgspec.structs.replace(config, profile=profile)) as (link, store):
         await until(store, lambda: counter(link).topics["/robot_0/battery"].not_subscribed)
         assert "std_msgs/Float32" in counter(link).topics["/robot_0/battery"].not_subscribed
-
-
-def asked(server: RosbridgeServer, op: str) -> list[str]:
-    return [one["topic"] for one in server.received if one["op"] == op and one["topic"] in OVERHEARD]
-
-
-OVERHEARD = (reading.ROSOUT, reading.DIAGNOSTICS)
-
-
-async def test_log_and_health_are_asked_for_only_while_somebody_listens(server: RosbridgeServer) -> None:
-    async with linked(config_of(server.url)) as (link, store):
-        await store.until(ready)
-        assert asked(server, "subscribe") == []
-        link.overhear(True)
-        link.overhear(True)
-        await until(store, lambda: server.subscribers("/diagnostics"))
-        assert asked(server, "subscribe") == list(OVERHEARD)
-        server.publish_raw("/rosout", {"level": 8, "name": "/base", "msg": "motor hot"})
-        server.publish_raw("/rosout", {"level": 8, "name": "/base"})
-        await until(store, lambda: counter(link).topics["/rosout"].errors)
-        assert [line.text for line in counter(link).log if line.node == "/base"] == ["motor hot"]
-        await server.drop_clients()
-        await until(store, lambda: len(asked(server, "subscribe")) == 4)
-        link.overhear(False)
-        await until(store, lambda: not server.subscribers("/rosout"))
-        assert asked(server, "unsubscribe") == list(OVERHEARD)

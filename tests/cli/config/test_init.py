@@ -6,16 +6,9 @@ import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
-import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-
 from fleet_tui.adapters.discovery import Discovery, Listed
-from fleet_tui.adapters.nav2.vocabulary import VOCABULARY as NAV2
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
-from fleet_tui.config.load import read
-from fleet_tui.config.schema import Config, Link
-from fleet_tui.discovery.config_text import render
+from fleet_tui.config.schema import Config
 from fleet_tui.discovery.recognition import discover
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import Ended, run
@@ -162,43 +155,3 @@ def test_robots_under_one_roof_and_in_their_natural_order() -> None:
     topics = {f"{name}/{key}": TOPICS[key][1] for name in names for key in ("pose", "queue")}
     topics |= {f"{names[0]}/cellar/graph": TOPICS["graph"][1], "/tags/pose": TOPICS["pose"][1]}
     assert site_of(topics, {}).robots == {"site/robot_9": [], "site/robot_10": ["cellar"]}
-
-
-def test_one_floor_takes_the_frame_of_the_poses() -> None:
-    topics = {"/r/pose": TOPICS["pose"][1], "/r/ground/graph": TOPICS["graph"][1]}
-    text = render(Link(), discover(Listed(topics, {})), {"r": "map"})
-    assert tomllib.loads(text)["floors"] == [{"name": "ground", "frame_id": "map"}]
-
-
-TYPES = [type_ for _, type_ in (*TOPICS.values(), *SERVICES.values(), *NAV2.topics.values())]
-TYPES += [type_.replace("/", "/msg/") for _, type_ in NAV2.topics.values()]
-WORDS = "r1 r2 pose queue graph map f0 map_metadata Pause paused floor navigate_to_pose amcl_pose odom"
-PART = st.sampled_from([*WORDS.split(), "battery_state", "lifecycle_manager_navigation/is_active"])
-NAME = st.lists(PART | st.text(max_size=3), min_size=1, max_size=4).map(lambda parts: "/" + "/".join(parts))
-NAMES = st.dictionaries(NAME, st.sampled_from(TYPES) | st.text(max_size=5), max_size=12)
-
-
-def test_any_frame_can_be_written() -> None:
-    topics = {"/r/pose": TOPICS["pose"][1], "/r/ground/graph": TOPICS["graph"][1]}
-    frame = '\U00010000\x85\x7f\n"é'
-    text = render(Link(), discover(Listed(topics, {})), {"r": frame})
-    assert text.isascii() and tomllib.loads(text)["floors"] == [{"name": "ground", "frame_id": frame}]
-
-
-@given(
-    topics=NAMES,
-    services=NAMES,
-    actions=st.lists(NAME, max_size=4),
-    frames=st.dictionaries(PART, st.text(max_size=5), max_size=3),
-)
-def test_whatever_is_there_the_result_passes_the_check(
-    tmp_path_factory: pytest.TempPathFactory,
-    topics: dict[str, str],
-    services: dict[str, str],
-    actions: list[str],
-    frames: dict[str, str],
-) -> None:
-    text = render(Link(), discover(Listed(topics, services, tuple(actions))), frames)
-    path = tmp_path_factory.getbasetemp() / "any.toml"
-    path.write_text(text, encoding="utf-8")
-    assert read(path)[1] == [], text

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.cli.orders.outcome import exit_code
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.frames import Frame, Payload
@@ -278,10 +277,6 @@ def test_no_screen_is_imported(tmp_path: Path) -> None:
             check=True,
         )
         assert done.stdout.splitlines()[-1] == "[]"
-
-
-def test_one_exit_code_for_several() -> None:
-    assert [exit_code(codes) for codes in ([], [0, 0], [3, 3], [0, 3], [0, 1, 2], [2])] == [0, 0, 3, 1, 1, 2]
 
 
 async def test_a_service_of_another_type_is_not_called_by_a_fresh_process(
