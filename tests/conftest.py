@@ -1,5 +1,6 @@
 """Fixtures that several packages' tests share."""
 
+import os
 import signal
 from collections.abc import AsyncIterator, Iterator
 from pathlib import Path
@@ -19,7 +20,10 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 # How long an example takes on a busy machine says nothing; what hangs meets pytest's own timeout.
-settings.register_profile("fleet-tui", deadline=None)
+# More examples find more: FLEET_TUI_EXAMPLES=2000 make quick.
+settings.register_profile(
+    "fleet-tui", deadline=None, max_examples=int(os.environ.get("FLEET_TUI_EXAMPLES", "60"))
+)
 settings.load_profile("fleet-tui")
 
 

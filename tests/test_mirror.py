@@ -1,4 +1,4 @@
-"""Tests lie as the package lies: `tests/<package>/test_<module>.py`, beside it `test_<module>_<aspect>.py`."""
+"""Tests lie as the package lies: `<package>/test_<module>.py`, beside it `test_<module>_<aspect>.py`."""
 
 import ast
 from pathlib import Path

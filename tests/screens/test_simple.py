@@ -27,7 +27,7 @@ async def test_an_order_with_arrows_and_enter_alone(server: RosbridgeServer, siz
     async with console(config_of(server.url, 2), size) as it:
         await it.press("s")
         await it.shows("Robot: robot_0")
-        for word in ("0 alarms", "Queue robot_0", "Alarms", "robot_1", "Send"):
+        for word in ("● ws://", "Queue robot_0", "Alarms", "robot_1", "Send"):
             assert word in it.text
         await it.press("up", "enter")
         await it.shows("Which robot?")

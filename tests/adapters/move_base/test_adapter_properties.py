@@ -4,7 +4,7 @@ up."""
 from typing import Any
 
 import msgspec
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.adapters.adapter import Feed, Site
@@ -77,7 +77,6 @@ def begun(*vertices: str) -> FleetState:
     return told(state, CommandIssued(7, order, T0, T0), CommandAdvanced(7, Stage.SENT, T0, "", OURS))
 
 
-@settings(max_examples=150, deadline=None)
 @given(st.lists(FRAMES | st.none(), max_size=14))
 def test_any_frames_in_any_order(frames: list[tuple[Feed, object] | None]) -> None:
     state, at = begun("1", "2"), T0
@@ -105,7 +104,6 @@ def statuses(listed: list[tuple[int, int]]) -> dict[str, Any]:
     }
 
 
-@settings(max_examples=200, deadline=None)
 @given(st.lists(LISTS | st.none(), max_size=12))
 def test_only_the_goal_of_its_name_is_the_order_and_done_is_only_3(
     steps: list[list[tuple[int, int]] | None],

@@ -4,7 +4,7 @@ import base64
 from typing import Any
 
 import msgspec
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.adapters.adapter import Feed, Site
@@ -105,7 +105,6 @@ def begun() -> FleetState:
     return told(msgspec.structs.replace(state, robots=robots), link_up(T0), graph(1, 2, 3), tick(T0))
 
 
-@settings(max_examples=150, deadline=None)
 @given(st.lists(FRAMES | st.none(), max_size=14))
 def test_any_frames_in_any_order(frames: list[tuple[Feed, object] | None]) -> None:
     state, at = told(begun(), *commanded(7, PLACES["navigate_to_pose"], Stage.SENT)), T0
@@ -135,7 +134,6 @@ def statuses(states: list[tuple[int, int]]) -> dict[str, Any]:
     }
 
 
-@settings(max_examples=200, deadline=None)
 @given(st.lists(STATES | st.just(None), max_size=12), st.booleans())
 def test_done_is_only_what_ended_with_4_and_of_two_new_ones_none_is_ours(
     steps: list[list[tuple[int, int]] | None], failed: bool

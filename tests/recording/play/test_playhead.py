@@ -88,22 +88,25 @@ async def test_every_instant_is_as_it_was(tmp_path: Path, server: RosbridgeServe
     recording, ticks = await lived(tmp_path, server)
     assert not recording.note
     head, was = RecordingCursor(recording), list[tuple[float, object]]()
+    later = dict[float, object]()
     while (record := head.take()) is not None:
         if isinstance(record, Told) and isinstance(record.event, TimePassed):
             state = plain(ticks[record.event.at])
             assert plain(head.state) == state
             was.append((head.at, state))
+        elif was and head.at == was[-1][0]:
+            later[head.at] = plain(head.state)  # on a busy machine more is recorded in that very instant
     assert len(was) > 30 and len(recording.keyframes) > 3
     for at, state in was[-2:-14:-1]:
         head.step_tick(-1)
         assert (head.at, plain(head.state)) == (at, state)
 
-    @settings(max_examples=60, deadline=None)
+    @settings(max_examples=60)
     @given(st.lists(st.sampled_from(was), min_size=1, max_size=4))
     def anywhere(places: list[tuple[float, object]]) -> None:
         for at, state in places:
             head.seek(at)
-            assert plain(head.state) == state
+            assert plain(head.state) == later.get(at, state)
 
     anywhere()
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.keys import KEYS
@@ -173,7 +173,6 @@ FACTS = st.one_of(
 
 
 @given(st.lists(FACTS, max_size=25), st.floats(0, 20))
-@settings(max_examples=300)
 def test_whatever_was_heard_there_is_a_reason_and_every_key_exists(facts: list[Event], later: float) -> None:
     given = [CommandIssued(n, one, T0, 0.0) for n, one in enumerate(GIVEN, 1)]
     state = told(fleet(2), *given, *facts, tick(T0 + later))

@@ -5,7 +5,7 @@ from collections import Counter
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import Pose
@@ -376,7 +376,6 @@ class Watcher:
         self._newest = {(one.id, one.stamp): one.status for one in said}
 
 
-@settings(max_examples=100, deadline=None)
 @given(DEEDS)
 def test_whatever_is_asked_one_goal_is_driven_and_each_ends_once(deeds: list[tuple[Any, ...]]) -> None:
     it, navigation = world()

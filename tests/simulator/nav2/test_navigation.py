@@ -259,7 +259,7 @@ DEEDS = st.lists(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(DEEDS)
 def test_whatever_is_asked_goals_only_get_on(deeds: list[tuple[str, str, Any]]) -> None:
     it, navigation = world()

@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -91,7 +91,6 @@ looks = st.builds(
 )
 
 
-@settings(max_examples=200, deadline=None)
 @given(st.data(), scenes(), looks)
 def test_every_view_is_a_picture_that_fills_its_canvas(
     data: st.DataObject, scene: Scene, look: MapOptions
