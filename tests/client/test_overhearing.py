@@ -20,8 +20,7 @@ async def test_log_and_health_are_asked_for_only_while_somebody_listens(server: 
         assert asked(server, "subscribe") == []
         link.overhear(True)
         link.overhear(True)
-        await until(store, lambda: server.subscribers("/diagnostics"))
-        assert asked(server, "subscribe") == list(OVERHEARD)
+        await until(store, lambda: asked(server, "subscribe") == list(OVERHEARD))
         server.publish_raw("/rosout", {"level": 8, "name": "/base", "msg": "motor hot"})
         server.publish_raw("/rosout", {"level": 8, "name": "/base"})
         await until(store, lambda: counter(link).topics["/rosout"].errors)
@@ -29,5 +28,4 @@ async def test_log_and_health_are_asked_for_only_while_somebody_listens(server: 
         await server.drop_clients()
         await until(store, lambda: len(asked(server, "subscribe")) == 4)
         link.overhear(False)
-        await until(store, lambda: not server.subscribers("/rosout"))
-        assert asked(server, "unsubscribe") == list(OVERHEARD)
+        await until(store, lambda: asked(server, "unsubscribe") == list(OVERHEARD))
