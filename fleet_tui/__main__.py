@@ -77,7 +77,7 @@ def _run_command() -> None:
         _end(130)
     except click.ClickException as problem:
         words = f"fleet-tui: {problem.format_message()}".splitlines()
-        _end(2, *words, "fleet-tui --help lists what there is.")
+        _end(2, *words, "Run fleet-tui --help for usage.")
 
 
 def _open_closed_streams() -> None:
@@ -100,7 +100,7 @@ def _never_fail_to_encode() -> None:
 
 def _words(problem: Exception, log: "Path | None") -> str:
     if isinstance(problem, OSError) and problem.errno in FULL and problem.filename is None:
-        return f"the output can't be written: {problem.strerror}"
+        return f"cannot write the output: {problem.strerror}"
     where = "with --debug" if log is None else f"in {log}, or with --debug"
     words = truncate(str(problem)) or type(problem.__cause__ or problem).__name__
     return f"internal error: {words} (details {where})"

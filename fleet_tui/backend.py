@@ -137,7 +137,7 @@ class LiveBackend:
     def submit(self, command: Command) -> str:
         """Send a command now, or say why not."""
         if self.links is None:
-            return "not sent: the console is still starting"
+            return "not sent: console starting"
         self.links.submit(command)
         return ""
 

@@ -41,7 +41,7 @@ def backend_of(links: CalledLinks) -> LiveBackend:
 def test_before_the_links_are_open_a_command_is_refused_and_never_sent() -> None:
     links = CalledLinks()
     backend = backend_of(links)
-    assert backend.submit(PauseRobot(R0)) == "not sent: the console is still starting"
+    assert backend.submit(PauseRobot(R0)) == "not sent: console starting"
     backend.open()
     assert links.calls == []
     assert backend.submit(PauseRobot(R0)) == ""

@@ -110,7 +110,7 @@ class Subscriber:
         silent = {robot for robot in self._robots if self._is_silent(robot, now, spoke.get(robot, 0.0))}
         if not silent:
             return
-        LOG.info("silent, and so asked for again: %s", " ".join(sorted(silent)))
+        LOG.info("silent, subscribing again: %s", " ".join(sorted(silent)))
         let_go = min(LONGEST_LET_GO, max(map(self._waits, silent)) / 4)
         for robot in silent:
             self._asked[robot] = now
@@ -151,11 +151,11 @@ class Subscriber:
         try:
             response = await self._calls.call("/rosapi/topics", {}, ROSAPI_TIMEOUT)
         except LinkError as problem:
-            LOG.info("types are not checked: %s", problem)
+            LOG.info("types not checked: %s", problem)
             return {}
         values = response.values
         if not response.result or not isinstance(values, dict):
-            LOG.info("types are not checked: %s", values)
+            LOG.info("types not checked: %s", values)
             return {}
         topics, types = values.get("topics"), values.get("types")
         if not isinstance(topics, list) or not isinstance(types, list):

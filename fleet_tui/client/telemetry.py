@@ -135,8 +135,8 @@ class Telemetry:
             return
         if self._waiting > MOST_WAITING:
             self.counter.dropped += 1
-            behind = f"{self._waiting / 1e6:.0f} MB before it are not decoded yet"
-            self._take(events.FrameRejected(self._link, f"{len(payload):,} bytes were passed over: {behind}"))
+            behind = f"{self._waiting / 1e6:.0f} MB still being decoded"
+            self._take(events.FrameRejected(self._link, f"{len(payload):,} bytes dropped: {behind}"))
             return
         self._waiting += len(payload)
         loop = asyncio.get_running_loop()

@@ -141,7 +141,7 @@ FAILURES = frozenset(
 """The stages that need a person."""
 
 
-UNANSWERED = "nothing answers to it"
+UNANSWERED = "no reply expected"
 """Words of a command that was published: only telemetry can tell what became of it."""
 
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 SHOWN = 1000
 """Records that are listed; a narrower search reaches the older ones."""
-HOW = "type to filter, robot: by: outcome: since:2h  Enter its steps  Ctrl-S CSV"
+HOW = "type to filter, robot: by: outcome: since:2h  Enter steps  Ctrl-S CSV"
 
 
 class AuditLog(Overlay):
@@ -80,7 +80,7 @@ class AuditLog(Overlay):
 
         audit = self._audit()
         if audit is None:
-            self._list([], empty="this console keeps no audit log")
+            self._list([], empty="no audit log on this console")
             return None
         try:
             typed = self.query_one(Field).value
@@ -99,7 +99,7 @@ class AuditLog(Overlay):
         """In a thread: the newest that match."""
         worker = get_current_worker()
         found: list[AuditRecord] = []
-        problem = "no such record"
+        problem = "no matching record"
         try:
             for record in reading.newest_first():
                 if worker.is_cancelled:
@@ -109,8 +109,8 @@ class AuditLog(Overlay):
                     if len(found) > SHOWN:
                         break
         except OSError as failed:
-            problem = f"the log can't be read: {failed.strerror}"
-        note = f"the newest {SHOWN}" if len(found) > SHOWN else str(len(found))
+            problem = f"log not readable: {failed.strerror}"
+        note = f"newest {SHOWN}" if len(found) > SHOWN else str(len(found))
         if reading.note:
             note += f", {reading.note}"
         if not worker.is_cancelled:

@@ -286,7 +286,7 @@ class TestOutgoing:
 
     @pytest.mark.parametrize("id_", ["", "0", "00000000", "0a28", "k1"])
     def test_no_cancel_leaves_for_an_id_that_is_not_known(self, id_: str) -> None:
-        with pytest.raises(CommandError, match="no goal"):
+        with pytest.raises(CommandError, match="unknown goal"):
             adapter().outgoing(CancelOrder("tb2", id_), 1, robot(known("0a28bf7e", "navigate_to_pose")))
 
     def test_only_a_pause_means_all_goals_and_the_waypoints_first(self) -> None:
@@ -311,7 +311,7 @@ class TestOutgoing:
     def test_what_can_not_be_said_is_refused_with_a_reason(self) -> None:
         for command, words in [
             (PlaceOrder("tb2", at_vertices("9")), "vertex 9"),
-            (PlaceOrder("tb2", ()), "a place"),
+            (PlaceOrder("tb2", ()), "a destination"),
         ]:
             with pytest.raises(CommandError, match=words):
                 adapter().outgoing(command, 1, robot())
@@ -377,9 +377,9 @@ class TestAnswers:
         [
             ({}, 4, Stage.DONE, ""),
             ({"missed_waypoints": []}, 4, Stage.DONE, ""),
-            ({"missed_waypoints": [1]}, 4, Stage.FAILED, "1 of its stops were missed"),
-            ({"error_code": 208, "error_msg": ""}, 6, Stage.FAILED, "error 208 (no path leads to the goal)"),
-            ({"error_code": 9001, "error_msg": "x"}, 6, Stage.FAILED, "error 9001 (the navigator failed): x"),
+            ({"missed_waypoints": [1]}, 4, Stage.FAILED, "1 stops missed"),
+            ({"error_code": 208, "error_msg": ""}, 6, Stage.FAILED, "error 208 (no path to the goal)"),
+            ({"error_code": 9001, "error_msg": "x"}, 6, Stage.FAILED, "error 9001 (navigator failed): x"),
             ({"error_code": 77}, 6, Stage.FAILED, "error 77"),
             ("broken", 6, Stage.FAILED, ""),
         ],

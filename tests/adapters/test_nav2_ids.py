@@ -19,4 +19,4 @@ def test_a_goal_of_zeros_is_never_known_for_to_cancel_it_would_cancel_all() -> N
     (fact,) = adapter.read(feed, msgspec.Raw(msgspec.json.encode({"status_list": listed})), 5.0)
     assert isinstance(fact, GoalsReported)
     assert [goal.uuid for goal in fact.goals] == [UUID]
-    assert fact.fault == "goal_id.uuid is all zeros, which stands for all goals"
+    assert fact.fault == "goal_id.uuid is all zeros, which means all goals"

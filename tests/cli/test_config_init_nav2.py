@@ -64,7 +64,7 @@ async def test_a_usual_fleet_needs_but_its_kind(nav2: RosbridgeServer, tmp_path:
         "profile": {"kind": "nav2"},
     }
     text = (tmp_path / "config.toml").read_text()
-    assert '# graph = "maps/floor_0.geojson"' in text and "the live map is shown" in text
+    assert '# graph = "maps/floor_0.geojson"' in text and "the live map is used" in text
     # rosapi of ROS 2 dies of some questions, and nothing was commanded.
     assert nav2.rosapi_alive and not nav2.calls
 
@@ -124,7 +124,7 @@ def test_a_robot_without_a_namespace(tmp_path: Path) -> None:
 def test_what_no_robot_has_is_switched_off_and_said() -> None:
     found = discover_nav2(Listed({"/tb1/odom": ODOM, "/tb1/amcl_pose": AMCL}, {}, DRIVES))
     assert found.topics == {"battery": "", "blocked": "", "map": ""}
-    assert "battery: nothing of type sensor_msgs/BatteryState is there" in found.notes["topics"]
+    assert "battery: no topic of type sensor_msgs/BatteryState" in found.notes["topics"]
     assert not found.live_maps
 
 

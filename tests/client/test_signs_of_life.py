@@ -67,14 +67,12 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
         server.rosapi_alive = rosapi_returns
         server.master_alive = True
         state = await store.until(path(CommandPath.UNREGISTERED))
-        assert state.links["rosbridge"].command_reason == (
-            "the robots' nodes are not registered: restart them"
-        )
+        assert state.links["rosbridge"].command_reason == ("robot nodes not registered: restart them")
         server.services.update({name: one for name, one in there.items() if "robot_0" in name})
         server.rosapi_alive = True
         state = await store.until(
             lambda state: (
-                state.links["rosbridge"].command_reason == "nodes of robot_1 are not registered: restart them"
+                state.links["rosbridge"].command_reason == "nodes of robot_1 not registered: restart them"
             )
         )
         server.services.update(there)
@@ -128,7 +126,7 @@ async def test_services_that_go_unnoticed_are_missed_by_the_next_look(
         server.services.clear()
         state = await store.until(path(CommandPath.UNREGISTERED))
         reason = state.links["rosbridge"].command_reason
-        assert reason == "the robots' nodes are not registered: restart them"
+        assert reason == "robot nodes not registered: restart them"
 
 
 async def test_a_robot_that_speaks_and_has_no_services_is_told_from_the_start(
@@ -140,7 +138,7 @@ async def test_a_robot_that_speaks_and_has_no_services_is_told_from_the_start(
     async with linked(config_of(server.url, 3)) as (_, store):  # nothing is ever heard of robot_2
         state = await store.until(path(CommandPath.UNREGISTERED))
         reason = state.links["rosbridge"].command_reason
-        assert reason == "no service of robot_1 is there: restart its node, or correct [profile.services]"
+        assert reason == "no services of robot_1:  restart its node, or correct [profile.services]"
 
 
 async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(

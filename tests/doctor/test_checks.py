@@ -59,12 +59,12 @@ def test_elevators_join_parts_where_there_are_other_floors() -> None:
     routes = graph([(0, 1), (1, 2), (2, 3), (4, 5), (5, 6), (6, 7)], lifts=(3, 4))
     assert connection_finding(FLOOR, "", FloorSurvey(routes), routes, True).verdict is Verdict.OK
     alone = connection_finding(FLOOR, "", FloorSurvey(routes, {"6": "Store"}), routes, False)
-    assert alone.verdict is Verdict.FAIL and "4 of 8 vertices can't be reached" in alone.measured
+    assert alone.verdict is Verdict.FAIL and "4 of 8 vertices unreachable" in alone.measured
 
 
 def test_labels_given_twice_or_not_at_all() -> None:
     routes = graph([])
-    assert "given twice: Base" in label_finding(FLOOR, "", {"0": "Base", "1": "Base"}, routes).measured
+    assert "duplicate: Base" in label_finding(FLOOR, "", {"0": "Base", "1": "Base"}, routes).measured
     assert label_finding(FLOOR, "", {}, routes).verdict is Verdict.WARN
 
 
@@ -119,7 +119,7 @@ def test_a_remedy_names_the_tools_of_the_ros_that_is_there(ros: int, words: str)
 def test_round_trips_and_clocks() -> None:
     facts = BridgeFacts("rosbridge", RosapiFacts(), round_trips=(0.01, 0.02, 0.03), ahead=0.2)
     quick = round_trip_finding(facts)
-    assert quick.verdict is Verdict.OK and quick.measured == "20.0 ms and back, jitter 20.0 ms (3 calls)"
+    assert quick.verdict is Verdict.OK and quick.measured == "20.0 ms, jitter 20.0 ms (3 calls)"
     assert round_trip_finding(replace(facts, round_trips=(0.5,))).verdict is Verdict.WARN
     assert [one.verdict for one in clock_findings(facts)] == [Verdict.OK]
     (simulated,) = clock_findings(replace(facts, ahead=-1.7e9))
@@ -181,7 +181,7 @@ LONG = Finding(
     "queue",
     Verdict.FAIL,
     "/robot_0/queue is not on the bridge",
-    'did you mean /robot_0/action_queue? Then [profile.topics] queue = "/{robot}/action_queue"',
+    'did you mean /robot_0/action_queue? Set [profile.topics] queue = "/{robot}/action_queue"',
 )
 
 

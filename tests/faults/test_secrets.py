@@ -45,8 +45,8 @@ def bridged(link: Link) -> Config:
 @pytest.mark.parametrize(
     ("text", "mode", "words"),
     [
-        (WORD, 0o640, "rosbridge.authorization_file: others can read it (mode 640): chmod 600 it"),
-        (WORD, 0o604, "rosbridge.authorization_file: others can read it (mode 604): chmod 600 it"),
+        (WORD, 0o640, "rosbridge.authorization_file: readable by others (mode 640): chmod 600 it"),
+        (WORD, 0o604, "rosbridge.authorization_file: readable by others (mode 604): chmod 600 it"),
         ("", 0o600, "rosbridge.authorization_file: is empty"),
         (f"{WORD}\nX: y", 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),
         (f"{WORD}\xe9", 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),
@@ -63,7 +63,7 @@ def test_a_file_that_is_taken(tmp_path: Path) -> None:
     assert access_problems(bridged(link)) == []
     assert secret(link, "authorization") == WORD
     os.mkfifo(tmp_path / "pipe", 0o600)
-    for name, words in (("gone", "No such file"), ("pipe", "is no file"), ("a\0b", "no path")):
+    for name, words in (("gone", "No such file"), ("pipe", "not a file"), ("a\0b", "no path")):
         (line,) = access_problems(bridged(Link(rosauth_file=str(tmp_path / name))))
         assert line.startswith("rosbridge.rosauth_file: ") and words in line
 
@@ -80,12 +80,12 @@ def test_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("link", "words"),
     [
-        (Link("ws://ana:hush@a:1"), "url: no user and password here"),
-        (Link("http://ana:hush@a:1/?token=hush"), "url: 'http://***@a:1/?***' is no address"),
-        (Link("ana:hu/sh@a:1"), "url: '***@a:1' is no address"),
-        (Link("ws://a", ca_file="x"), "ca_file: there is no TLS with ws://"),
-        (Link("wss://a", client_key="x"), "client_key: is of no use without client_cert"),
-        (Link("ws://a", rosauth_env="A", rosauth_file="b"), "rosauth_file: give the file or rosauth_env"),
+        (Link("ws://ana:hush@a:1"), "url: user and password not allowed"),
+        (Link("http://ana:hush@a:1/?token=hush"), "url: 'http://***@a:1/?***' is not an address"),
+        (Link("ana:hu/sh@a:1"), "url: '***@a:1' is not an address"),
+        (Link("ws://a", ca_file="x"), "ca_file: ws:// has no TLS"),
+        (Link("wss://a", client_key="x"), "client_key: needs client_cert"),
+        (Link("ws://a", rosauth_env="A", rosauth_file="b"), "rosauth_file: use rosauth_file or rosauth_env"),
     ],
 )
 def test_what_does_not_go_together(link: Link, words: str) -> None:
@@ -117,7 +117,7 @@ def test_a_config_that_anybody_can_change_is_reported(tmp_path: Path) -> None:
     config.path.chmod(0o646)
     (tmp_path / "in").chmod(0o777)
     found = list(unsafe_places(config))
-    assert f"any user of this machine can change {config.path}: chmod o-w {config.path}" in found
+    assert f"{config.path} is writable by everyone: chmod o-w {config.path}" in found
     assert any(f"change {tmp_path / 'in'}:" in line for line in found)
     (tmp_path / "safe").mkdir()
     config.path.rename(tmp_path / "safe" / "config.toml")
@@ -125,7 +125,7 @@ def test_a_config_that_anybody_can_change_is_reported(tmp_path: Path) -> None:
     config.path.chmod(0o644)
     found = list(unsafe_places(config))
     assert [line for line in found if str(tmp_path) in line] == [
-        f"any user of this machine can change {tmp_path / 'in'}: chmod o-w {tmp_path / 'in'}"
+        f"{tmp_path / 'in'} is writable by everyone: chmod o-w {tmp_path / 'in'}"
     ]
     (tmp_path / "in").chmod(0o1777)
     assert not any(f"change {tmp_path / 'in'}:" in line for line in unsafe_places(config))
@@ -156,7 +156,7 @@ async def test_the_authorization_header_is_sent_and_renewed(tmp_path: Path) -> N
     async with guarded(_stay, WORD) as url:
         link = Link(url, authorization_file=kept(tmp_path / "word", "Bearer old"))
         async with linked(bridged(link)) as (_, store):
-            await store.until(lost("the server refuses us (HTTP 401): our authorization is not accepted"))
+            await store.until(lost("access denied (HTTP 401): authorization not accepted"))
             kept(tmp_path / "word", WORD)
             await store.until(lambda state: state.links["rosbridge"].phase.value == "up")
             (tmp_path / "word").chmod(0o644)
@@ -191,9 +191,9 @@ async def test_a_wrong_rosauth_secret_is_named(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setenv("ROSAUTH", SHARED)
     async with guarded(attend) as url:
         async with linked(bridged(Link(url, rosauth_env="ROSAUTH"))) as (_, store):
-            await store.until(lost("is the rosauth secret wrong, or a clock?"))
+            await store.until(lost("check the rosauth secret and the clocks"))
         async with linked(bridged(Link(url))) as (_, store):
-            await store.until(lost("does it want rosauth (rosauth_file)?"))
+            await store.until(lost("rosauth required (rosauth_file)?"))
 
 
 async def _says_back(connection: ServerConnection) -> None:
@@ -273,7 +273,7 @@ def _seen(home: Path, arguments: tuple[str, ...], is_taken: bool) -> str:
     config = ("--debug", "--config", str(home / "config.toml"))
     with in_terminal(home, *arguments, *config, MINE=SHARED) as running:
         if not arguments and is_taken:
-            running.shows("our authorization is not accepted")
+            running.shows("authorization not accepted")
             running.press("q")
         running.ends()
         if not arguments and not is_taken:

@@ -30,7 +30,7 @@ KEY = ("robot_0", "obstacle")
 def condition(
     source: str = "robot_0", kind: str = "obstacle", text: str = "obstacle 3.2 s", parts: str = ""
 ) -> Condition:
-    return Condition(source, kind, Priority.HIGH, text, "obstacle cleared", parts=frozenset(parts))
+    return Condition(source, kind, Priority.HIGH, text, "cleared: obstacle", parts=frozenset(parts))
 
 
 def one(alarms: tuple[Alarm, ...]) -> Alarm:
@@ -50,7 +50,7 @@ def test_raised_with_the_wall_time_of_the_first_moment() -> None:
 def test_over_but_unseen_it_stays_in_other_words() -> None:
     alarms = ripen((), [condition()], 1.0, 1.0)
     over = one(ripen(alarms, [], 2.0, 2.0))
-    assert (over.stage, over.text) == (AlarmStage.RETURNED, "obstacle cleared")
+    assert (over.stage, over.text) == (AlarmStage.RETURNED, "cleared: obstacle")
     assert acknowledge((over,), *KEY) == ()
 
 
@@ -80,7 +80,7 @@ def test_what_comes_back_within_the_delay_is_the_same_alarm_and_counts() -> None
     for n in range(1, 50):
         alarms = ripen(alarms, [condition()] if n % 2 else [], 1.0 + n, 1.0 + n, clear_after=3.0)
         assert one(alarms).stage is AlarmStage.ACKNOWLEDGED
-        assert one(alarms).text == ("obstacle 3.2 s" if n % 2 else "obstacle cleared")
+        assert one(alarms).text == ("obstacle 3.2 s" if n % 2 else "cleared: obstacle")
     assert one(alarms).count == 25
 
 

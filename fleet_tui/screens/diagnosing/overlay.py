@@ -64,7 +64,7 @@ class Diagnostics(Overlay):
             "pagedown": partial(self.rows.move, 10),
         }
         yield self._tabs
-        yield Field(keys, id="diagnostics-filter", placeholder="text in the rows; Enter keeps it, Esc clears")
+        yield Field(keys, id="diagnostics-filter", placeholder="filter text; Enter keeps it, Esc clears it")
         yield self.rows
         yield self._foot
 

@@ -106,7 +106,7 @@ def waiting_orders() -> Planted:
 
 SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "nothing to do": (lambda: Planted().run(3), "no orders"),
-    "it drives": (lambda: driving(), "it moves"),
+    "it drives": (lambda: driving(), "robot_0 is moving"),
     "paused elsewhere": (lambda: driving(then="paused").run(3), "paused"),
     "paused from here": (lambda: driving().command(PauseRobot(R0)).run(3), "paused"),
     "paused, no topic tells": (
@@ -138,8 +138,8 @@ SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "its software restarted": (lambda: driving("restart").run(12), "order: lost"),
     "charging": (lambda: driving("battery:robot_0", quiet=False).run(120), "charging at Charger"),
     "flat, orders wait": (lambda: flat(waiting_orders(), 6.0).run(3), "battery 6 %"),
-    "orders wait": (lambda: waiting_orders().run(3), "2 orders waiting, none current"),
-    "another robot ahead": (lambda: behind_another().run(40), "waits behind robot_1"),
+    "orders wait": (lambda: waiting_orders().run(3), "2 orders queued but not started"),
+    "another robot ahead": (lambda: behind_another().run(40), "waiting behind robot_1"),
     "paused AND obstacle": (lambda: driving(then="paused:robot_0,obstacle:robot_0").run(9), "paused"),
     "offline AND flat": (lambda: flat(driving(then="silent:robot_0"), 9.0).run(9), "offline 9 s"),
     "offline AND paused": (lambda: driving("paused:robot_0", then="silent:robot_0").run(9), "offline 9 s"),
@@ -149,7 +149,7 @@ SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
         lambda: flat(driving(then="jumping:robot_0"), 15.0).run(6),
         "localisation jumps",
     ),
-    "another robot ahead AND low": (lambda: behind_another(15.0).run(40), "waits behind robot_1"),
+    "another robot ahead AND low": (lambda: behind_another(15.0).run(40), "waiting behind robot_1"),
     "no orders AND low": (lambda: flat(Planted(), 15.0).run(3), "no orders"),
     "paused AND pose stays away": (lambda: driving(then="paused:robot_0,stale:robot_0").run(9), "paused"),
     "obstacle AND another ahead": (lambda: _blocked(behind_another()).run(6), "obstacle 5."),
@@ -185,11 +185,14 @@ def test_what_is_missed_is_listed_all_the_same_and_is_rare() -> None:
 
 def test_a_pause_names_where_it_came_from_and_the_key() -> None:
     elsewhere = first(driving(then="paused").run(3))
-    assert (elsewhere.evidence, elsewhere.keys) == ("it says so; it came from elsewhere", ("resume",))
+    assert (elsewhere.evidence, elsewhere.keys) == (
+        "reported by the robot, not sent by this console",
+        ("resume",),
+    )
     planted = driving().command(PauseRobot(R0))
     at = planted.now
     here = first(planted.run(3))
-    assert here.evidence == "it says so; the pause came from here"
+    assert here.evidence == "reported by the robot, sent by this console"
     assert here.since == pytest.approx(at)
 
 
@@ -213,7 +216,7 @@ def test_two_robots_in_each_others_way_are_said_to_be() -> None:
     other.cargo, other.orders = True, [SimOrder(9, CONSUMIDORES, BASE, status="W")]
     found = first(planted.run(2))
     assert found.evidence.startswith("robot_1 is 2.")
-    assert found.evidence.endswith("each is in the other's way")
+    assert found.evidence.endswith("each blocks the other")
     assert found.keys == ("robot_2",)
 
 
@@ -223,7 +226,7 @@ def test_poses_that_come_late_are_told_from_poses_that_stay_away() -> None:
     late = [pose(T0 + 12 + n / 10, stamp=2 + n / 10) for n in range(20)]
     state = told(fleet(), link_up(T0), *fresh, *late, battery(T0 + 14), queue(T0 + 14), tick(T0 + 14))
     found = reasons(state, state.robots[R0])[0]
-    assert (found.name, found.evidence) == ("pose 10 s old", "poses come, but late: its stamps lag behind")
+    assert (found.name, found.evidence) == ("pose 10 s old", "poses arrive late: their time stamps lag")
 
 
 def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:
@@ -257,7 +260,7 @@ def test_robots_in_different_frames_are_not_compared() -> None:
     assert frame is not None
     moved = structs.replace(frame, origin=Pose(frame.origin.x + 5.0, frame.origin.y))
     planted.run(3)
-    assert first(planted).name == "waits behind robot_1"
+    assert first(planted).name == "waiting behind robot_1"
     planted.tell(FrameReceived("robot_1", "floor_0", moved))
     assert first(planted).name == "cause unknown"
 
@@ -267,7 +270,7 @@ def test_a_robot_beside_or_behind_is_not_in_the_way() -> None:
     for x, y, waits in [(1.5, 0.0, True), (1.5, 1.2, False), (-0.5, 0.0, False), (1.5, 0.5, True)]:
         state = told(fleet(2), *here, PoseReported("robot_1", T0, Pose(x, y), "floor_0", None), tick(T0 + 2))
         names = [reason.name for reason in reasons(state, state.robots[R0])]
-        assert ("waits behind robot_1" in names) is waits, (x, y)
+        assert ("waiting behind robot_1" in names) is waits, (x, y)
 
 
 GIVEN: tuple[Command, ...] = (AWAY, ClearOrders(R0), PauseRobot(R0))
@@ -308,20 +311,20 @@ def test_whatever_was_heard_there_is_a_reason_and_every_key_exists(facts: list[E
     if state.is_online(state.robots[R0]):
         assert strengths == sorted(strengths)
     assert {id_ for reason in found for id_ in reason.keys} <= {key.id for key in KEYS}
-    if found[0].name == "it moves":
+    if found[0].name == "robot_0 is moving":
         assert len(found) == 1
     names = [reason.name for reason in found]
     assert ("paused" in names or "paused (by us)" in names) is (
-        state.is_paused(state.robots[R0]) and names != ["it moves"]
+        state.is_paused(state.robots[R0]) and names != ["robot_0 is moving"]
     )
 
 
 @pytest.mark.parametrize(
     ("stages", "name"),
     [
-        ([Stage.SENT], "pause from here: sent"),
-        ([Stage.SENT, Stage.NO_ANSWER], "pause from here: no answer"),
-        ([Stage.SENT, Stage.UNKNOWN], "pause from here: outcome unknown"),
+        ([Stage.SENT], "pause from this console: sent"),
+        ([Stage.SENT, Stage.NO_ANSWER], "pause from this console: no answer"),
+        ([Stage.SENT, Stage.UNKNOWN], "pause from this console: outcome unknown"),
     ],
 )
 def test_a_pause_from_here_that_may_hold_it_is_named_with_the_key(stages: list[Stage], name: str) -> None:
@@ -336,6 +339,6 @@ def test_a_pause_that_was_obeyed_late_is_named() -> None:
     facts = commanded(1, PauseRobot(R0), Stage.SENT, Stage.NO_ANSWER)
     state = told(fleet(), link_up(T0 - 9), pose(T0 - 9), *facts, pose(T0 + 6), tick(T0 + 6))
     assert state.commands[0].stage is Stage.NOT_CONFIRMED
-    assert "pause from here: not confirmed" in [one.name for one in reasons(state, state.robots[R0])]
+    assert "pause from this console: not confirmed" in [one.name for one in reasons(state, state.robots[R0])]
     state = told(state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, "paused"), pose(T0 + 12), tick(T0 + 12))
     assert reasons(state, state.robots[R0])[0].name == "paused (by us)"

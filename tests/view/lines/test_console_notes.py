@@ -14,4 +14,4 @@ def test_what_holds_is_said() -> None:
 
 def test_a_console_gone_blind_says_so() -> None:
     (note,) = console_notes(fleet(), read_only=False, armed=True, standstill=7.2)
-    assert note == "nothing is updated for 7 s: restart this console"
+    assert note == "no updates for 7 s: restart this console"

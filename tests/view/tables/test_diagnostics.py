@@ -65,10 +65,10 @@ def test_a_link_that_is_well() -> None:
         link.round_trips.take(took, NOW - 1.0)
     table = link_table(seen(link)[1], NOW)
     assert "● up for 20 s" in row(table, "state")
-    assert "2.00 ms, 1.0 s ago  the last 3: 1.00 ms to 3.00 ms, mean 2.00 ms, jitter 1.50 ms" in row(
+    assert "2.00 ms, 1.0 s ago  last 3: 1.00 ms to 3.00 ms, mean 2.00 ms, jitter 1.50 ms" in row(
         table, "trip"
     )
-    assert "50.0 /s, 15.0 kB/s, 100 and 30.0 kB in all" in row(table, "messages  ")
+    assert "50.0 /s, 15.0 kB/s, 100 and 30.0 kB in total" in row(table, "messages  ")
     assert "0 reconnects" in row(table, "connections") and "lost" not in row(table, "connections")
     assert "○ not tried yet" in row(table, "commands")
 
@@ -82,21 +82,21 @@ def test_a_link_that_is_down_says_so_and_since_when_everything_is_old() -> None:
     link.failed("no JSON", b"{", False, NOW - 3.0)
     link.round_trips.take(0.001, T0)
     link.round_trips.unanswered = 4
-    state = told(fleet(2), link_up(T0), link_lost(T0 + 10.0, "nothing listens there", NOW + 3.0))
+    state = told(fleet(2), link_up(T0), link_lost(T0 + 10.0, "connection refused", NOW + 3.0))
     table = link_table(seen(link, state)[1], NOW)
-    assert "○ no link for 10 s: nothing listens there, retry in 3 s" in row(table, "state")
+    assert "○ no link for 10 s: connection refused, retry in 3 s" in row(table, "state")
     assert "20 s ago" in row(table, "last message")
     assert "overdue" in row(table, "trip") and "4 unanswered" in row(table, "trip")
     assert "last lost 10 s ago: the bridge went away" in row(table, "connections")
-    assert "2 frames that were too large" in row(table, "passed over")
-    assert "2 frames, the last 3.0 s ago: no JSON" in row(table, "unreadable")
+    assert "2 frames: too large" in row(table, "dropped")
+    assert "2 frames, last 3.0 s ago: no JSON" in row(table, "unreadable")
 
 
 def test_before_anything_came() -> None:
     link = counter()
     _, links = seen(link)
     table = link_table(links, NOW)
-    assert "no heartbeat has come back yet" in row(table, "trip") and "never" in row(table, "last message")
+    assert "no heartbeat reply yet" in row(table, "trip") and "never" in row(table, "last message")
     assert link_table([], NOW).rows == []
 
 
@@ -116,11 +116,11 @@ def test_topics_in_the_order_of_the_config_each_with_how_it_is() -> None:
         "/robot_1/pose",
         "/rosout",
     ]
-    assert text(table)[0] == "Topics 6, 2 in trouble"
+    assert text(table)[0] == "Topics 6, 2 with problems"
     assert row(table, BATTERY).startswith("✗ not subscribed") and "std_msgs/Float64" in row(table, BATTERY)
     assert row(table, POSE).split()[:7] == ["●", "live", POSE, "10.0", "Hz", "0.0", "s"]
     assert row(table, "robot_1/pose").startswith("○ silent") and "6.0 s ago" in row(table, "robot_1/pose")
-    assert row(table, GRAPH).startswith("● came") and "Hz" not in row(table, GRAPH)
+    assert row(table, GRAPH).startswith("● received") and "Hz" not in row(table, GRAPH)
     assert row(table, MAP).startswith("· on demand") and "never" in row(table, MAP)
     assert row(table, "/rosout").startswith("· on demand")
 
@@ -149,7 +149,7 @@ def test_without_a_link_no_topic_looks_live() -> None:
 def test_topics_are_filtered_by_their_names() -> None:
     state, links = seen(counter())
     assert len(topic_table(state, links, "POSE", NOW).rows) == 2
-    assert topic_table(state, links, "nothing", NOW).empty == "no such topic"
+    assert topic_table(state, links, "nothing", NOW).empty == "no matching topic"
 
 
 LOG = [
@@ -175,7 +175,7 @@ def log(least: Severity = Severity.DEBUG, wanted: str = "") -> list[str]:
 
 def test_the_log_tells_when_how_serious_who_and_what() -> None:
     title, *lines = log()
-    assert title == "Log of the robots /rosout  5 of 5 lines, DEBUG and worse, last 15 s ago"
+    assert title == "Robot log /rosout  5 of 5 lines, DEBUG and worse, last 15 s ago"
     words = ["· DEBUG", "  INFO", "▲ WARN", "✗ FATAL", "level 7"]
     assert [word in line for word, line in zip(words, lines, strict=True)] == [True] * 5
     assert "/robot_0/laser" in lines[2] and "something is Close" in lines[2]
@@ -200,7 +200,7 @@ def test_level_and_text_filter_the_log(least: Severity, wanted: str, count: int)
 
 def test_an_empty_log_says_why_it_is_empty() -> None:
     state, links = seen(counter())
-    assert "nothing came on /rosout" in robot_log_table((), links, state, str, Severity.INFO, "").empty
+    assert "nothing received on /rosout" in robot_log_table((), links, state, str, Severity.INFO, "").empty
 
 
 def test_health_by_name_with_values_where_a_row_is_opened() -> None:
@@ -215,7 +215,7 @@ def test_health_by_name_with_values_where_a_row_is_opened() -> None:
     )
     _, links = seen(link)
     lines = text(health_table(links, {(LINK, "robot_1: laser")}, "", NOW))
-    assert lines[0] == "Diagnostics of the robots /diagnostics  4 parts, 1 ERROR, 1 WARN, 1 level 9"
+    assert lines[0] == "Robot diagnostics /diagnostics  4 parts, 1 ERROR, 1 WARN, 1 level 9"
     starts = ["✗ ERROR", "● OK", "▲ WARN", "          hardware: l1", "          distance: 0.2", "? level 9"]
     assert [line.startswith(start) for line, start in zip(lines[1:], starts, strict=True)] == [True] * 6
     assert "old, 20 s ago" in lines[1]
@@ -225,10 +225,10 @@ def test_health_by_name_with_values_where_a_row_is_opened() -> None:
 def test_the_console_on_itself() -> None:
     facts = OwnFacts(0.1, (0.002, 0.2, 0.3), None, 8.0, 1200.0, 3, 90_000_000, 95_000_000, 7, "2 h")
     lines = text(console_table(facts, ["12:00 WARNING a: x", "12:01 ERROR b: y"], ""))
-    assert "2.00 ms, 95 % within 200 ms, the longest 300 ms  budget 100 ms is exceeded" in lines[1]
+    assert "2.00 ms, 95 % within 200 ms, max 300 ms  budget 100 ms exceeded" in lines[1]
     assert "not measured yet" in lines[2]
-    assert "8.0 pictures/s, 1.2 kB/s, 3 held back" in lines[3]
-    assert "90.0 MB, at most 95.0 MB" in lines[4] and "7 threads, up for 2 h" in lines[5]
+    assert "8.0 frames/s, 1.2 kB/s, 3 held back" in lines[3]
+    assert "90.0 MB, peak 95.0 MB" in lines[4] and "7 threads, uptime 2 h" in lines[5]
     assert lines[7:] == ["12:01 ERROR b: y", "12:00 WARNING a: x"]
     assert text(console_table(facts, ["one", "two"], "TW"))[7:] == ["two"]
 
@@ -298,4 +298,4 @@ def test_a_topic_is_silent_after_its_own_time_and_never_where_it_comes_on_change
         topic.heard(b"x", False, NOW - 30.0)
     table = topic_table(state, links, "", NOW)
     states = {name: row(table, name).split("/")[0].strip() for name in ("battery", "pose", "goals")}
-    assert states == {"battery": "● live", "pose": "○ silent", "goals": "● came"}
+    assert states == {"battery": "● live", "pose": "○ silent", "goals": "● received"}
