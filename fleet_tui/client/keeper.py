@@ -96,7 +96,7 @@ class Keeper:
                 if record.order_id == command.order_id:
                     self._drop(record, given_at)
                     for stage in (Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED):
-                        self._tell(CommandAdvanced(command_id, stage, given_at, "waiting here"))
+                        self._tell(CommandAdvanced(command_id, stage, given_at, "was waiting here"))
                     return True
         if isinstance(command, ClearOrders):
             for record in waiting(state, robot):
@@ -108,7 +108,7 @@ class Keeper:
             return Stage.NOT_SENT, f"{robot.name} has {MOST_KEPT} orders waiting here, the maximum"
         busy = "is paused" if robot.paused_by_us else "has an order"
         if self._file is None:
-            words = f"{robot.name} {busy}and has no queue: order from a console, or wait"
+            words = f"{robot.name} {busy} and has no queue: order from a console, or wait"
             return Stage.NOT_SENT, words
         if not self._claim(self._file):
             return Stage.NOT_SENT, f"{robot.name} {busy}, and {self._file.owner} keeps the queue"

@@ -157,12 +157,12 @@ async def test_robots_of_no_certain_kind_are_not_commanded_unseen(
     server = RosbridgeServer(both, dialect=ROS2)
     await server.start()
     done = await run(tmp_path, "pause", "robot_0", "--url", server.url)
-    assert done.code == 2 and "kind of robot_0: oh_ressources, could be nav2" in done.err
+    assert done.code == 2 and "kind of robot_0: oh_ressources, possibly nav2" in done.err
     seen = await run(tmp_path, "status", "--url", server.url)
-    assert "warning: kind of robot_0: oh_ressources, could be nav2" in seen.err and "robot_0" in seen.out
+    assert "warning: kind of robot_0: oh_ressources, possibly nav2" in seen.err and "robot_0" in seen.out
     monkeypatch.setenv(IN_BROWSER, "textual.drivers.web_driver:WebDriver")
     tab = await run(tmp_path, server.url)
-    assert tab.code == 2 and "kind of robot_0: oh_ressources, could be nav2" in tab.err
+    assert tab.code == 2 and "kind of robot_0: oh_ressources, possibly nav2" in tab.err
     assert not server.calls
     await server.stop()
 

@@ -73,13 +73,13 @@ def test_a_theme_and_a_map_that_are_not_there(tmp_path: Path) -> None:
 def test_the_config_is_taken_before_and_after_the_command(tmp_path: Path, args: tuple[str, ...]) -> None:
     (tmp_path / "mine.toml").write_text(GOOD)
     done = run(*args, cwd=tmp_path)
-    assert (done.returncode, done.stdout) == (0, "mine.toml: fine: 1 robot, 1 floor\n")
+    assert (done.returncode, done.stdout) == (0, "mine.toml: valid: 1 robot, 1 floor\n")
 
 
 def test_the_config_is_found_in_order(tmp_path: Path) -> None:
     (tmp_path / "fleet-tui").mkdir()
     (tmp_path / "fleet-tui" / "config.toml").write_text(GOOD)
-    assert "fleet-tui/config.toml: fine" in run("check", cwd=tmp_path).stdout
+    assert "fleet-tui/config.toml: valid" in run("check", cwd=tmp_path).stdout
     (tmp_path / "config.toml").write_text(GOOD)
     assert run("check", cwd=tmp_path).stdout.startswith("config.toml: fine")
     (tmp_path / "other.toml").write_text(GOOD)
@@ -165,7 +165,7 @@ def test_an_output_that_takes_nothing_is_named(tmp_path: Path, line: list[str]) 
             command, cwd=tmp_path, env=place, stdout=full, stderr=subprocess.PIPE, text=True
         )
     assert done.returncode == 1
-    assert done.stderr == "fleet-tui: the output not writable: No space left on device\n"
+    assert done.stderr == "fleet-tui: cannot write the output: No space left on device\n"
     closed = ["/bin/sh", "-c", '"$@" <&- >&- 2>err', "-", *command]
     assert subprocess.run(closed, cwd=tmp_path, env=place).returncode == (3 if "doctor" in line else 0)
     assert "error" not in (tmp_path / "err").read_text()

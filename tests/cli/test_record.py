@@ -106,7 +106,7 @@ async def test_no_link_is_3(tmp_path: Path) -> None:
     config_file(tmp_path, "ws://127.0.0.1:9")
     done = await run(tmp_path, "record", "x.gz", "--timeout", "2")
     assert done.code == 3
-    assert "ws://127.0.0.1:9: no link: nothing listens" in done.out
+    assert "ws://127.0.0.1:9: no link: connection refused" in done.out
     recording = open_recording(tmp_path / "x.gz")
     assert any(isinstance(record, Told) for record in recording.records())
 

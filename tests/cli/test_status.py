@@ -102,7 +102,7 @@ async def test_one_line_is_watched_as_one_line(server: RosbridgeServer, tmp_path
 async def test_json_is_no_one_line(tmp_path: Path) -> None:
     config_file(tmp_path, "ws://127.0.0.1:9")
     done = await run(tmp_path, "status", "--json", "--oneline")
-    assert (done.code, done.out) == (2, "") and "one of them" in done.err
+    assert (done.code, done.out) == (2, "") and "exclude each other" in done.err
 
 
 async def test_a_locale_without_the_signs_gets_others(

@@ -83,7 +83,7 @@ async def test_one_that_waits_here_is_cancelled_here(site: Site) -> None:
         second, third = link.submit(site.to("Base")), link.submit(site.to("Receiving"))
         await reached(store, third, Stage.WAITING)
         cancel = await finished(link, store, CancelOrder(R0, "k1"))
-        assert (cancel.stage, cancel.words) == (Stage.CONFIRMED, "waiting here")
+        assert (cancel.stage, cancel.words) == (Stage.CONFIRMED, "was waiting here")
         assert record_of(store.state, second).stage is Stage.CANCELLED
         assert not site.cancels()
         clear = await finished(link, store, ClearOrders(R0))

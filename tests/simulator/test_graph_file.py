@@ -45,7 +45,7 @@ def test_several_floors_are_a_folder_of_files(tmp_path: Path) -> None:
 
 def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     (tmp_path / "taken").write_text("")
-    with pytest.raises(FleetError, match=r"can't write .*taken.*: "):
+    with pytest.raises(FleetError, match=r"cannot write .*taken.*: "):
         write_graphs(tmp_path / "taken" / "graph.geojson", 1)
 
 
