@@ -50,7 +50,7 @@ async def test_where_it_cant_be_written_it_says_so(tmp_path: Path) -> None:
     (tmp_path / "fleet-tui" / "incidents").write_text("in the way")
     done = await run(tmp_path, "doctor", "--bundle")
     assert done.code == 1
-    assert done.err.startswith("fleet-tui: the archive not writable: File exists (")
+    assert done.err.startswith("fleet-tui: cannot write the archive: File exists (")
     assert "Errno" not in done.err and "XDG_STATE_HOME" in done.err
 
 

@@ -81,9 +81,9 @@ def test_the_config_is_found_in_order(tmp_path: Path) -> None:
     (tmp_path / "fleet-tui" / "config.toml").write_text(GOOD)
     assert "fleet-tui/config.toml: valid" in run("check", cwd=tmp_path).stdout
     (tmp_path / "config.toml").write_text(GOOD)
-    assert run("check", cwd=tmp_path).stdout.startswith("config.toml: fine")
+    assert run("check", cwd=tmp_path).stdout.startswith("config.toml: valid")
     (tmp_path / "other.toml").write_text(GOOD)
-    assert "other.toml: fine" in run("check", cwd=tmp_path, FLEET_TUI_CONFIG="other.toml").stdout
+    assert "other.toml: valid" in run("check", cwd=tmp_path, FLEET_TUI_CONFIG="other.toml").stdout
 
 
 @pytest.mark.parametrize(

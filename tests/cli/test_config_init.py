@@ -86,7 +86,7 @@ async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) ->
     dead = await run(tmp_path, "config", "init", "--from-live", "ws://127.0.0.1:9")
     assert dead.code == 3 and "connection refused" in dead.err
     wrong = await run(tmp_path, "config", "init", "--from-live", "http://x")
-    assert wrong.code == 2 and "is not an address" in wrong.err
+    assert wrong.code == 2 and "is not a rosbridge address" in wrong.err
     PLANTS["a rosapi that fails inside"](server, Config())
     failing = await run(tmp_path, "config", "init", "--from-live", server.url)
     assert failing.code == 1 and "error processing request: boom" in failing.err

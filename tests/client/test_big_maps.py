@@ -104,7 +104,7 @@ async def test_what_comes_faster_than_it_can_be_read_is_passed_over_and_that_is_
         server.publish_raw("/robot_0/floor_0/map", text)
     state = await store.until(lambda state: state.links["rosbridge"].faults >= 2)
     size = f"{len(text) / 1e6:.0f} MB"
-    assert state.links["rosbridge"].last_fault.endswith(f"dropped: {size}still being decoded")
+    assert state.links["rosbridge"].last_fault.endswith(f"dropped: {size} still being decoded")
 
     def shows(width: int, resolution: float) -> bool:
         grid = store.state.robots["robot_0"].charts["floor_0"].grid

@@ -100,7 +100,7 @@ async def test_after_a_failure_nothing_leaves_until_the_operator_resumes(site: S
         second = link.submit(site.to("Receiving"))
         await reached(store, second, Stage.WAITING)
         site.navigation().abort(208, "no path")
-        await store.until(held(f"order {first.order_id} is failed"))
+        await store.until(held(f"order {first.order_id}: failed"))
         alarm = await store.until(lambda state: [one for one in state.alarms if one.key[1] == "held"])
         assert len(site.navigation().received) == 1
         resume = await finished(link, store, ResumeRobot(R0))

@@ -188,7 +188,8 @@ LONG = Finding(
 def test_80_columns() -> None:
     assert line(LONG, plain=False, colour=False, width=80).splitlines() == [
         "   FAIL ✗ robot_0 queue: /robot_0/queue is not on the bridge -> did you mean",
-        '          /robot_0/action_queue? Set [profile.topics] queue = "/{robot}/action_queue"',
+        "          /robot_0/action_queue? Set [profile.topics] queue =",
+        '          "/{robot}/action_queue"',
     ]
     assert "\n" not in line(LONG, plain=False, colour=False)
 

@@ -74,7 +74,9 @@ async def test_one_bridge_of_two_is_down(server: RosbridgeServer, tmp_path: Path
     assert done.code == 1
     failed = [line for line in done.out.splitlines() if line.startswith("   FAIL")]
     assert len(failed) == 1 and "site_b tcp: 127.0.0.1 port 9: connection refused" in failed[0]
-    assert "site_b websocket: not checked: tcp failed" in done.out and "robot_0 robot: heard" in done.out
+    assert (
+        "site_b websocket: not checked: tcp failed" in done.out and "robot_0 robot: messages on" in done.out
+    )
 
 
 async def test_a_bridge_that_stops_answering_costs_no_more_than_the_timeout(
@@ -223,7 +225,7 @@ async def test_without_rosapi_a_name_may_be_what_is_wrong(server: RosbridgeServe
     path.write_text(path.read_text().replace("[profile", '[[robots]]\nname = "robot_00"\n[profile', 1))
     done = await run(tmp_path, "doctor")
     failed = [line for line in done.out.splitlines() if line.startswith("   FAIL")]
-    assert "(without rosapi" in failed[0] and "check [profile.topics] queue and its type)" in failed[0]
+    assert "without rosapi: check" in failed[0] and "[profile.topics] queue and its type)" in failed[0]
     assert "robot_00 robot: silent" in failed[1] and failed[1].endswith("check its name)")
 
 
