@@ -12,7 +12,7 @@ from typing import IO, TYPE_CHECKING, Any, NoReturn
 
 from fleet_tui.errors import ConfigError, FleetError, LinkError, is_address
 from fleet_tui.terminal.ending import PATIENCE, end_within
-from fleet_tui.text.ascii_fallback import stand_in
+from fleet_tui.text.ascii_fallback import ascii_fallback
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -93,9 +93,9 @@ def _nothing(mode: str) -> IO[Any]:
 
 def _never_fail_to_encode() -> None:
     """A locale of Latin-1 has no sign of ours, and not every letter of a site's names."""
-    codecs.register_error("stand_in", stand_in)
+    codecs.register_error("ascii_fallback", ascii_fallback)
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="stand_in")
+        sys.stdout.reconfigure(errors="ascii_fallback")
 
 
 def _words(problem: Exception, log: "Path | None") -> str:

@@ -27,7 +27,7 @@ class CalledLinks:
     def show_map(self, robot: str, floor: str) -> None:
         self.calls.append((robot, floor))
 
-    def overhear(self, on: bool) -> None:
+    def subscribe_logs(self, on: bool) -> None:
         self.calls.append(on)
 
     def close(self) -> None:
@@ -53,7 +53,7 @@ def test_what_is_to_be_watched_is_asked_for_once_they_are_open() -> None:
     backend = backend_of(links)
     backend.show_map(R0, "floor_0")
     backend.show_map(R0, "floor_1")
-    backend.overhear(True)
+    backend.subscribe_logs(True)
     backend.open()
     assert links.calls == [(R0, "floor_1"), True]
 

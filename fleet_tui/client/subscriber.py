@@ -12,7 +12,7 @@ from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.adapters.ros.type_names import type_problem
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.latched import Latched
-from fleet_tui.client.overhearing import Overhearing
+from fleet_tui.client.log_subscription import LogSubscription
 from fleet_tui.errors import LinkError
 from fleet_tui.model import events
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -57,7 +57,7 @@ class Subscriber:
         self._plainly: asyncio.TimerHandle | None = None
         self._map: Feed | None = None
         self._watched: frozenset[Feed] = frozenset()
-        self.overhearing = Overhearing(connection, self._ask_types)
+        self.log_subscription = LogSubscription(connection, self._ask_types)
         self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
         self._asked: dict[str, float] = {}
         self._patience: dict[str, float] = {}
@@ -74,7 +74,7 @@ class Subscriber:
     async def _begin(self) -> None:
         self.types = await self._ask_types()
         # First, to hear what the bridge has to say of the others.
-        self.overhearing.subscribe(self.types)
+        self.log_subscription.subscribe(self.types)
         self._subscribe_to(self._robots)
         if self._is_ros2:
             self._latched.start(self._of_latched(), FOR_EACH_TOPIC)

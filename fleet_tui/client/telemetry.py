@@ -69,7 +69,7 @@ class Telemetry:
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.take
         )
         self.show_map = self._subscriber.show_map
-        self.overhear = self._subscriber.overhearing.listen
+        self.subscribe_logs = self._subscriber.log_subscription.listen
         self.counter = self._reading.counter
         self._fragments = Fragments(int(bridge.max_message_mb * 1e6))
         self._backlog = Backlog(self.connection, self._reading, self._read_frame)

@@ -152,7 +152,7 @@ class BridgeConnection:
         self.heard[topic].again = True
         self.connection.send(operations.subscribe(Subscription(topic, type_)))
 
-    def overhear(self, type_: str) -> None:
+    def subscribe_logs(self, type_: str) -> None:
         """Hear what the bridge says in its log of our subscriptions. Raises LinkError."""
         self.connection.send(operations.subscribe(Subscription(ROSOUT, type_, queue_length=QUEUE)))
 

@@ -165,8 +165,8 @@ def test_the_robots_own_word_confirms_a_pause(command: Command, says: bool) -> N
 @pytest.mark.parametrize("command", [PauseRobot(R0), ResumeRobot(R0)])
 def test_where_nothing_shows_it_an_accepted_pause_is_only_accepted(command: Command) -> None:
     parked = up(pose(T0 - 50), pose(T0), *commanded(1, command, SENT, ACCEPTED), tick(T0))
-    assert only(parked).stage is Stage.TAKEN
-    assert "accepted" in Stage.TAKEN.value
+    assert only(parked).stage is Stage.UNVERIFIABLE
+    assert "accepted" in Stage.UNVERIFIABLE.value
 
 
 def test_a_pause_that_a_topic_is_to_show_waits_for_it() -> None:
@@ -205,11 +205,11 @@ def test_what_is_seen_after_the_opposite_took_effect_is_not_the_doing_of_a_pause
     refused = told(driving, *commanded(2, ResumeRobot(R0), SENT, Stage.REFUSED, at=T0 + 0.2), tick(T0 + 0.3))
     assert refused.commands[0].stage is ACCEPTED
     resumed = told(driving, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 0.2), tick(T0 + 0.3))
-    assert resumed.commands[0].stage is Stage.TAKEN
+    assert resumed.commands[0].stage is Stage.UNVERIFIABLE
     quick = up(PausedReported(R0, T0, False), *commanded(1, PauseRobot(R0), SENT, ACCEPTED))
     quick = told(quick, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 0.2))
     quick = told(quick, PausedReported(R0, T0 + 0.5, False), tick(T0 + PATIENCE))
-    assert [one.stage for one in quick.commands] == [Stage.TAKEN, Stage.CONFIRMED]
+    assert [one.stage for one in quick.commands] == [Stage.UNVERIFIABLE, Stage.CONFIRMED]
 
 
 def test_a_robot_that_stood_all_the_time_is_not_said_to_move() -> None:

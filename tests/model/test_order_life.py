@@ -306,7 +306,7 @@ def test_a_pause_that_a_restart_of_the_robot_ended_is_told(says: bool) -> None:
     told_by_topic: list[Event] = [PausedReported(R0, T0 + 1, True)] if says else []
     state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
     state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), *told_by_topic, tick(T0 + 1))
-    assert first(state).stage is (Stage.CONFIRMED if says else Stage.TAKEN)
+    assert first(state).stage is (Stage.CONFIRMED if says else Stage.UNVERIFIABLE)
     state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
     record = first(state)
     assert record.stage is Stage.LOST and record.words.endswith("no longer paused")
@@ -319,7 +319,7 @@ def test_a_pause_that_was_resumed_before_the_restart_is_not_lost() -> None:
     state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0 + 1))
     state = told(state, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 1.5), tick(T0 + 2))
     state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
-    assert first(state).stage is Stage.TAKEN and not alarm_texts(state)
+    assert first(state).stage is Stage.UNVERIFIABLE and not alarm_texts(state)
 
 
 def test_a_robot_that_does_not_count_its_orders_has_not_started_over() -> None:

@@ -13,7 +13,7 @@ from fleet_tui.view.lines.commands import command_text
 
 VERSION = 2
 DONE, NOT_DONE, USAGE, NO_LINK = 0, 1, 2, 3
-SUCCESSES = frozenset({Stage.CONFIRMED, Stage.TAKEN})
+SUCCESSES = frozenset({Stage.CONFIRMED, Stage.UNVERIFIABLE})
 NOT_SENT = Stage.NOT_SENT.value
 
 

@@ -37,7 +37,7 @@ class ReplayBackend:
         """Return what came over each link, as far as it was played."""
         return self.player.frames.counters
 
-    def overhear(self, _on: bool) -> None:
+    def subscribe_logs(self, _on: bool) -> None:
         """Do nothing: logs are there if they were subscribed to while recording."""
 
     def close(self) -> None:

@@ -14,7 +14,7 @@ TOGETHER = 0.3
 _WORDS = {
     Stage.CONFIRMED: "confirmed",
     Stage.LATE: "confirmed",
-    Stage.TAKEN: "accepted",
+    Stage.UNVERIFIABLE: "accepted",
     Stage.REFUSED: "refused",
     Stage.NOT_SENT: "not sent",
 }

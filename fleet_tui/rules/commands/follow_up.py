@@ -31,7 +31,7 @@ LATE_ORDER, LATE_OTHER = 600.0, 60.0
 
 _UNSEEN = Stage.LOST, Stage.DONE
 """Of a goal whose last status never came, and of which the robot told that it is done."""
-_TAKEN = frozenset({Stage.CONFIRMED, Stage.TAKEN, Stage.LATE})
+_TAKEN = frozenset({Stage.CONFIRMED, Stage.UNVERIFIABLE, Stage.LATE})
 _REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
 _MAY_HAVE_REMOVED = _REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED}
 

@@ -32,7 +32,7 @@ def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
         isinstance(other.command, opposite)
         and other.command.robot == record.command.robot
         and other.issued_at > record.issued_at
-        and other.stage in WAITS | {Stage.CONFIRMED, Stage.TAKEN, Stage.LATE}
+        and other.stage in WAITS | {Stage.CONFIRMED, Stage.UNVERIFIABLE, Stage.LATE}
         for other in state.commands
     )
 
@@ -47,7 +47,7 @@ def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
 
 def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
     """The words stay on the screen, and must not read as what the robot is later."""
-    taken = Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
+    taken = Step(Stage.UNVERIFIABLE, state.now) if record.stage is Stage.ACCEPTED else None
     if is_overtaken(state, record):
         return taken
     if robot.kind.holds:

@@ -84,7 +84,7 @@ class Diagnostics(Overlay):
     def _tick(self) -> None:
         if self._listens != self.is_open:
             self._listens = self.is_open
-            self._backend.overhear(self.is_open)
+            self._backend.subscribe_logs(self.is_open)
         if self.is_open:
             self.look()
         elif self._timer is not None:

@@ -25,7 +25,7 @@ _INKS = dict.fromkeys(
     (
         commands.Stage.CONFIRMED,
         commands.Stage.ACCEPTED,
-        commands.Stage.TAKEN,
+        commands.Stage.UNVERIFIABLE,
         commands.Stage.DONE,
         commands.Stage.CANCELLED,
     ),
