@@ -2,7 +2,6 @@
 
 import codecs
 import errno
-import gc
 import io
 import os
 import signal
@@ -10,7 +9,7 @@ import sys
 import traceback
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 
-from fleet_tui.errors import ConfigError, FleetError, LinkError, is_address
+from fleet_tui.errors import ConfigError, FleetError, LinkError
 from fleet_tui.terminal.ending import PATIENCE, end_within
 from fleet_tui.text.ascii_fallback import ascii_fallback
 from fleet_tui.text.limits import truncate
@@ -38,32 +37,6 @@ def _end_saying(problem: FleetError) -> NoReturn:
     if isinstance(problem, ConfigError):
         _end(2, *problem.problems[:MOST], *_more(len(problem.problems) - MOST))
     _end(3 if isinstance(problem, LinkError) else 1, f"fleet-tui: {problem}")
-
-
-def _console_options() -> dict[str, str] | None:
-    """The options of a command line that only opens the console, None for any other."""
-    found, args = {}, iter(sys.argv[1:])
-    for arg in args:
-        name, _, value = arg.partition("=")
-        if name in ("--config", "--url") and (value or (value := next(args, "-"))) and value[0] != "-":
-            found[name] = value
-        elif not arg.startswith("-") and is_address(arg) and "--url" not in found:
-            found["--url"] = arg
-        elif arg in ("--read-only", "--debug"):
-            found[arg] = arg
-        else:
-            return None
-    return found
-
-
-def _open_console(options: dict[str, str]) -> None:
-    """Open the console without click, whose import would be a tenth of the way to the first paint."""
-    gc.disable()  # until the first paint: it would go through all that is imported again and again
-    from fleet_tui.arriving import open_with
-
-    open_with(
-        options.get("--config"), options.get("--url"), "--read-only" in options, None, "--debug" in options
-    )
 
 
 def _run_command() -> None:
@@ -110,12 +83,8 @@ def _run() -> None:
     """Run the command line."""
     # Tracebacks are for --debug, wherever it stands.
     debug = "--debug" in sys.argv
-    options = _console_options()
     try:
-        if options is None:
-            _run_command()
-        else:
-            _open_console(options)
+        _run_command()
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         _end(1)

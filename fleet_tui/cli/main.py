@@ -3,8 +3,6 @@
 What needs the screen or the simulator is imported where it is used: `check` answers without them.
 """
 
-import gc
-
 import click
 
 from fleet_tui import __version__
@@ -62,7 +60,6 @@ def commands(
     address, without a configuration. `fleet-tui demo` opens a simulated fleet.
     """
     if ctx.invoked_subcommand is None:
-        gc.disable()  # until the first paint: it would go through all that is imported again and again
         from fleet_tui.arriving import open_with
 
         open_with(config_file, url, read_only, drawing, debug)

@@ -41,6 +41,7 @@ def _robots(config: Config) -> dict[str, Robot]:
             {floor: RobotMap() for floor in config.floors_of(robot)},
             says_paused="paused" in adapters[robot.name].kind.reports,
             kind=adapters[robot.name].kind,
+            size=robot.size,
         )
         for number, robot in enumerate(config.robots, 1)
     }

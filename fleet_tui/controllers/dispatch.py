@@ -3,7 +3,6 @@
 import time
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -11,13 +10,13 @@ from fleet_tui.backend import Backend
 from fleet_tui.controllers.held import Held
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.model.commands import Command
-from fleet_tui.model.problem import Permissions
+from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
+from fleet_tui.rules.commands.checks import SAME_WITHIN, acceptable, problems, repeated
+from fleet_tui.rules.commands.keeping import hold_all
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
-
-if TYPE_CHECKING:
-    from fleet_tui.model.problem import Problem
+from fleet_tui.view.lines.questions import losses, question
 
 Ask = Callable[[Callable[[], str], Callable[[], None]], None]
 """Puts a question, and calls what follows only after a yes."""
@@ -36,18 +35,13 @@ class Dispatch:
 
     def arm(self) -> None:
         """Let commands leave this console, or no longer: orders that wait here neither."""
-        from fleet_tui.rules.commands.keeping import hold_all
-
         armed = not self.permissions.armed
         self.permissions = replace(self.permissions, armed=armed)
         for held in () if armed else hold_all(self._store.state, "this console is not armed"):
             self._backend.tell(held)
         self._notices.say("this console is armed" if armed else "this console is not armed")
 
-    def _problems(self, request: Request) -> "list[Problem]":
-        # Here, not above: the first paint does without them.
-        from fleet_tui.rules.commands.checks import problems, repeated
-
+    def _problems(self, request: Request) -> list[Problem]:
         found = problems(self._store.state, request, self.permissions)
         return [*repeated(request, self.given, time.monotonic()), *found]
 
@@ -57,8 +51,6 @@ class Dispatch:
         that is asked."""
         if self._backend.refusal:
             return self._backend.refusal
-        from fleet_tui.rules.commands.checks import acceptable
-
         request, left_out = acceptable(self._store.state, request)
         problem = self._give_able(request, sent)
         if left_out and not problem:
@@ -84,8 +76,6 @@ class Dispatch:
         self._held.release(self._store.state, time.monotonic())
 
     def _give_now(self, request: Request, sent: Callable[[], None]) -> str:
-        from fleet_tui.view.lines.questions import losses, question
-
         found = self._problems(request)
         for problem in found:
             if problem.blocks:
@@ -117,8 +107,6 @@ class Dispatch:
         for command in request.commands:
             if problem := self._refusal() or self._backend.submit(command):
                 self._notices.say(problem)
-        from fleet_tui.rules.commands.checks import SAME_WITHIN
-
         now = time.monotonic()
         recent = {given: at for given, at in self.given.items() if now - at < SAME_WITHIN}
         self.given = {**recent, request.commands: now}

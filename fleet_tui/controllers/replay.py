@@ -7,17 +7,18 @@ from typing import TYPE_CHECKING, Any
 from fleet_tui.actions import PlayerActions
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.session import Headline
+from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import FleetError
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.status import status_line
+from fleet_tui.view.lines.time import time_at
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.widgets.time_line import TimeLine
 
 if TYPE_CHECKING:
-    from fleet_tui.controllers.typed import Typed
     from fleet_tui.recording.play.player import Player
-    from fleet_tui.widgets.time_line import TimeLine
 
 
 class Replay:
@@ -54,8 +55,6 @@ class Replay:
 
     def time_line(self) -> "TimeLine":
         """Make the time line, which is shown at every tick from now on."""
-        from fleet_tui.widgets.time_line import TimeLine
-
         self._time_line = TimeLine(id="time-line")
         return self._time_line
 
@@ -67,13 +66,11 @@ class Replay:
 
     def typed(self, line: str) -> "Typed | None":
         """Read a typed line as a time of the recording to go to, None where it is none."""
-        from fleet_tui.controllers.typed import Typed
-
         text = line.strip().removeprefix("@").strip()
         if not (line.startswith("@") or text.startswith("+") or ":" in text):
             return None
         if not text:
-            from fleet_tui.recording.play.times import FORMS
+            from fleet_tui.recording.play.times import FORMS  # numpy comes with it
 
             return Typed(problem=f"enter a time: {FORMS}")
         try:
@@ -84,6 +81,4 @@ class Replay:
 
     def pick_time(self, x: int, width: int) -> None:
         """Go to the time of a cell of the time line."""
-        from fleet_tui.view.lines.time import time_at
-
         self._player.seek(time_at(self._player.moment, x, width))

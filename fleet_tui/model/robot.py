@@ -64,7 +64,8 @@ class Robot(Struct, frozen=True, eq=False):
     it no order that waits here, empty while it does, and `released_at` when the operator let it go on last;
     `named` is a goal that this console gave under a name of its own, and that was not listed yet; `target`
     where it said last that a goal leads to which it had just begun; `unmeasured` are values that it says it
-    does not measure; `counts_percent`: its battery was seen to count to 100."""
+    does not measure; `counts_percent`: its battery was seen to count to 100; `size` is its length and width
+    in metres, None where the config does not say it."""
 
     name: str
     number: int
@@ -107,6 +108,7 @@ class Robot(Struct, frozen=True, eq=False):
     faults: int = 0
     last_fault: str = ""
     fault_at: float | None = None
+    size: tuple[float, float] | None = None
 
     @property
     def has_cargo(self) -> bool:

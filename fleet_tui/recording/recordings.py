@@ -1,7 +1,4 @@
-"""The recordings of a console: always the last minutes, and one on request.
-
-Only what is made before the first picture is imported here.
-"""
+"""The recordings of a console: always the last minutes, and one on request."""
 
 import logging
 import math
@@ -10,17 +7,16 @@ import re
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from fleet_tui.audit.log import new_origin
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import FleetError
+from fleet_tui.recording.part_files import PartLimits
 from fleet_tui.recording.parts import parts_beside
+from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.taps import Taps
 from fleet_tui.state.store import Store
 from fleet_tui.text.durations import age
-
-if TYPE_CHECKING:
-    from fleet_tui.recording.recorder import Recorder
 
 LOG = logging.getLogger(__name__)
 
@@ -52,8 +48,6 @@ class Recordings:
         usual, folder = self._config.recording, self._folder / RECENT / ("demo" if self._demo else "")
         if not usual.recent_minutes:
             return
-        from fleet_tui.recording.part_files import PartLimits
-
         size = usual.recent_mb * 1e6
         kept = math.ceil(usual.recent_minutes * 60 / RECENT_PART) + 1
         # One file is being written while the others are counted.
@@ -67,8 +61,6 @@ class Recordings:
 
     def start(self) -> Path:
         """Begin a recording; where it is. Raises RecordingError."""
-        from fleet_tui.recording.part_files import PartLimits
-
         usual = self._config.recording
         limits = PartLimits(usual.rotate_mb * 1e6, usual.rotate_minutes * 60, usual.keep)
         self._recorder = self._record(self._folder / RECORDINGS / f"{_now()}.jsonl.gz", limits)
@@ -109,10 +101,6 @@ class Recordings:
                 self.taps.detach(recorder)
 
     def _record(self, path: Path, limits: object) -> "Recorder":
-        from fleet_tui.audit.log import new_origin
-        from fleet_tui.recording.part_files import PartLimits
-        from fleet_tui.recording.recorder import Recorder
-
         assert isinstance(limits, PartLimits)
         origin = new_origin(self._config, self._demo)
         return self.taps.attach(Recorder(path, self._config, self._store, origin, limits))

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 from datetime import datetime
 from functools import partial
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual import on
 from textual.app import ComposeResult
@@ -11,6 +11,10 @@ from textual.binding import BindingType
 from textual.widgets import Input, Static
 from textual.worker import get_current_worker
 
+from fleet_tui.audit.export import export
+from fleet_tui.audit.log import Audit
+from fleet_tui.audit.reader import AuditReader
+from fleet_tui.audit.search import Search, search_of
 from fleet_tui.errors import FleetError
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.screens.overlay import Overlay
@@ -18,11 +22,6 @@ from fleet_tui.view.tables.audit import audit_table, details
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.messages import RowChosen, RowPicked
 from fleet_tui.widgets.rows_pane import RowsPane
-
-if TYPE_CHECKING:
-    from fleet_tui.audit.log import Audit
-    from fleet_tui.audit.reader import AuditReader
-    from fleet_tui.audit.search import Search
 
 SHOWN = 1000
 """Records that are listed; a narrower search reaches the older ones."""
@@ -75,9 +74,6 @@ class AuditLog(Overlay):
 
     def _wanted(self) -> "tuple[AuditReader, Search] | None":
         """The log and what is searched in it, unless what was typed is no search."""
-        from fleet_tui.audit.reader import AuditReader
-        from fleet_tui.audit.search import search_of
-
         audit = self._audit()
         if audit is None:
             self._list([], empty="no audit log on this console")
@@ -150,8 +146,6 @@ class AuditLog(Overlay):
 
     def _write(self, reading: "AuditReader", search: "Search") -> None:
         """In a thread: everything that matches, to a new file beside the log."""
-        from fleet_tui.audit.export import export
-
         worker = get_current_worker()
 
         def wanted() -> Iterator[AuditRecord]:

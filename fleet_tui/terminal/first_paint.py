@@ -50,9 +50,5 @@ class FirstPaint:
         self._app.screen.refresh()
         await self.painted.wait()
         self._app.output.ready = True
-        # Collecting garbage while so much was imported would have gone through it again and again.
-        if not gc.isenabled():
-            gc.freeze()
-            gc.enable()
         gc.set_threshold(YOUNG)
         await self._mount_rest()

@@ -124,6 +124,7 @@ def _robot(
         obstacle=state.is_obstructed(robot),
         other_map=other_map,
         age=state.now - robot.pose.at,
+        size=robot.size,
     )
 
 

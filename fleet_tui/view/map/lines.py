@@ -1,16 +1,18 @@
 """The layers made of lines and dots: edges, the remaining mission, where robots were."""
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.glyphs import robot_inks
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Points, pixels
 from fleet_tui.view.map.raster import BRAILLE, pack
-from fleet_tui.view.map.scene import Line, Scene
+from fleet_tui.view.map.scene import Line, Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 
 Mask = NDArray[np.bool_]
@@ -20,6 +22,8 @@ OFF_EDGE = 1.0
 """Metres from which a robot is beside its edge, not on it."""
 FADED = 30.0
 """Seconds after which a trail is paler and has half as many dots."""
+OUTLINE = 6.0
+"""Dots of a robot's longer side from which its outline is drawn."""
 _ARROW_ROOM = 8.0  # dots of an edge that must be seen before it gets an arrow head
 _NEXT = ":"
 """The next orders' way in ASCII."""
@@ -127,6 +131,33 @@ def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
         mask = _mask(camera)
         _dot(mask, dots[some])
         _stroke(cells, mask, ink, look, ",")
+
+
+def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
+    """The outline of each robot whose size is known, to scale, where the view is near enough to show one."""
+    dot = camera.scale * scene.frame.resolution
+    near = [robot for robot in scene.robots if robot.size and max(robot.size) >= OUTLINE * dot]
+    seen = [robot for robot in near if math.isfinite(robot.pose.x + robot.pose.y + robot.pose.yaw)]
+    for ink in {robot_inks(robot)[0] for robot in seen}:
+        sides = [side for robot in seen if robot_inks(robot)[0] is ink for side in _sides(robot)]
+        mask = _mask(camera)
+        _trace(mask, *_ends(scene, camera, tuple(sides)))
+        _stroke(cells, mask, ink, look, "%")
+
+
+def _sides(robot: SceneRobot) -> Iterator[Line]:
+    """The four sides of a robot's outline; its pose is in the middle."""
+    assert robot.size is not None
+    x, y, yaw = robot.pose.x, robot.pose.y, robot.pose.yaw
+    length, width = robot.size
+    ahead = math.cos(yaw) * length / 2, math.sin(yaw) * length / 2
+    left = -math.sin(yaw) * width / 2, math.cos(yaw) * width / 2
+    corners = [
+        (x + one * ahead[0] + other * left[0], y + one * ahead[1] + other * left[1])
+        for one, other in ((1, 1), (1, -1), (-1, -1), (-1, 1))
+    ]
+    for (from_x, from_y), (to_x, to_y) in zip(corners, [*corners[1:], corners[0]], strict=True):
+        yield from_x, from_y, to_x, to_y
 
 
 def _thick(mask: Mask) -> Mask:

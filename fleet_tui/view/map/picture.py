@@ -13,7 +13,7 @@ from fleet_tui.view.map.layers import (
     draw_robots,
     draw_vertices,
 )
-from fleet_tui.view.map.lines import draw_approach, draw_edges, draw_mission, draw_trails
+from fleet_tui.view.map.lines import draw_approach, draw_edges, draw_mission, draw_outlines, draw_trails
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.roles import StyleRole
 
@@ -22,7 +22,7 @@ Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
 STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices, draw_labels)
 """Drawn again only when the map, the graph, the mission, the camera or the look changes."""
 
-MOVING: tuple[Layer, ...] = (draw_trails, draw_approach)
+MOVING: tuple[Layer, ...] = (draw_trails, draw_approach, draw_outlines)
 """Drawn at every tick; then the robots, and the layers of the mode on top."""
 
 

@@ -26,7 +26,8 @@ class SceneVertex:
 
 
 class SceneRobot(NamedTuple):
-    """A robot at its last known pose. number: 1 = first of the config; age: seconds since heard of.
+    """A robot at its last known pose. number: 1 = first of the config; age: seconds since heard of; size:
+    length and width in metres, None if unknown.
 
     A tuple, because a hundred of them are made ten times a second: it takes a third of the time.
     """
@@ -41,6 +42,7 @@ class SceneRobot(NamedTuple):
     obstacle: bool = False
     other_map: bool = False
     age: float = 0.0
+    size: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, slots=True)
