@@ -72,10 +72,10 @@ def test_without_colour_the_selected_robot_still_stands_out(name: str) -> None:
 @pytest.mark.parametrize(
     ("content", "problem"),
     [
-        ("nonsense", "can't be read"),
+        ("nonsense", "unreadable"),
         ("[inks]\nwal = '#112233'", "inks.wal is unknown, did you mean wall?"),
-        ("[inks]\nwall = 'red'", "inks.wall = 'red' is no colour"),
-        ("[inks]\nwall = { on = 3 }", "inks.wall.on = 3 is no colour"),
+        ("[inks]\nwall = 'red'", "inks.wall = 'red' is not a colour"),
+        ("[inks]\nwall = { on = 3 }", "inks.wall.on = 3 is not a colour"),
         ("[inks]\nwall = { bold = 'yes' }", "inks.wall.bold must be true or false"),
         ("[inks]\nwall = { blink = true }", "inks.wall.blink is unknown"),
         ("dark = 1", "dark must be true or false"),

@@ -60,7 +60,7 @@ def test_times_are_local_unless_they_say_otherwise() -> None:
 
 @pytest.mark.parametrize("text", ["2x", "25:00", "yesterday", "999999d", "2024-13-01", "0001-01-01"])
 def test_a_time_that_is_none_is_answered_with_the_forms(text: str) -> None:
-    with pytest.raises(FleetError, match="give 30m, 2h, 7d"):
+    with pytest.raises(FleetError, match="use 30m, 2h, 7d"):
         search_of(f"since:{text}", NOW)
 
 

@@ -60,22 +60,22 @@ def files(tmp_path: Path) -> Iterator[Path]:
     ("name", "words"),
     [
         ("none.bag", "BAG: no such file"),
-        ("empty.bag", "BAG: it is empty"),
-        ("empty.mcap", "BAG: it is empty"),
-        ("empty.db3", "BAG: it is no bag"),
-        ("text.bag", "BAG: it is no bag"),
-        ("text.mcap", "BAG: it is no bag"),
-        ("text.db3", "BAG: can't be read: Cannot open database text.db3: "),
-        ("old.bag", "BAG: can't be read: Bag version 102 is not supported."),
-        ("folder", "BAG: is no bag: there is no metadata.yaml in it, no .bag, .db3 or .mcap"),
+        ("empty.bag", "BAG: empty"),
+        ("empty.mcap", "BAG: empty"),
+        ("empty.db3", "BAG: not a bag"),
+        ("text.bag", "BAG: not a bag"),
+        ("text.mcap", "BAG: not a bag"),
+        ("text.db3", "BAG: unreadable: Cannot open database text.db3: "),
+        ("old.bag", "BAG: unreadable: Bag version 102 is not supported."),
+        ("folder", "BAG: not a bag: no metadata.yaml, .bag, .db3 or .mcap in it"),
         (
             "lost",
-            "BAG: there is no metadata.yaml in it: give one of its files (lost_0.db3, pipe.mcap), or mend",
+            "BAG: no metadata.yaml in it: name one of its files (lost_0.db3, pipe.mcap), or repair",
         ),
-        ("yaml", "BAG: can't be read: Invalid bag metadata: "),
-        ("huge", "BAG/metadata.yaml: is larger than 16,777,216 bytes: it is none"),
-        ("code", "BAG: can't be read: "),
-        ("pipe.bag", "BAG: is no file"),
+        ("yaml", "BAG: unreadable: Invalid bag metadata: "),
+        ("huge", "BAG/metadata.yaml: is larger than 16,777,216 bytes: not a metadata.yaml"),
+        ("code", "BAG: unreadable: "),
+        ("pipe.bag", "BAG: not a file"),
     ],
 )
 def test_what_is_no_bag_is_named_with_the_remedy(files: Path, name: str, words: str) -> None:
@@ -87,12 +87,12 @@ def test_a_folder_of_ros_1_bags_has_no_metadata_to_mend(tmp_path: Path) -> None:
     (tmp_path / "bags").mkdir()
     written(tmp_path / "bags", "ros1", [])
     said = said_of(tmp_path / "bags", tmp_path)
-    assert said == "BAG: there is no metadata.yaml in it: give one of its files (night.bag)"
+    assert said == "BAG: no metadata.yaml in it: name one of its files (night.bag)"
 
 
 def test_a_bag_without_messages_is_empty(tmp_path: Path) -> None:
-    assert "it is empty: there is no topic in it" in said_of(written(tmp_path, "ros1", []), tmp_path)
-    assert "it is empty: there is no topic in it" in said_of(written(tmp_path, "mcap", []), tmp_path)
+    assert "empty: no topics in it" in said_of(written(tmp_path, "ros1", []), tmp_path)
+    assert "empty: no topics in it" in said_of(written(tmp_path, "mcap", []), tmp_path)
 
 
 def test_without_rosbags_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -105,14 +105,14 @@ def test_a_bag_that_was_cut_off_names_what_mends_it(tmp_path: Path) -> None:
     ros1 = written(tmp_path, "ros1", night())
     whole = ros1.read_bytes()
     ros1.write_bytes(whole[: len(whole) // 2])
-    assert "`rosbag reindex night.bag` mends" in said_of(ros1, tmp_path)
+    assert "repair a ROS 1 bag with `rosbag reindex night.bag`" in said_of(ros1, tmp_path)
     # As rosbag leaves it: the place of the index is written last.
     at = whole.index(b"index_pos=") + len(b"index_pos=")
     ros1.write_bytes(whole[:at] + bytes(8) + whole[at + 8 :])
-    assert "it has no index" in said_of(ros1, tmp_path)
+    assert "no index" in said_of(ros1, tmp_path)
     [mcap] = written(tmp_path, "mcap", night()).glob("*.mcap")
     mcap.write_bytes(mcap.read_bytes()[:-100])
-    assert "`mcap recover night.mcap -o mended.mcap` mends" in said_of(mcap, tmp_path)
+    assert "repair it with `mcap recover night.mcap -o mended.mcap`" in said_of(mcap, tmp_path)
 
 
 def file_of(bag: Path) -> Path:
@@ -171,7 +171,7 @@ def test_a_message_that_is_too_large_is_bad_data(tmp_path: Path, monkeypatch: py
     said = [pose(0), Said(1, f"/{R0}/queue", "ActionQueue", {"orders": [{"status": "x" * 2000}]}), pose(2)]
     report, recording = made_of(written(tmp_path, "ros1", said), bag_config("ros1"), tmp_path / "r.jsonl.gz")
     assert (report.messages, report.unreadable) == (2, 1)
-    assert "a message of a bag may have 1,000" in played(recording).robots[R0].last_fault
+    assert "the limit for bag messages is 1,000" in played(recording).robots[R0].last_fault
 
 
 def test_a_message_that_is_none_costs_nothing_else(tmp_path: Path) -> None:
@@ -195,5 +195,5 @@ def test_a_time_that_can_not_be_is_left_out(tmp_path: Path, stamp: object) -> No
         database.execute("UPDATE messages SET timestamp = ? WHERE id = 3", (stamp,))
     report, recording = made_of(bag, bag_config("sqlite3"), tmp_path / "r.jsonl.gz")
     assert (report.messages, report.impossible) == (3, 1)
-    assert "1 messages have a time that can't be: they are left out" in report.notes
+    assert "1 messages with an impossible time left out" in report.notes
     assert recording.end.at == 4.0

@@ -32,9 +32,9 @@ def test_what_a_bag_lacks_is_said_and_no_control_character_with_it(tmp_path: Pat
     bag = written(tmp_path, "ros1", [*night(), Said(1, "/tf\x1b[2J", "std_msgs/msg/Bool", {})])
     code, said = replay(tmp_path, bag)
     assert said == [
-        "made of the ROS bag night.bag: what consoles commanded, and how the links were, is not in a bag",
+        "from ROS bag night.bag: a bag has no console commands and no link states",
         "not in the bag: /robot_0/obstacle (correct [profile.topics])",
-        "in the bag, but not asked for: /tf␛[2J",
+        "in the bag, not used: /tf␛[2J",
         "fleet-tui: the console needs a terminal for input, output and errors: over SSH use ssh -t",
     ]
     assert code == 1
@@ -44,7 +44,7 @@ def test_a_bag_that_can_not_be_read_is_one_line_and_exit_code_2(tmp_path: Path) 
     bag = tmp_path / "a\x1b[2J.bag"
     bag.write_text("#ROSBAG")
     code, [said] = replay(tmp_path, bag)
-    assert code == 2 and said == f"{tmp_path}/a␛[2J.bag: it is no bag"
+    assert code == 2 and said == f"{tmp_path}/a␛[2J.bag: not a bag"
 
 
 @pytest.mark.parametrize("size", [(120, 40), (80, 24)])
@@ -54,5 +54,5 @@ async def test_the_console_says_that_it_is_a_bag(tmp_path: Path, size: tuple[int
     async with replayed(made, "+5s", size, report.notes) as running:
         assert "REPLAY 2023-11-1" in running.text.splitlines()[0]
         assert size[0] < 100 or "● rosbag://night.bag" in running.text.splitlines()[0]
-        assert "made of the ROS bag night.bag" in running.text
+        assert "from ROS bag night.bag" in running.text
         assert "25 %" in running.text and "Grüße ☃" in running.text

@@ -34,7 +34,7 @@ def test_what_is_no_recording(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     assert "no such file" in refused(tmp_path, "night") and "fleet-tui record" in refused(tmp_path, "night")
     for name in ("empty", "text", "pipe"):
-        assert refused(tmp_path, name).startswith(f"{name}: is ")
+        assert refused(tmp_path, name).startswith(f"{name}: ")
     assert refused(tmp_path, "folder").startswith("folder: ")
 
 
@@ -52,11 +52,11 @@ def test_a_newer_format(tmp_path: Path) -> None:
 
 def test_a_time_that_is_not_in_it(tmp_path: Path) -> None:
     path = str(shift(tmp_path / "night.jsonl.gz").path)
-    assert "is no time: write 12:04:31" in refused(tmp_path, path, "--at", "noon")
-    assert "is not in the recording: it goes from" in refused(tmp_path, path, "--at", "+2h")
+    assert "is not a time: use 12:04:31" in refused(tmp_path, path, "--at", "noon")
+    assert "is not in the recording, which covers" in refused(tmp_path, path, "--at", "+2h")
     half = Path(path).read_bytes()[:-1]
     Path(path).write_bytes(half)
-    assert "(night.jsonl.gz: it ends in the middle" in refused(tmp_path, path, "--at", "+2h")
+    assert "(night.jsonl.gz: incomplete" in refused(tmp_path, path, "--at", "+2h")
     done = run("replay", path, "--speed", "1000", cwd=tmp_path)
     assert done.returncode == 2 and "0.25<=x<=64" in done.stderr
 
@@ -89,7 +89,7 @@ def test_times(tmp_path: Path) -> None:
         with pytest.raises(FleetError, match="is not in the recording"):
             moment_of(text, recording)
     for text in ("", "+", "12", "noon", "25:00", "2023-14-11T10:00", "22:14+05:00", "22:14Z"):
-        with pytest.raises(FleetError, match="is no time"):
+        with pytest.raises(FleetError, match="is not a time"):
             moment_of(text, recording)
 
 

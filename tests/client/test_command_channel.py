@@ -42,7 +42,7 @@ async def test_a_command_without_a_link_is_refused_at_once_and_never_sent_later(
     await server.stop()
     async with linked(config_of(url, 1)) as (link, store):
         state = await store.until(phase(Phase.WAITING))
-        assert state.links["rosbridge"].reason == "nothing listens there"
+        assert state.links["rosbridge"].reason == "connection refused"
         record = await finished(link, store, PauseRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
         late = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True), port=port)
@@ -66,7 +66,7 @@ async def test_a_command_under_way_ends_when_the_link_goes(server: RosbridgeServ
         record = state.commands[-1]
         steps = [event for event in store.events if isinstance(event, CommandAdvanced)]
     assert (record.id, record.stage) == (command_id, Stage.NOT_CONFIRMED)
-    assert "outcome unknown" in record.words and "it reported no pause" in record.words
+    assert "outcome unknown" in record.words and "the robot reported no pause" in record.words
     assert [step.stage for step in steps] == [Stage.SENT, Stage.UNKNOWN]
     assert len(server.calls) == 1
 

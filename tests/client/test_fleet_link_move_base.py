@@ -195,7 +195,7 @@ async def test_a_goal_that_waits_for_a_new_connection_is_overtaken_by_a_pause(
         await reached(store, link.submit(PauseRobot(R0)), Stage.ACCEPTED, Stage.CONFIRMED)
         network_loop().call_soon_threadsafe(told.set)
         ended = await reached(store, order, Stage.NOT_SENT, Stage.CONFIRMED)
-    assert (ended.stage, ended.words) == (Stage.NOT_SENT, "its robot was paused before it left")
+    assert (ended.stage, ended.words) == (Stage.NOT_SENT, "robot paused before it was sent")
     assert not site.published("/goal")
 
 
@@ -204,7 +204,7 @@ async def test_a_goal_that_nobody_hears_is_not_confirmed(site: MoveBaseSite) -> 
     async with linked(site.config) as (link, store):
         await store.until(known)
         record = await finished(link, store, site.to("Base"))
-        assert (record.stage, record.words) == (Stage.NOT_CONFIRMED, "no answer; no new goal was seen")
+        assert (record.stage, record.words) == (Stage.NOT_CONFIRMED, "no answer; no new goal seen")
 
 
 async def test_what_a_robot_gives_up_is_said_in_its_words(site: MoveBaseSite) -> None:

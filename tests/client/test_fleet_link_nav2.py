@@ -36,7 +36,7 @@ async def test_an_order_from_a_to_b_is_confirmed_and_driven_to_its_end(site: Sit
         assert order.stops == at_vertices(site.vertex("Receiving"), site.vertex("Base"))
         await store.until(lambda state: state.robots[R0].orders.orders[0].state is OrderState.IN_PROCESS)
         ended = await reached(store, record.id, Stage.DONE)
-        assert ended.words == f"order {record.order_id}: as the robot reports"
+        assert ended.words == f"order {record.order_id}: as reported by the robot"
     stages = [step.stage for step in ended.steps]
     assert stages == [Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, Stage.DONE]
     pose = site.navigation().robot.pose
@@ -77,7 +77,7 @@ async def test_our_order_is_cancelled_by_its_id(site: Site) -> None:
         order = await finished(link, store, site.to("Consumidores"))
         assert order.order_id is not None
         cancel = await finished(link, store, CancelOrder(R0, order.order_id))
-        assert (cancel.stage, cancel.words) == (Stage.CONFIRMED, "gone from the queue")
+        assert (cancel.stage, cancel.words) == (Stage.CONFIRMED, "no longer in the queue")
         ended = await reached(store, order.id, Stage.CANCELLED)
         assert ended.words == f"order {order.order_id}: by this console"
         ((action, uuid),) = site.cancels()
@@ -114,7 +114,7 @@ async def test_a_goal_that_was_there_before_is_never_taken_for_ours(site: Site) 
         record_id = link.submit(site.to("Receiving"))
         # It would replace theirs: it waits here until somebody decides.
         record = await reached(store, record_id, Stage.WAITING, Stage.NOT_SENT)
-        assert record.stage is Stage.NOT_SENT and "keeps no queue" in record.words
+        assert record.stage is Stage.NOT_SENT and "has no queue" in record.words
         assert [one.id for one in foreign(store.state, store.state.robots[R0])] == [theirs.id]
     assert len(site.navigation().received) == 1
 
@@ -136,7 +136,7 @@ async def test_an_order_that_is_aborted_failed_with_the_robots_words(site: Site)
         order = await finished(link, store, site.to("Consumidores"))
         site.navigation().abort(106, "Failed to find valid control")
         ended = await reached(store, order.id, Stage.FAILED)
-        words = "error 106 (the controller found no way to move): Failed to find valid control"
+        words = "error 106 (no valid control): Failed to find valid control"
         assert ended.words == f"order {order.order_id}: {words}"
 
 
@@ -149,7 +149,7 @@ async def test_an_order_of_which_a_stop_was_missed_is_not_done(site: Site) -> No
         ended = await reached(store, order.id, Stage.FAILED, Stage.DONE)
         assert (ended.stage, ended.words) == (
             Stage.FAILED,
-            f"order {order.order_id}: 1 of its stops were missed",
+            f"order {order.order_id}: 1 stops missed",
         )
 
 

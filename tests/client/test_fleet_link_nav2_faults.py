@@ -61,7 +61,7 @@ async def test_a_rejection_that_nobody_tells_ends_as_not_confirmed(site: Site) -
         await store.until(nav2_ready)
         record = await finished(link, store, site.to("Receiving"))
         assert record.stage is Stage.NOT_CONFIRMED
-        assert record.words == "no answer; no new goal was seen"
+        assert record.words == "no answer; no new goal seen"
 
 
 async def test_aborts_end_the_order_as_failed_with_the_code(site: Site) -> None:
@@ -70,7 +70,7 @@ async def test_aborts_end_the_order_as_failed_with_the_code(site: Site) -> None:
         await store.until(nav2_ready)
         record = await finished(link, store, site.to("Consumidores"))
         ended = await reached(store, record.id, Stage.FAILED)
-        words = "error 105 (it makes no progress): Failed to make progress"
+        words = "error 105 (no progress): Failed to make progress"
         assert ended.words == f"order {record.order_id}: {words}"
 
 
@@ -81,7 +81,7 @@ async def test_a_goal_of_another_client_replaces_ours(site: Site) -> None:
         record = await finished(link, store, site.to("Consumidores"))
         site.navigation().give(8.0, 0.0)
         ended = await reached(store, record.id, Stage.REPLACED)
-        assert "as the robot reports" in ended.words
+        assert "as reported by the robot" in ended.words
 
 
 async def test_foreign_cancel_is_cancelled_elsewhere(site: Site) -> None:
@@ -101,7 +101,7 @@ async def test_a_cancel_that_is_refused_says_so_and_the_order_goes_on(site: Site
         order = await finished(link, store, site.to("Consumidores"))
         assert order.order_id is not None
         cancel = await finished(link, store, CancelOrder(R0, order.order_id))
-        assert (cancel.stage, cancel.words) == (Stage.REFUSED, "the robot rejected it")
+        assert (cancel.stage, cancel.words) == (Stage.REFUSED, "rejected by the robot")
         assert store.state.robots[R0].orders.open
 
 
@@ -138,7 +138,7 @@ async def test_an_action_server_that_was_started_anew_knows_no_goal_any_more(sit
         server.alive = True
         assert order.order_id is not None
         cancel = await finished(link, store, CancelOrder(R0, order.order_id))
-        assert (cancel.stage, cancel.words) == (Stage.REFUSED, "the robot knows no such goal")
+        assert (cancel.stage, cancel.words) == (Stage.REFUSED, "goal unknown to the robot")
         await reached(store, order.id, Stage.LOST)
         await store.until(lambda state: state.robots[R0].held)
         assert record_of(store.state, waits).stage is Stage.WAITING
@@ -196,8 +196,8 @@ async def test_without_odometry_it_is_drawn_where_it_localised_last(site: Site) 
 async def test_one_that_is_lost_is_told_so(site: Site) -> None:
     plant(site, f"lost:{R0}")
     async with linked(site.config) as (_, store):
-        await store.until(alarmed("localisation", "not sure where it is: within "))
-        await store.until(lambda state: "not sure where it is" in why(state))
+        await store.until(alarmed("localisation", "localisation uncertain: within "))
+        await store.until(lambda state: "localisation uncertain" in why(state))
 
 
 async def test_an_obstacle_stops_it_and_recoveries_are_counted(site: Site) -> None:

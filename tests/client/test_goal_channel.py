@@ -47,8 +47,8 @@ async def test_of_two_orders_given_at_once_the_second_waits_for_the_first(site: 
 @pytest.mark.parametrize(
     ("overtaking", "words"),
     [
-        (PauseRobot(R0), "its robot was paused before it left"),
-        (ClearOrders(R0), "the orders of its robot were cleared before it left"),
+        (PauseRobot(R0), "robot paused before it was sent"),
+        (ClearOrders(R0), "robot's orders cleared before it was sent"),
     ],
 )
 async def test_what_overtakes_an_order_that_has_not_left_keeps_it_from_leaving(

@@ -71,7 +71,7 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
         server.rosapi_alive = True
         state = await store.until(
             lambda state: (
-                state.links["rosbridge"].command_reason == "nodes of robot_1 are not registered: restart them"
+                state.links["rosbridge"].command_reason == "nodes of robot_1 not registered: restart them"
             )
         )
         server.services.update(there)

@@ -28,7 +28,7 @@ from tests.support.queue_files import kept
 
 R0 = "robot_0"
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
-FOREIGN_STOPPED = "stopped, and someone else's goal with it, which can't be resumed from here"
+FOREIGN_STOPPED = "stopped, also another client's goal, not resumable from here"
 
 
 @pytest.fixture(autouse=True)
@@ -72,7 +72,7 @@ async def test_only_so_many_orders_wait_for_a_robot(site: Site, monkeypatch: pyt
         surplus = await finished(link, store, site.to("Base"))
         assert (surplus.stage, surplus.words) == (
             Stage.NOT_SENT,
-            "robot_0 has 1 orders that wait here, the most that may",
+            "robot_0 has 1 orders waiting here, the maximum",
         )
 
 
@@ -83,7 +83,7 @@ async def test_one_that_waits_here_is_cancelled_here(site: Site) -> None:
         second, third = link.submit(site.to("Base")), link.submit(site.to("Receiving"))
         await reached(store, third, Stage.WAITING)
         cancel = await finished(link, store, CancelOrder(R0, "k1"))
-        assert (cancel.stage, cancel.words) == (Stage.CONFIRMED, "it waited here")
+        assert (cancel.stage, cancel.words) == (Stage.CONFIRMED, "was waiting here")
         assert record_of(store.state, second).stage is Stage.CANCELLED
         assert not site.cancels()
         clear = await finished(link, store, ClearOrders(R0))
@@ -100,14 +100,14 @@ async def test_after_a_failure_nothing_leaves_until_the_operator_resumes(site: S
         second = link.submit(site.to("Receiving"))
         await reached(store, second, Stage.WAITING)
         site.navigation().abort(208, "no path")
-        await store.until(held(f"order {first.order_id} is failed"))
+        await store.until(held(f"order {first.order_id}: failed"))
         alarm = await store.until(lambda state: [one for one in state.alarms if one.key[1] == "held"])
         assert len(site.navigation().received) == 1
         resume = await finished(link, store, ResumeRobot(R0))
-        assert (resume.stage, resume.words) == (Stage.CONFIRMED, "the orders that wait here go on")
+        assert (resume.stage, resume.words) == (Stage.CONFIRMED, "waiting orders continue")
         await reached(store, second, Stage.DONE)
     (text,) = [one.condition.text for one in alarm.alarms if one.key[1] == "held"]
-    assert text == f"order {first.order_id} is failed: 1 order waits here, resume lets them go on"
+    assert text == f"order {first.order_id}: failed: 1 order waiting here, resume to continue"
 
 
 async def test_a_failure_of_long_ago_holds_nothing(site: Site) -> None:

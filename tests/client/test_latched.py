@@ -138,5 +138,5 @@ async def test_why_the_bridge_did_not_subscribe_a_topic_is_in_the_log(
     async with linked(config_of(server.url, 1)) as (link, store):
         topic = link.counters["rosbridge"].topics["/robot_0/queue"]
         await store.until(lambda _: topic.not_subscribed)
-        assert topic.not_subscribed.startswith("the bridge says: Unable to import oh_ressources")
-    assert "the bridge did not subscribe /robot_0/queue: Unable to import" in caplog.text
+        assert topic.not_subscribed.startswith("bridge: Unable to import oh_ressources")
+    assert "bridge did not subscribe /robot_0/queue: Unable to import" in caplog.text

@@ -18,8 +18,8 @@ async def test_log_and_health_are_asked_for_only_while_somebody_listens(server: 
     async with linked(config_of(server.url)) as (link, store):
         await store.until(ready)
         assert asked(server, "subscribe") == []
-        link.overhear(True)
-        link.overhear(True)
+        link.subscribe_logs(True)
+        link.subscribe_logs(True)
         await until(store, lambda: asked(server, "subscribe") == list(OVERHEARD))
         server.publish_raw("/rosout", {"level": 8, "name": "/base", "msg": "motor hot"})
         server.publish_raw("/rosout", {"level": 8, "name": "/base"})
@@ -27,5 +27,5 @@ async def test_log_and_health_are_asked_for_only_while_somebody_listens(server: 
         assert [line.text for line in counter(link).log if line.node == "/base"] == ["motor hot"]
         await server.drop_clients()
         await until(store, lambda: len(asked(server, "subscribe")) == 4)
-        link.overhear(False)
+        link.subscribe_logs(False)
         await until(store, lambda: asked(server, "unsubscribe") == list(OVERHEARD))

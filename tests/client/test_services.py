@@ -25,7 +25,7 @@ async def test_a_robot_whose_services_have_gone_is_named_when_it_is_called(serve
         record = await finished(link, store, PauseRobot("robot_0"))
         assert record.stage is Stage.REFUSED and record.words.endswith("does not exist")
         state = await store.until(path(CommandPath.UNREGISTERED))
-        assert "nodes of robot_0 are" in state.links["rosbridge"].command_reason
+        assert "nodes of robot_0 not" in state.links["rosbridge"].command_reason
 
 
 async def test_a_service_of_another_type_is_not_called(server: RosbridgeServer) -> None:
@@ -62,7 +62,7 @@ async def test_services_that_go_unnoticed_are_missed_by_the_next_look(
         server.services.clear()
         state = await store.until(path(CommandPath.UNREGISTERED))
         reason = state.links["rosbridge"].command_reason
-        assert reason == "the robots' nodes are not registered: restart them"
+        assert reason == "robot nodes not registered: restart them"
 
 
 async def test_a_robot_that_speaks_and_has_no_services_is_told_from_the_start(
@@ -74,7 +74,7 @@ async def test_a_robot_that_speaks_and_has_no_services_is_told_from_the_start(
     async with linked(config_of(server.url, 3)) as (_, store):  # nothing is ever heard of robot_2
         state = await store.until(path(CommandPath.UNREGISTERED))
         reason = state.links["rosbridge"].command_reason
-        assert reason == "no service of robot_1 is there: restart its node, or correct [profile.services]"
+        assert reason == "no services of robot_1: restart its node, or correct [profile.services]"
 
 
 async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(

@@ -71,7 +71,7 @@ MAP = Feed("map", ("robot_0",), "floor_0", "/robot_0/floor_0/map", "nav_msgs/Occ
 async def test_a_large_map_whose_size_lies_is_named(server: RosbridgeServer, store: WatchedStore) -> None:
     server.publish_raw("/robot_0/floor_0/map", frame(info={**INFO, "height": 7}).decode())
     state = await store.until(lambda state: state.robots["robot_0"].faults)
-    assert "1500 x 7 px but brings" in state.robots["robot_0"].last_fault
+    assert "1500 x 7 px has" in state.robots["robot_0"].last_fault
 
 
 def test_what_is_no_map_is_named() -> None:
@@ -104,7 +104,7 @@ async def test_what_comes_faster_than_it_can_be_read_is_passed_over_and_that_is_
         server.publish_raw("/robot_0/floor_0/map", text)
     state = await store.until(lambda state: state.links["rosbridge"].faults >= 2)
     size = f"{len(text) / 1e6:.0f} MB"
-    assert state.links["rosbridge"].last_fault.endswith(f"passed over: {size} before it are not decoded yet")
+    assert state.links["rosbridge"].last_fault.endswith(f"dropped: {size} still being decoded")
 
     def shows(width: int, resolution: float) -> bool:
         grid = store.state.robots["robot_0"].charts["floor_0"].grid

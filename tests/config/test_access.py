@@ -18,8 +18,8 @@ from tests.support.watched_store import config_of
 @pytest.mark.parametrize(
     ("text", "mode", "words"),
     [
-        (WORD, 0o640, "rosbridge.authorization_file: others can read it (mode 640): chmod 600 it"),
-        (WORD, 0o604, "rosbridge.authorization_file: others can read it (mode 604): chmod 600 it"),
+        (WORD, 0o640, "rosbridge.authorization_file: readable by others (mode 640): chmod 600 it"),
+        (WORD, 0o604, "rosbridge.authorization_file: readable by others (mode 604): chmod 600 it"),
         ("", 0o600, "rosbridge.authorization_file: is empty"),
         (f"{WORD}\nX: y", 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),
         (f"{WORD}\xe9", 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),
@@ -36,7 +36,7 @@ def test_a_file_that_is_taken(tmp_path: Path) -> None:
     assert access_problems(bridged(link)) == []
     assert secret(link, "authorization") == WORD
     os.mkfifo(tmp_path / "pipe", 0o600)
-    for name, words in (("gone", "No such file"), ("pipe", "is no file"), ("a\0b", "no path")):
+    for name, words in (("gone", "No such file"), ("pipe", "not a file"), ("a\0b", "no path")):
         (line,) = access_problems(bridged(Link(rosauth_file=str(tmp_path / name))))
         assert line.startswith("rosbridge.rosauth_file: ") and words in line
 
@@ -53,12 +53,12 @@ def test_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("link", "words"),
     [
-        (Link("ws://ana:hush@a:1"), "url: no user and password here"),
-        (Link("http://ana:hush@a:1/?token=hush"), "url: 'http://***@a:1/?***' is no address"),
-        (Link("ana:hu/sh@a:1"), "url: '***@a:1' is no address"),
-        (Link("ws://a", ca_file="x"), "ca_file: there is no TLS with ws://"),
-        (Link("wss://a", client_key="x"), "client_key: is of no use without client_cert"),
-        (Link("ws://a", rosauth_env="A", rosauth_file="b"), "rosauth_file: give the file or rosauth_env"),
+        (Link("ws://ana:hush@a:1"), "url: user and password not allowed"),
+        (Link("http://ana:hush@a:1/?token=hush"), "url: 'http://***@a:1/?***' is not an address"),
+        (Link("ana:hu/sh@a:1"), "url: '***@a:1' is not an address"),
+        (Link("ws://a", ca_file="x"), "ca_file: ws:// has no TLS"),
+        (Link("wss://a", client_key="x"), "client_key: needs client_cert"),
+        (Link("ws://a", rosauth_env="A", rosauth_file="b"), "rosauth_file: use rosauth_file or rosauth_env"),
     ],
 )
 def test_what_does_not_go_together(link: Link, words: str) -> None:
@@ -90,15 +90,15 @@ def test_a_config_that_anybody_can_change_is_reported(tmp_path: Path) -> None:
     config.path.chmod(0o646)
     (tmp_path / "in").chmod(0o777)
     found = list(unsafe_places(config))
-    assert f"any user of this machine can change {config.path}: chmod o-w {config.path}" in found
-    assert any(f"change {tmp_path / 'in'}:" in line for line in found)
+    assert f"{config.path} is writable by everyone: chmod o-w {config.path}" in found
+    assert any(f"{tmp_path / 'in'} is writable" in line for line in found)
     (tmp_path / "safe").mkdir()
     config.path.rename(tmp_path / "safe" / "config.toml")
     config.path.symlink_to(tmp_path / "safe" / "config.toml")
     config.path.chmod(0o644)
     found = list(unsafe_places(config))
     assert [line for line in found if str(tmp_path) in line] == [
-        f"any user of this machine can change {tmp_path / 'in'}: chmod o-w {tmp_path / 'in'}"
+        f"{tmp_path / 'in'} is writable by everyone: chmod o-w {tmp_path / 'in'}"
     ]
     (tmp_path / "in").chmod(0o1777)
-    assert not any(f"change {tmp_path / 'in'}:" in line for line in unsafe_places(config))
+    assert not any(f"{tmp_path / 'in'} is writable" in line for line in unsafe_places(config))

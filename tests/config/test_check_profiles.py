@@ -20,15 +20,15 @@ def with_profile(**changes: object) -> Config:
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
-        ({"name": "oh_resources"}, "profile.name: no kind 'oh_resources', did you mean oh_ressources?"),
+        ({"name": "oh_resources"}, "profile.name: unknown kind 'oh_resources', did you mean oh_ressources?"),
         ({"topics": {"poes": "/p"}}, "profile.topics.poes: unknown key, did you mean pose?"),
         ({"types": {"grap": "a/B"}}, "profile.types.grap: unknown key, did you mean graph?"),
         ({"services": {"pauze": "/p"}}, "profile.services.pauze: unknown key, did you mean pause?"),
         ({"fields": {"vertex.ide": "i"}}, "profile.fields.vertex.ide: unknown key, did you mean vertex.id?"),
-        ({"topics": {"pose": "/{robot}/{floor}/p"}}, "profile.topics.pose: {floor} can't be filled in here"),
+        ({"topics": {"pose": "/{robot}/{floor}/p"}}, "profile.topics.pose: {floor} is not available here"),
         (
             {"topics": {"map": "/{robt}/{floor}/{robot}"}},
-            "profile.topics.map: {robt} can't be filled in here",
+            "profile.topics.map: {robt} is not available here",
         ),
         ({"services": {"pause": "/{}/{robot}"}}, "profile.services.pause: {} can't be filled in here"),
         ({"refusals": ("ok", "(")}, "profile.refusals[1]: '(' is no regular expression"),

@@ -173,18 +173,18 @@ class TestSeveralKinds:
             (
                 'profile = "turtles"',
                 'profile = "turtle"',
-                "links.hall_b.profile: no kind and no profile 'turtle', did you mean turtles",
+                "links.hall_b.profile: unknown kind or profile 'turtle', did you mean turtles",
             ),
             (
                 'profile = "nav2"',
                 'profile = "nav3"',
-                "robots[2].profile: no kind and no profile 'nav3', did you mean nav2",
+                "robots[2].profile: unknown kind or profile 'nav3', did you mean nav2",
             ),
-            ('kind = "nav2"', 'kind = "nav"', "profiles.turtles.kind: no kind 'nav', did you mean nav2"),
+            ('kind = "nav2"', 'kind = "nav"', "profiles.turtles.kind: unknown kind 'nav', did you mean nav2"),
             (
                 'name = "oh_ressources"',
                 'name = "oh_resources"',
-                "profile.name: no kind 'oh_resources', did you mean oh_ressources",
+                "profile.name: unknown kind 'oh_resources', did you mean oh_ressources",
             ),
             (
                 "odometry =",
@@ -196,17 +196,17 @@ class TestSeveralKinds:
             (
                 "[profiles.turtles.nav2]",
                 "[profiles.turtles.oh_ressources]",
-                "profiles.turtles.oh_ressources: is no table of the kind nav2",
+                "profiles.turtles.oh_ressources: not a table of kind nav2",
             ),
             (
                 '"/{robot}/wheels"',
                 '"/{floor}/wheels"',
-                "profiles.turtles.topics.odometry: {floor} can't be filled in here",
+                "profiles.turtles.topics.odometry: {floor} is not available here",
             ),
             (
                 'kind = "nav2"',
                 'kind = "nav2"\nname = "oh_ressources"',
-                "profiles.turtles.name: 'oh_ressources' and kind 'nav2' mean the same",
+                "profiles.turtles.name: 'oh_ressources' and kind 'nav2' are the same setting",
             ),
         ],
     )

@@ -19,7 +19,7 @@ from fleet_tui.themes import load_themes
 from fleet_tui.transports.rosbridge.tls import tls_context
 from tests.support.watched_store import config_of
 
-WORDS = "it is no regular file"
+WORDS = "not a regular file"
 Make = Callable[[Path], None]
 
 
@@ -53,7 +53,7 @@ def test_map(tmp_path: Path, make: Make) -> None:
 def test_secrets_and_certificates_at_the_start(tmp_path: Path, make: Make, key: str) -> None:
     make(tmp_path / "file")
     link = replace(Link("wss://a"), **{key: str(tmp_path / "file")})
-    assert access_problems(replace(config_of("wss://a"), rosbridge=link)) == [f"rosbridge.{key}: is no file"]
+    assert access_problems(replace(config_of("wss://a"), rosbridge=link)) == [f"rosbridge.{key}: not a file"]
 
 
 @pytest.mark.parametrize("key", ["ca_file", "client_cert", "client_key"])

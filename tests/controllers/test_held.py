@@ -43,7 +43,7 @@ def test_an_order_that_waited_longer_than_a_second_is_not_sent_after_all() -> No
     given, order = Given(), place_order("robot_1", 0, 1)
     given.held.hold(starting(), Request((order,)), 0.0)
     given.held.release(starting(UP), LINK_WITHIN + 1.0)
-    assert not given.commands and given.said == ["not sent: it waited 2.0 s for the link: give it again"]
+    assert not given.commands and given.said == ["not sent: no link for 2.0 s, repeat the command"]
     given.held.hold(starting(), Request((order,)), 0.0)
     given.held.release(starting(UP), LINK_WITHIN)
     assert given.commands == [order]

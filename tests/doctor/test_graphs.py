@@ -39,10 +39,10 @@ def test_elevators_join_parts_where_there_are_other_floors() -> None:
     routes = graph([(0, 1), (1, 2), (2, 3), (4, 5), (5, 6), (6, 7)], lifts=(3, 4))
     assert connection_finding(FLOOR, "", FloorSurvey(routes), routes, True).verdict is Verdict.OK
     alone = connection_finding(FLOOR, "", FloorSurvey(routes, {"6": "Store"}), routes, False)
-    assert alone.verdict is Verdict.FAIL and "4 of 8 vertices can't be reached" in alone.measured
+    assert alone.verdict is Verdict.FAIL and "4 of 8 vertices unreachable" in alone.measured
 
 
 def test_labels_given_twice_or_not_at_all() -> None:
     routes = graph([])
-    assert "given twice: Base" in label_finding(FLOOR, "", {"0": "Base", "1": "Base"}, routes).measured
+    assert "duplicate: Base" in label_finding(FLOOR, "", {"0": "Base", "1": "Base"}, routes).measured
     assert label_finding(FLOOR, "", {}, routes).verdict is Verdict.WARN

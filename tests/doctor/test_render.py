@@ -10,14 +10,14 @@ LONG = Finding(
     "queue",
     Verdict.FAIL,
     "/robot_0/queue is not on the bridge",
-    'did you mean /robot_0/action_queue? Then [profile.topics] queue = "/{robot}/action_queue"',
+    'did you mean /robot_0/action_queue? Set [profile.topics] queue = "/{robot}/action_queue"',
 )
 
 
 def test_80_columns() -> None:
     assert line(LONG, plain=False, colour=False, width=80).splitlines() == [
         "   FAIL ✗ robot_0 queue: /robot_0/queue is not on the bridge -> did you mean",
-        "          /robot_0/action_queue? Then [profile.topics] queue =",
+        "          /robot_0/action_queue? Set [profile.topics] queue =",
         '          "/{robot}/action_queue"',
     ]
     assert "\n" not in line(LONG, plain=False, colour=False)

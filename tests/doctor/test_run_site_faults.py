@@ -151,7 +151,7 @@ async def test_a_topic_of_an_action_is_in_no_list_and_not_missing(ros_2: Rosbrid
     config = msgspec.structs.replace(config, profile=msgspec.structs.replace(config.profile, topics=topics))
     code = await asyncio.to_thread(doctor, config, TIMEOUT, False, said.append)
     assert code == 0
-    assert any("skipped - robot_0 paused: an action's: it is in no list" in line for line in said)
+    assert any("skipped - robot_0 paused: action topic: not listed" in line for line in said)
 
 
 async def test_a_topic_that_another_client_took_too_early(ros_2: RosbridgeServer) -> None:

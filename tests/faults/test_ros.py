@@ -158,7 +158,7 @@ async def test_the_master_is_gone(server: RosbridgeServer) -> None:
         server.master_alive = True
         watch.start()
         healed = await watch.until(path(CommandPath.ALIVE))
-    report("the ROS master is gone", "calls fail, topics flow", "commands dead: ...", noticed, healed)
+    report("no ROS master", "calls fail, topics flow", "commands dead: ...", noticed, healed)
 
 
 async def test_a_hundred_robots_fall_silent_at_once() -> None:

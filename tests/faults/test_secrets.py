@@ -46,7 +46,7 @@ async def test_the_authorization_header_is_sent_and_renewed(tmp_path: Path) -> N
     async with guarded(_stay, WORD) as url:
         link = Link(url, authorization_file=kept(tmp_path / "word", "Bearer old"))
         async with linked(bridged(link)) as (_, store):
-            await store.until(lost("the server refuses us (HTTP 401): our authorization is not accepted"))
+            await store.until(lost("access denied (HTTP 401): authorization not accepted"))
             kept(tmp_path / "word", WORD)
             await store.until(lambda state: state.links["rosbridge"].phase.value == "up")
             (tmp_path / "word").chmod(0o644)
@@ -81,9 +81,9 @@ async def test_a_wrong_rosauth_secret_is_named(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setenv("ROSAUTH", SHARED)
     async with guarded(attend) as url:
         async with linked(bridged(Link(url, rosauth_env="ROSAUTH"))) as (_, store):
-            await store.until(lost("is the rosauth secret wrong, or a clock?"))
+            await store.until(lost("check the rosauth secret and the clocks"))
         async with linked(bridged(Link(url))) as (_, store):
-            await store.until(lost("does it want rosauth (rosauth_file)?"))
+            await store.until(lost("rosauth required (rosauth_file)?"))
 
 
 async def _says_back(connection: ServerConnection) -> None:
@@ -142,7 +142,7 @@ async def test_no_output_holds_a_secret(tmp_path: Path, mode: int) -> None:
         elif zipfile.is_zipfile(path):
             with zipfile.ZipFile(path) as archive:
                 content = b"".join(map(archive.read, archive.namelist()))
-            assert b"Bearer" not in content and b"what is in effect" in content
+            assert b"Bearer" not in content and b"effective settings" in content
         for hidden in (WORD, "s3same", SHARED, "hush-hush"):
             assert hidden.encode() not in content
     recorded = {path.name for path in written if path.suffix == ".gz" or path.name == "x"}
@@ -163,7 +163,7 @@ def _seen(home: Path, arguments: tuple[str, ...], is_taken: bool) -> str:
     config = ("--debug", "--config", str(home / "config.toml"))
     with in_terminal(home, *arguments, *config, MINE=SHARED) as running:
         if not arguments and is_taken:
-            running.shows("our authorization is not accepted")
+            running.shows("authorization not accepted")
             running.press("q")
         running.ends()
         if not arguments and not is_taken:

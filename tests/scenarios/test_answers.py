@@ -75,7 +75,7 @@ async def test_twice(server: RosbridgeServer) -> None:
         pause = await ended(it, 2)
         assert stages(pause) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         assert it.store.state.commands[0] == record
-        await it.shows("pause: confirmed (reported by the robot)", "message")
+        await it.shows("pause: confirmed by the robot", "message")
         assert calls(server) == ["Execute_order", "Pause"]
         assert len(server.world.robots[R0].orders) == 1
 
@@ -87,13 +87,13 @@ async def test_never(server: RosbridgeServer) -> None:
         await it.shows("Base -> Consumidores: no answer", "message")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
-        assert record.words.endswith("no such order in its queue")
+        assert record.words.endswith("order not in the queue")
         await it.shows("Base -> Consumidores: not confirmed (no answer: ", "message")
         await it.press("p")
         pause = await ended(it, 2)
         assert stages(pause) == [*SENT, Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
         # On the screen a robot is only paused where it is.
-        assert pause.words.endswith("it reported no pause")
+        assert pause.words.endswith("the robot reported no pause")
         assert calls(server) == ["Execute_order", "Pause"]
 
 
@@ -105,7 +105,7 @@ async def test_wrong_ids(server: RosbridgeServer, key: str) -> None:
         await (place(it) if key == "order" else it.press(key))
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.NO_ANSWER, Stage.CONFIRMED]
-        await it.shows("confirmed (", "message")
+        await it.shows("confirmed ", "message")
         assert len(calls(server)) == 1
 
 

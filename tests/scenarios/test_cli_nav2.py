@@ -75,7 +75,7 @@ async def test_without_a_console_no_second_order_waits(site: Site, tmp_path: Pat
     site.server.speed = 1.0
     site.navigation().give(*FAR)
     done = await run(tmp_path, "order", "robot_0", "Receiving")
-    assert done.code == 1 and "robot_0 has an order, and keeps no queue" in done.err
+    assert done.code == 1 and "robot_0 has an order and has no queue" in done.err
     assert len(site.navigation().received) == 1
 
 
@@ -84,7 +84,7 @@ async def test_cancel_by_the_id_that_status_tells(site: Site, tmp_path: Path) ->
     goal = site.navigation().give(*FAR)
     assert goal is not None
     done = await run(tmp_path, "cancel", "robot_0", goal.id.hex()[:8])
-    assert done.code == 0 and "confirmed (gone from the queue)" in done.out
+    assert done.code == 0 and "confirmed (no longer in the queue)" in done.out
     assert not site.navigation().servers[TO_POSE].running
     done = await run(tmp_path, "cancel", "robot_0", "k9")
     assert done.code == 2 and len(site.cancels()) == 1

@@ -41,7 +41,7 @@ async def test_neither_carried_out_nor_answered(server: RosbridgeServer) -> None
         await it.shows("outcome unknown", "message")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.NOT_CONFIRMED]
-        assert record.words.endswith("no such order in its queue")
+        assert record.words.endswith("order not in the queue")
         await it.shows("Base -> Consumidores: not confirmed (outcome unknown", "message")
         await heard_anew(it)
         assert calls(server) == ["Execute_order"]
@@ -71,9 +71,9 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
         await it.shows("no link")
         # What is wished for now is not kept for later.
         await place(it)
-        await it.shows("not sent: robot_0 could not be reached", "missing")
+        await it.shows("not sent: robot_0 is unreachable", "missing")
         await it.press("escape", "r")
-        await it.shows("not sent: robot_0 could not be reached", "message")
+        await it.shows("not sent: robot_0 is unreachable", "message")
         assert len(it.store.state.commands) == 1
         second = RosbridgeServer(
             World(robots=1, floors=1, seed=1, quiet=True), port=int(first.url.rpartition(":")[2])
@@ -82,7 +82,7 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
         await ended(it)
         record = it.store.state.commands[0]
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.NOT_CONFIRMED]
-        assert record.words.endswith("no such order in its queue")
+        assert record.words.endswith("order not in the queue")
         await heard_anew(it)
         await it.shows("no orders", "queue")
         assert calls(first) == ["Execute_order"]
@@ -102,5 +102,5 @@ async def test_a_robot_that_starts_anew_counts_from_nothing_again(server: Rosbri
             await it.until(lambda state: not state.robots[R0].orders.orders)
         await it.shows("no orders", "queue")
         await it.press("w")
-        await it.shows("▶ likeliest: order: lost")
+        await it.shows("▶ 1. order: lost")
         assert calls(server) == ["Execute_order", "Execute_order"]

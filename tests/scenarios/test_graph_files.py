@@ -67,10 +67,7 @@ async def test_the_doctor_looks_at_the_file_as_at_a_robots_graph(site: Path) -> 
     said = " ".join(fine.out.split())
     assert fine.code == 0, said
     assert f"floor_0 graph file: routes.geojson: 20 vertices, {len(floor.labels)} labels" in said
-    assert (
-        f"floor_0 graph: {len(floor.graph.edges)} edges by routes.geojson, every vertex can be reached"
-        in said
-    )
+    assert f"floor_0 graph: {len(floor.graph.edges)} edges by routes.geojson, all vertices reachable" in said
     write_routes(site / "routes.geojson", NOWHERE)
     done = await run(site, "doctor")
     said = " ".join(done.out.split())

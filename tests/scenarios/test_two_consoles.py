@@ -64,7 +64,7 @@ async def test_an_order_of_the_other_one_is_shown_and_can_be_cancelled(server: R
         await it.press("x", "y")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
-        await it.shows("cancel order 1: confirmed (gone from the queue)", "message")
+        await it.shows("cancel order 1: confirmed (no longer in the queue)", "message")
         # All that the other console sees of it is that the order is gone.
         await other.store.until(lambda state: state.commands[0].stage is Stage.LOST)
 
@@ -106,10 +106,10 @@ async def test_a_pause_from_the_other_one_is_named_as_such(server: RosbridgeServ
         assert stages(await other.ended()) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         await it.shows("paused", "fleet")
         await it.press("w")
-        await it.shows("it says so; it came from elsewhere")
+        await it.shows("reported by the robot, not sent by this console")
         await it.press("r")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
-        await it.shows("▶ likeliest: no orders")
+        await it.shows("▶ 1. no orders")
         assert "paused" not in it.pane("fleet")
         assert calls(server) == ["Pause", "Resume"]

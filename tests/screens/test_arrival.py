@@ -79,7 +79,7 @@ async def test_it_names_the_places_the_robots_and_the_keys(
             server.url, "2 robots (oh_ressources), 2 floors", "robot_0, robot_1", "floor_0, floor_1"
         )
         await it.shows("fleet-tui demo", "fleet-tui config init", "fleet-tui doctor --url URL")
-        await it.shows("enter open", "a another address", "r ask again", "q leave", "Enter opens the console")
+        await it.shows("enter open", "a other address", "r retry", "q quit", "Enter opens the console")
         assert not server.calls and {one["op"] for one in server.received} <= {"call_service", "subscribe"}
         await it.pilot.press("enter")
         await it.ended()
@@ -89,7 +89,7 @@ async def test_it_names_the_places_the_robots_and_the_keys(
 @pytest.mark.parametrize("size", SIZES)
 async def test_it_says_why_nothing_is_there_and_opens_nothing(size: tuple[int, int]) -> None:
     async with entry(address="ws://127.0.0.1:9", size=size) as it:
-        await it.shows("ws://127.0.0.1:9", "nothing listens there", "correct the address", "fleet-tui demo")
+        await it.shows("ws://127.0.0.1:9", "connection refused", "correct the address", "fleet-tui demo")
         await it.pilot.press("enter")
         assert it.app.is_running
         await it.pilot.press("q")
@@ -99,9 +99,9 @@ async def test_it_says_why_nothing_is_there_and_opens_nothing(size: tuple[int, i
 
 async def test_another_address(server: RosbridgeServer) -> None:
     async with entry(address="ws://127.0.0.1:9") as it:
-        await it.shows("nothing listens there")
+        await it.shows("connection refused")
         await it.pilot.press("a", *"quiet:1", "enter")
-        await it.shows("ws://quiet:1", "no such host")
+        await it.shows("ws://quiet:1", "unknown host")
         await it.pilot.press("a", "escape")
         await it.pilot.press("a", *server.url.removeprefix("ws://"), "enter")
         await it.shows(server.url, "2 robots (oh_ressources)")
@@ -129,9 +129,9 @@ async def test_asked_again_it_finds_what_is_there_now(server: RosbridgeServer) -
 @pytest.mark.parametrize("size", SIZES)
 async def test_what_is_not_certain_is_chosen_first(size: tuple[int, int]) -> None:
     async with entry(unsure(), size=size) as it:
-        await it.shows("ws://site:9090: 1 robot (nav2), 2 floors", "This is not certain.")
+        await it.shows("ws://site:9090: 1 robot (nav2), 2 floors", "Please check.")
         await it.shows("> topic of pose (nav2)", "none of 2", "floor of amr_0", "any floor")
-        await it.shows("enter open", "up/down line", "left/right choose", "q leave")
+        await it.shows("enter open", "up/down line", "left/right choose", "q quit")
         await it.pilot.press("right")
         await it.shows("/{robot}/pose_a", "1 of 2")
         await it.pilot.press("right", "down", "left")

@@ -39,7 +39,7 @@ async def test_the_palette_offers_what_can_be_done_and_answers_what_is_typed(
     async with console(mixed(monkeypatch, server.url, 0)) as it:
         await it.press("colon")
         await it.type("selected robot")
-        await it.shows("Order form for the selected robot")
+        await it.shows("Open the order form for the selected robot")
         assert "Pause the selected robot" not in it.text
         await it.press("escape", "colon")
         await it.type("pause robot_0")

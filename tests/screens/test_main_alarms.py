@@ -64,7 +64,7 @@ async def test_shelved_and_taken_off_the_shelf(server: RosbridgeServer) -> None:
         await it.shows("0 alarms ", "status")
         await it.shows("◇ shelved until", "alarms")
         await it.press("enter")
-        await it.shows("Take off the shelf")
+        await it.shows("Unshelve")
         await it.press("2")
         await it.until(lambda state: state.unacknowledged == 1)
         await it.shows("1 alarm (1 new)", "status")
@@ -115,4 +115,4 @@ async def test_the_cursor_goes_to_what_nobody_has_seen(server: RosbridgeServer) 
 async def test_an_alarm_that_is_over_has_no_menu(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         it.app.main.rest.alarms.menu("robot_0", "obstacle")
-        await it.shows("the alarm of robot_0 is over")
+        await it.shows("the alarm of robot_0 has cleared")

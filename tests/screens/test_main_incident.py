@@ -41,9 +41,9 @@ async def test_what_fails_is_said(server: RosbridgeServer) -> None:
 
         it.app.main.files.pack = pack
         await it.press("b")
-        await it.shows("the incident could not be packed: No space left on device")
+        await it.shows("incident not packed: No space left on device")
         await it.press("b")
-        await it.shows("the incident could not be packed: of ours")
+        await it.shows("incident not packed: of ours")
         it.app.main.files.pack = None
         await it.press("b")
-        await it.shows("nothing to pack here")
+        await it.shows("nothing to pack")

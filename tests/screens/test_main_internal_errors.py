@@ -16,7 +16,7 @@ from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.console_pilot import console
 from tests.support.watched_store import config_of
 
-SAID = "internal error: broken here (details in the log file)"
+SAID = "internal error: broken here (see the log file)"
 
 
 def broken(left: list[None], real: Callable[..., Any]) -> Callable[..., Any]:
@@ -77,9 +77,9 @@ class WordlessError(Exception):
 @pytest.mark.parametrize(
     ("error", "said"),
     [
-        (RuntimeError("a\x1b]52;c;QQ==\x07\nb\u202e"), "internal error: a␛]52;c;QQ==␇␊b\ufffd (details"),
-        (WordlessError(), "internal error: WordlessError (details"),
-        (RuntimeError("x" * 5_000_000), "… (5,000,000 characters) (details in the log file)"),
+        (RuntimeError("a\x1b]52;c;QQ==\x07\nb\u202e"), "internal error: a␛]52;c;QQ==␇␊b\ufffd (see the log"),
+        (WordlessError(), "internal error: WordlessError (see the log"),
+        (RuntimeError("x" * 5_000_000), "… (5,000,000 characters) (see the log file)"),
     ],
 )
 async def test_the_words_of_a_fault_are_shown_as_text(

@@ -53,7 +53,7 @@ def drives(name: str, state: FleetState) -> bool:
 
 def told_of(state: FleetState, name: str) -> list[Reason]:
     """Reasons of a robot that name no other: who is in whose way has nothing to do with kinds."""
-    return [one for one in reasons(state, state.robots[name]) if not one.name.startswith("waits behind")]
+    return [one for one in reasons(state, state.robots[name]) if not one.name.startswith("waiting behind")]
 
 
 async def busy(it: Console) -> FleetState:

@@ -37,5 +37,5 @@ async def test_pausing_all_names_whose_goals_were_stopped(site: MoveBaseSite) ->
         site.navigation("robot_1").give(35.0, 20.0)
         await it.shows("-> Consumidores (not", "fleet")
         await it.press("P")
-        await it.shows("pause all: 2 confirmed, goals of others were stopped", "message")
-        await it.shows("resumed from here (robot_1)", "message")
+        await it.shows("pause all: 2 confirmed, goals of other clients stopped", "message")
+        await it.shows("resumable from here (robot_1)", "message")

@@ -30,7 +30,7 @@ async def test_what_is_passed_over_is_said(server: RosbridgeServer, monkeypatch:
         for _ in range(5):
             server.publish_raw("/robot_1/cargo", LARGE)
         await it.shows("3 bad frames")
-        await it.shows("bad data x3: 150,061 bytes were passed over", "alarms")
+        await it.shows("bad data x3: 150,061 bytes dropped", "alarms")
         await it.press("p")
         await it.until(lambda state: state.commands and state.commands[-1].stage is Stage.CONFIRMED)
         reads.set()

@@ -55,7 +55,7 @@ async def test_where_no_disk_takes_it(server: RosbridgeServer, tmp_path: Path) -
     async with console(config_of(server.url, 2, 2), state_folder=tmp_path) as running:
         await running.shows("last minutes not kept")
         await record(running)
-        await running.shows("not recording: ", "message")
+        await running.shows("recording failed: ", "message")
         await running.press("p")
         await running.until(lambda state: state.robots["robot_0"].paused)
 
@@ -63,4 +63,4 @@ async def test_where_no_disk_takes_it(server: RosbridgeServer, tmp_path: Path) -
 async def test_without_a_link_there_is_nothing_to_record(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as running:
         await record(running)
-        await running.shows("nothing to record here: this is no live console")
+        await running.shows("nothing to record: not a live console")

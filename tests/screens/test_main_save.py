@@ -35,7 +35,7 @@ async def test_what_was_found_is_kept_as_it_runs(server: RosbridgeServer, folder
         await typed(it, "save")
         await it.shows("config.toml: fleet-tui opens it here")
         await typed(it, "save")
-        await it.shows("this configuration is in")
+        await it.shows("already saved in")
     kept = folder / "config.toml"
     assert kept.read_text() == site.text
     assert stat.S_IMODE(kept.stat().st_mode) == 0o600
@@ -51,9 +51,9 @@ async def test_it_asks_before_it_writes_over_a_file(server: RosbridgeServer, fol
     async with console(site.config) as it:
         it.app.main.files.saving = Saving(site.config, site)
         await typed(it, "save my fleet.toml")
-        await it.shows("my fleet.toml is there already. Write over it?")
+        await it.shows("my fleet.toml exists. Overwrite?")
         await it.press("enter")
-        await it.hides("Write over it?")
+        await it.hides("Overwrite?")
         assert mine.read_text() == "mine"
         await typed(it, "save my fleet.toml")
         await it.press("y")
@@ -80,7 +80,7 @@ async def test_a_console_with_a_file_says_so_and_writes_copies(server: Rosbridge
         it.app.main.files.saving = Saving(config_at(config, path))
         for line in ("save", "save mine.toml"):
             await typed(it, line)
-            await it.shows("this configuration is in")
+            await it.shows("already saved in")
         await typed(it, "save copy.toml")
         await it.shows("copy.toml")
     assert load(folder / "copy.toml").robots == config.robots and not path.exists()

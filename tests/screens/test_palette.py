@@ -47,9 +47,9 @@ async def test_a_command_in_one_packet_asks_once_and_only_y_does_it(server: Rosb
         await it.shows("Base -> Consumidores", "queue")
         for line in (":cancel 1\r", ":clear robot_0\r"):
             one_packet(it, line)
-            await it.shows("y  yes")
+            await it.shows("y  Confirm")
             one_packet(it, "\r")
-            await it.hides("y  yes")
+            await it.hides("y  Confirm")
         assert len(server.calls) == 1
         one_packet(it, ":cancel 1\ry")
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
@@ -66,15 +66,15 @@ async def test_what_is_wrong_with_a_line_is_said_and_nothing_is_sent(server: Ros
     async with console(config_of(server.url, 1)) as it:
         await it.press("colon")
         await it.type("robot_0 Base > Consumidor3s")
-        await it.shows("robot_0 knows no place called 'Consumidor3s', did you mean Consumidores?")
+        await it.shows("robot_0 has no place 'Consumidor3s', did you mean Consumidores?")
         await it.press("enter")
         assert it.app.main.query_one(Palette).is_open
         await it.press("escape")
         for line, said in (
             (":cancel 99\r", "not sent: order 99 is not in the queue of robot_0"),
-            (":cancel 0\r", "not sent: order id 0 would mean all orders to the robot: use clear for that"),
+            (":cancel 0\r", "not sent: order id 0 means all orders to the robot: use clear instead"),
             (":robot_0 Base > Base\r", "not sent: From and To are the same place: Base"),
-            (":order robot_0 Base 77\r", "not sent: robot_0 knows no vertex 77"),
+            (":order robot_0 Base 77\r", "not sent: robot_0 has no vertex 77"),
             (":order robot_0 Base\r", "not sent: robot_0 has no cargo on board"),
         ):
             one_packet(it, line)
@@ -86,9 +86,9 @@ async def test_what_means_nothing_is_said_to(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("colon")
         await it.type("qqqq")
-        await it.shows("nothing is called qqqq")
+        await it.shows("no match for qqqq")
         await it.press("enter")
-        await it.shows("nothing is called qqqq")
+        await it.shows("no match for qqqq")
 
 
 async def test_tab_completes_what_is_typed(server: RosbridgeServer) -> None:
@@ -155,7 +155,7 @@ async def test_the_last_destination_comes_first(server: RosbridgeServer) -> None
 async def test_the_same_order_again_within_a_second_is_a_slip(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, "oBase\rCons\roBase\rCons\r")
-        await it.shows("not sent: the same order was given 0.")
+        await it.shows("not sent: same order sent 0.")
         one_packet(it, "\x1bp")
         # A pause may overtake what was given before it.
         await it.until(lambda _: len(sent(server)) == 2)
@@ -175,7 +175,7 @@ async def test_again_and_the_way_back_by_the_menu_of_an_order(server: RosbridgeS
         await it.shows("confirmed (seen in the queue as order 1)")
         await it.press("shift+tab", "enter")
         await it.shows("Order 1 of robot_0: Base -> Consumidores")
-        await it.shows("given here at")
+        await it.shows("sent here at")
         assert ", accepted, confirmed" in it.text
         await it.press("3")
         await it.until(lambda _: trips(server, it)[1:] == ["Consumidores -> Base"])
@@ -190,7 +190,7 @@ async def test_an_order_of_another_console_is_not_ours(server: RosbridgeServer) 
     async with console(config_of(server.url, 1)) as it:
         await it.until(lambda state: state.robots["robot_0"].orders.orders)
         await it.press("shift+tab", "enter")
-        await it.shows("not given by this console")
+        await it.shows("not sent by this console")
 
 
 async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> None:
@@ -218,9 +218,9 @@ async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServ
         one_packet(it, ":robot_0 Base > Store\r")
         await it.shows("robot_0 was never seen: send anyway?")
         it.store.tell(BatteryReported("robot_0", it.store.state.now, 50.0))
-        await it.shows("the queue of robot_0 has not come")
+        await it.shows("the queue of robot_0 was not received")
         it.store.tell(QueueReported("robot_0", it.store.state.now, OrderQueue(0, "", ())))
-        await it.shows("Send it?")
+        await it.shows("Send?")
         assert it.app.main.query_one(Confirm).is_open
         await it.press("y")
         await it.until(lambda _: trips(server, it) == ["Base -> Store"])
@@ -242,7 +242,7 @@ async def test_no_order_leaves_through_a_dead_link_and_the_form_says_why(server:
         await server.stop()
         await it.shows("no link")
         await place(it)
-        await it.shows("not sent: robot_0 could not be reached", "missing")
+        await it.shows("not sent: robot_0 is unreachable", "missing")
         assert it.store.state.commands == ()
 
 

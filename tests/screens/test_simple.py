@@ -86,7 +86,7 @@ async def test_with_cargo_on_board_there_is_only_a_destination(
         await it.press("s")
         await it.shows("From: choose")
         server.world.robots["robot_0"].cargo = True
-        await it.shows("Come here with the cargo")
+        await it.shows("To, for the cargo on board")
         await it.hides("From:")
         await it.press("down", "up", "enter")
         await it.shows("Which robot?")

@@ -165,9 +165,9 @@ class TestFaults:
         with pytest.raises(ConfigError) as raised:
             parse_faults_of("inactive:robot_0,inactve,stuck:robot_9", self.KNOWN)
         first, second, third = raised.value.problems
-        assert first.startswith("--fault inactive:robot_0: no such fault of this kind of robots")
-        assert second == "--fault inactve: no such fault, did you mean inactive?"
-        assert third.startswith("--fault stuck:robot_9: no such robot")
+        assert first.startswith("--fault inactive:robot_0: unknown fault of this kind of robots")
+        assert second == "--fault inactve: unknown fault, did you mean inactive?"
+        assert third.startswith("--fault stuck:robot_9: unknown robot")
 
 
 async def test_sim_serves_two_bridges_and_writes_the_graphs(tmp_path: Path) -> None:
@@ -219,9 +219,9 @@ def test_a_port_that_is_taken_ends_both(tmp_path: Path) -> None:
     ("args", "words"),
     [
         (("--robots", "2"), "at least --robots 3"),
-        (("--ros", "1"), "--ros is for one kind"),
-        (("--port", "65535"), "takes two ports"),
-        (("--fault", "inactive:robot_1"), "no such fault of this kind of robots"),
+        (("--ros", "1"), "--ros needs a single kind"),
+        (("--port", "65535"), "needs two ports"),
+        (("--fault", "inactive:robot_1"), "unknown fault of this kind of robots"),
     ],
 )
 def test_what_makes_no_sense_is_a_usage_error(tmp_path: Path, args: tuple[str, ...], words: str) -> None:

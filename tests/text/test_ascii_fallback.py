@@ -4,7 +4,7 @@ import codecs
 
 import pytest
 
-from fleet_tui.text.ascii_fallback import PLAIN, stand_in
+from fleet_tui.text.ascii_fallback import PLAIN, ascii_fallback
 
 
 def test_every_sign_has_one_of_ascii_that_stands_for_it() -> None:
@@ -13,12 +13,12 @@ def test_every_sign_has_one_of_ascii_that_stands_for_it() -> None:
 
 
 def test_an_encoding_gets_what_it_has_and_question_marks_for_letters() -> None:
-    codecs.register_error("test-stand-in", stand_in)
+    codecs.register_error("test-stand-in", ascii_fallback)
     assert "● up → Säge".encode("ascii", "test-stand-in") == b"* up > S?ge"
     assert "Säge ●".encode("latin-1", "test-stand-in") == "Säge *".encode("latin-1")
 
 
 def test_what_is_no_problem_of_encoding_stays_one() -> None:
-    codecs.register_error("test-stand-in", stand_in)
+    codecs.register_error("test-stand-in", ascii_fallback)
     with pytest.raises(UnicodeDecodeError):
         b"\xff".decode("ascii", "test-stand-in")

@@ -62,7 +62,7 @@ class TestHeard:
         reported = read(adapter(), "status", status(("", 1, ""), (OWN, 1, "")))[0]
         assert isinstance(reported, GoalsReported)
         assert [goal.uuid for goal in reported.goals] == [OWN]
-        assert reported.fault == "goal_id.id is empty, which stands for all goals"
+        assert reported.fault == "goal_id.id is empty, which means all goals"
         huge = read(adapter(), "status", status(("x" * 600, 1, "")))[0]
         assert isinstance(huge, GoalsReported) and huge.fault == "goal_id.id has 600 characters"
 

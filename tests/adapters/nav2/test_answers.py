@@ -44,9 +44,9 @@ class TestAnswers:
         [
             ({}, 4, Stage.DONE, ""),
             ({"missed_waypoints": []}, 4, Stage.DONE, ""),
-            ({"missed_waypoints": [1]}, 4, Stage.FAILED, "1 of its stops were missed"),
-            ({"error_code": 208, "error_msg": ""}, 6, Stage.FAILED, "error 208 (no path leads to the goal)"),
-            ({"error_code": 9001, "error_msg": "x"}, 6, Stage.FAILED, "error 9001 (the navigator failed): x"),
+            ({"missed_waypoints": [1]}, 4, Stage.FAILED, "1 stops missed"),
+            ({"error_code": 208, "error_msg": ""}, 6, Stage.FAILED, "error 208 (no path to the goal)"),
+            ({"error_code": 9001, "error_msg": "x"}, 6, Stage.FAILED, "error 9001 (navigator failed): x"),
             ({"error_code": 77}, 6, Stage.FAILED, "error 77"),
             ("broken", 6, Stage.FAILED, ""),
         ],

@@ -20,7 +20,7 @@ DRIVES = ("/tb1/navigate_to_pose", "/tb1/follow_waypoints")
 def test_what_no_robot_has_is_switched_off_and_said() -> None:
     found = discover_nav2(Listed({"/tb1/odom": ODOM, "/tb1/amcl_pose": AMCL}, {}, DRIVES))
     assert found.topics == {"battery": "", "blocked": "", "map": ""}
-    assert "battery: nothing of type sensor_msgs/BatteryState is there" in found.notes["topics"]
+    assert "battery: no topic of type sensor_msgs/BatteryState" in found.notes["topics"]
     assert not found.live_maps
 
 

@@ -28,7 +28,7 @@ def test_a_goal_of_zeros_is_never_known_for_to_cancel_it_would_cancel_all() -> N
     (fact,) = adapter.read(feed, msgspec.Raw(msgspec.json.encode({"status_list": listed})), 5.0)
     assert isinstance(fact, GoalsReported)
     assert [goal.uuid for goal in fact.goals] == [UUID]
-    assert fact.fault == "goal_id.uuid is all zeros, which stands for all goals"
+    assert fact.fault == "goal_id.uuid is all zeros, which means all goals"
 
 
 class TestOutgoing:
@@ -55,7 +55,7 @@ class TestOutgoing:
 
     @pytest.mark.parametrize("id_", ["", "0", "00000000", "0a28", "k1"])
     def test_no_cancel_leaves_for_an_id_that_is_not_known(self, id_: str) -> None:
-        with pytest.raises(CommandError, match="no goal"):
+        with pytest.raises(CommandError, match="unknown goal"):
             adapter().outgoing(CancelOrder("tb2", id_), 1, robot(known("0a28bf7e", "navigate_to_pose")))
 
     def test_only_a_pause_means_all_goals_and_the_waypoints_first(self) -> None:
@@ -80,7 +80,7 @@ class TestOutgoing:
     def test_what_can_not_be_said_is_refused_with_a_reason(self) -> None:
         for command, words in [
             (PlaceOrder("tb2", at_vertices("9")), "vertex 9"),
-            (PlaceOrder("tb2", ()), "a place"),
+            (PlaceOrder("tb2", ()), "a destination"),
         ]:
             with pytest.raises(CommandError, match=words):
                 adapter().outgoing(command, 1, robot())

@@ -78,7 +78,7 @@ def test_a_hundred_thousand_labels() -> None:
     event = heard("labels", labels(100_000))
     assert isinstance(event, events.LabelsReceived)
     assert (len(event.labels), event.faults) == (bounds.MOST_LABELS, 1)
-    assert event.fault == "labels of floor_0: 100,000 labels: only the first 20,000 are taken"
+    assert event.fault == "labels of floor_0: 100,000 labels: only the first 20,000 used"
     state = told(fleet(), link_up(T0), pose(T0), event, tick(T0), tick(T0 + 5))
     assert any("100,000 labels: only the first" in row for row in shown(state))
 
@@ -99,7 +99,7 @@ def test_a_queue_of_a_hundred_thousand_orders_keeps_the_current_one_wherever_it_
         fleet(2), link_up(T0), pose(T0), heard("graph", graph(20_000)), event, tick(T0), tick(T0 + 5)
     )
     rows = shown(state)
-    assert any("100,000 orders: only the first 500 are taken" in row for row in rows)
+    assert any("100,000 orders: only the first 500 used" in row for row in rows)
 
 
 def test_a_queue_that_fits_is_no_fault() -> None:
@@ -112,12 +112,12 @@ def test_a_graph_beyond_the_bound() -> None:
     event = heard("graph", graph(60_000))
     assert isinstance(event, events.GraphReceived)
     assert len(event.graph.vertices) == bounds.MOST_VERTICES
-    assert event.fault == "graph of floor_0: 60,000 vertices: only the first 20,000 are taken"
+    assert event.fault == "graph of floor_0: 60,000 vertices: only the first 20,000 used"
     shown(told(fleet(), link_up(T0), event, heard("labels", labels(20_000)), pose(T0), tick(T0)))
 
 
 def test_a_million_vertices_are_more_than_is_read_at_all() -> None:
-    with pytest.raises(WireError, match=r"bytes: a message may have 8,388,608"):
+    with pytest.raises(WireError, match=r"bytes: the limit is 8,388,608"):
         heard("graph", graph(1_000_000))
 
 
@@ -188,7 +188,7 @@ def test_an_answer_nested_too_deep_is_none() -> None:
     for _ in range(100_000):
         nested = [nested]
     stage, words = ADAPTER.outcome(PauseRobot("robot_0"), nested, True)
-    assert (stage, words) == (Stage.UNKNOWN, "an answer that says nothing: something nested too deep")
+    assert (stage, words) == (Stage.UNKNOWN, "unrecognised reply: nested too deep")
 
 
 def test_an_answer_beyond_the_bound_is_not_read() -> None:
@@ -196,13 +196,13 @@ def test_an_answer_beyond_the_bound_is_not_read() -> None:
     answer = operations.decode(json.dumps(frame).encode())
     assert isinstance(answer, operations.ServiceResponse)
     stage, words = ADAPTER.outcome(PauseRobot("robot_0"), answer.values, True)
-    assert stage is Stage.UNKNOWN and "4,194,313 bytes, which are not read" in words
+    assert stage is Stage.UNKNOWN and "4,194,313 bytes, too large to read" in words
 
 
 def test_what_a_bridge_says_beyond_the_bound_is_not_read() -> None:
     began = time.process_time()
     said = operations.decode(b'{"op":"status","level":"error","msg":[%s1]}' % (b"{}," * 6_000_000))
-    assert said == operations.Status("error", "18,000,003 bytes, which are not read")
+    assert said == operations.Status("error", "18,000,003 bytes, too large to read")
     assert time.process_time() - began < SOON
 
 

@@ -20,7 +20,7 @@ def test_pieces_are_put_together_in_any_order_and_bounded() -> None:
     for wrong in (piece("a", 2, 2), piece("a", -1, 2), piece("a", 0, 0), piece("a", 0, 10**6)):
         with pytest.raises(WireError):
             pieces.add(wrong)
-    with pytest.raises(WireError, match="over the limit"):
+    with pytest.raises(WireError, match="exceeds the limit"):
         pieces.add(piece("a", 0, 2, "x" * 11))
     for n in range(MOST_MESSAGES + 1):
         assert pieces.add(piece(str(n), 0, 2, "A")) is None

@@ -16,7 +16,7 @@ ROBOT = Robot("tb2", 1, "rosbridge", {})
 def test_a_lock_without_its_topic_is_no_pause_and_says_what_lacks() -> None:
     it = Nav2(Profile(kind="nav2", settings={"nav2": {"pause": "lock"}}), Site())
     assert PAUSE not in it.kind.accepts
-    assert it.kind.lack(PAUSE) == "profile.topics.pause_navigation is empty: this site has no pause"
+    assert it.kind.lack(PAUSE) == "profile.topics.pause_navigation is empty: no pause"
 
 
 def test_a_pause_service_without_one_to_resume_is_not_called() -> None:

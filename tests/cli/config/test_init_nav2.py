@@ -63,7 +63,7 @@ async def test_a_usual_fleet_needs_but_its_kind(nav2: RosbridgeServer, tmp_path:
         "profile": {"kind": "nav2"},
     }
     text = (tmp_path / "config.toml").read_text()
-    assert '# graph = "maps/floor_0.geojson"' in text and "the live map is shown" in text
+    assert '# graph = "maps/floor_0.geojson"' in text and "the live map is used" in text
     # rosapi of ROS 2 dies of some questions, and nothing was commanded.
     assert nav2.rosapi_alive and not nav2.calls
 

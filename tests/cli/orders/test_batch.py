@@ -53,8 +53,8 @@ async def test_a_dry_run_sends_nothing(server: RosbridgeServer, folder: Path) ->
 async def test_nothing_is_sent_where_a_line_is_not_understood(server: RosbridgeServer, folder: Path) -> None:
     done = await run(folder, "run", "-", "--keep-going", stdin=TWICE + "robt_0 A > B\ncancel 1\n")
     first, second, third, _ = done.err.splitlines()
-    assert done.code == 2 and first == "fleet-tui: nothing was sent"
-    assert second.startswith("line 5: no robot") and third == "line 6: cancel is written: cancel ROBOT ID"
+    assert done.code == 2 and first == "fleet-tui: nothing sent"
+    assert second.startswith("line 5: unknown robot") and third == "line 6: usage: cancel ROBOT ID"
     assert not server.calls
 
 
@@ -65,12 +65,12 @@ async def test_the_first_failure_ends_it_unless_told_otherwise(
     play(server, [("refuse", "robot_0")])
     done = await run(folder, "run", "-", *option, stdin=TWICE + "pause robot_1")
     assert done.code == 1 and "refused (REJECTED" in done.err and len(server.calls) == calls
-    assert ("stopped at line 3, 2 lines left" in done.err) is not bool(option)
+    assert ("stopped at line 3, 2 lines not sent" in done.err) is not bool(option)
 
 
 async def test_files_that_are_none(folder: Path) -> None:
     (folder / "picture").write_bytes(b"\xff\xfe")
-    for name, why in (("absent", "No such file"), (".", "Is a directory"), ("picture", "no text in UTF-8")):
+    for name, why in (("absent", "No such file"), (".", "Is a directory"), ("picture", "not UTF-8 text")):
         done = await run(folder, "run", name)
         assert done.code == 2 and f"{name}: " in done.err and why in done.err
     assert (await run(folder, "run", "-", stdin="# nothing\n")).code == 0
@@ -79,4 +79,4 @@ async def test_files_that_are_none(folder: Path) -> None:
 async def test_no_link_is_3(folder: Path) -> None:
     config_file(folder, "ws://127.0.0.1:9")
     done = await run(folder, "run", "-", "--timeout", "0.5", stdin=TWICE)
-    assert done.code == 3 and "nothing listens there" in done.err
+    assert done.code == 3 and "connection refused" in done.err

@@ -55,7 +55,7 @@ async def test_what_never_came_is_named(server: RosbridgeServer, tmp_path: Path)
     config_file(tmp_path, server.url, 1)
     done = await run(tmp_path, "status", "--timeout", "1")
     assert done.code == 1
-    assert "robot_0: never came: queue" in done.out
+    assert "robot_0: missing: queue" in done.out
     assert "queue missing" in done.out and "idle" not in done.out
     robot = json.loads((await run(tmp_path, "status", "--json", "--timeout", "1")).out)["robots"][0]
     assert (robot["paused"], robot["orders"]) == (None, None)
@@ -65,7 +65,7 @@ async def test_no_link_is_3_with_its_reason_within_the_timeout(tmp_path: Path) -
     config_file(tmp_path, "ws://127.0.0.1:9")
     done = await run(tmp_path, "status", "--timeout", "0.5")
     assert done.code == 3
-    assert "no link" in done.out and "nothing listens there" in done.out
+    assert "no link" in done.out and "connection refused" in done.out
 
 
 async def test_one_line_fits_a_status_bar(server: RosbridgeServer, tmp_path: Path) -> None:
@@ -102,7 +102,7 @@ async def test_one_line_is_watched_as_one_line(server: RosbridgeServer, tmp_path
 async def test_json_is_no_one_line(tmp_path: Path) -> None:
     config_file(tmp_path, "ws://127.0.0.1:9")
     done = await run(tmp_path, "status", "--json", "--oneline")
-    assert (done.code, done.out) == (2, "") and "one of them" in done.err
+    assert (done.code, done.out) == (2, "") and "exclude each other" in done.err
 
 
 async def test_a_locale_without_the_signs_gets_others(
@@ -143,7 +143,7 @@ def test_a_console_that_is_behind_and_a_bridge_that_is_late_need_attention_at_on
     state = replace(up, behind=2.4)
     assert "console: this console is 2.4 s behind" in attention(state) and report(state)["behind_s"] == 2.4
     state = replace(up, links={LINK: replace(up.links[LINK], late=3.0)})
-    assert attention(state)[0].startswith("rosbridge: messages come 3.0 s late: the bridge is overloaded")
+    assert attention(state)[0].startswith("rosbridge: messages 3.0 s late: bridge overloaded")
     assert report(state)["links"][0]["late_s"] == 3.0 and not changes(report(up), report(state)).get("links")
 
 

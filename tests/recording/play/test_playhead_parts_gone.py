@@ -77,7 +77,7 @@ def test_a_file_that_becomes_a_recording_while_it_is_opened(
     monkeypatch.setattr(indexing, "open_plain", opened)
     for part in parts[1:]:
         part.unlink()
-    with pytest.raises(RecordingError, match="is no recording"):
+    with pytest.raises(RecordingError, match="is not a fleet-tui recording"):
         indexing.open_recording(parts[0])
 
 
@@ -85,11 +85,11 @@ async def test_what_is_gone_is_said_and_what_is_shown_stays_true(parts: list[Pat
     async with replayed(parts[0], "+45s") as it:
         parts[0].unlink()
         await it.press("home")
-        await it.shows("night.jsonl.gz has changed since it was opened: open it again")
+        await it.shows("night.jsonl.gz has changed since it was opened: reopen it")
         # Where it stands, it can still be played on.
         await it.press(".")
         await it.shows(at(46))
-        assert "the end of the recording" not in it.text
+        assert "end of recording" not in it.text
         await it.press("<", "<")
         await it.shows(at(26))
         await it.hides("has changed since")
@@ -100,15 +100,15 @@ async def test_a_part_that_is_gone_is_not_called_silence(parts: list[Path]) -> N
     async with replayed(parts[0], "+37s") as it:
         parts[2].unlink()
         await it.press("space")
-        await it.shows("there is no record of the 0:21 before this")
+        await it.shows("no records for the 0:21 before this")
         await it.shows("night.0002.jsonl.gz: no such file")
 
 
 async def test_where_no_mark_follows_that_is_said(parts: list[Path]) -> None:
     async with replayed(parts[0], "+19s") as it:
         await it.press(")")
-        await it.shows("no alarm, command or gap is marked after this")
+        await it.shows("no alarm, command or gap after this")
         await it.press("(")
         await it.shows("▲ robot_0 never seen", "time-line")
         await it.press("(")
-        await it.shows("no alarm, command or gap is marked before this")
+        await it.shows("no alarm, command or gap before this")

@@ -41,7 +41,7 @@ def test_its_word_goes_at_once_though_the_alarm_stays() -> None:
     assert alarm(state, "obstacle").text == "obstacle 4.2 s"
     state = told(state, contact(T0 + 0.1, 0.0), tick(T0 + 0.1))
     assert (alarm(state, "obstacle").text, alarm(state, "obstacle").stage) == (
-        "obstacle cleared",
+        "cleared: obstacle",
         AlarmStage.UNACKNOWLEDGED,
     )
     assert alarm(told(state, tick(T0 + 2.9)), "obstacle").stage is AlarmStage.UNACKNOWLEDGED
@@ -56,7 +56,7 @@ def test_a_battery_around_its_limit_is_one_alarm_that_never_ends_in_the_band() -
     assert [(one.key, one.count) for one in state.alarms] == [((R0, "battery"), 1)]
     assert alarm(state, "battery").text == "battery 19 %"
     state = told(state, battery(T0 + 500, 22.0), tick(T0 + 500))
-    assert alarm(state, "battery").text == "battery is charged again"
+    assert alarm(state, "battery").text == "battery recovered"
     # Left once, the band is no reason to come back.
     state = told(state, battery(T0 + 501, 21.0), tick(T0 + 501), tick(T0 + 510))
     assert alarm(state, "battery").stage is AlarmStage.RETURNED
@@ -97,7 +97,7 @@ def test_an_order_without_movement_is_an_alarm_after_its_delay() -> None:
     state = stood(up(), 59)
     assert (R0, "stuck") not in alarms(state)
     state = stood(state, 3, T0 + 59)
-    assert alarm(state, "stuck").text == "order 12, but not moved for 62 s"
+    assert alarm(state, "stuck").text == "order 12: no movement for 62 s"
     state = told(state, *driving(T0 + 63, x=0.5))
     assert alarm(state, "stuck").text == "no longer stuck"
 
@@ -122,7 +122,7 @@ def test_once_stuck_an_obstacle_or_silence_does_not_end_it() -> None:
     state = told(state, contact(T0 + 71, 9.0), *driving(T0 + 71))
     assert alarm(state, "stuck").holds
     state = told(state, tick(T0 + 100))
-    assert alarm(state, "stuck").text == "order 12, had not moved when last heard"
+    assert alarm(state, "stuck").text == "order 12: not moving at last report"
 
 
 def test_who_wanders_by_less_than_a_step_stands() -> None:
@@ -149,7 +149,7 @@ def test_a_pause_is_an_alarm_when_it_lasts() -> None:
         assert ((R0, "pause") in alarms(state)) is (n > 300)
     assert alarm(state, "pause").text == "paused for 5 min"
     state = told(state, events.PausedReported(R0, T0 + 310, False), tick(T0 + 310))
-    assert alarm(state, "pause").text == "pause is over"
+    assert alarm(state, "pause").text == "pause ended"
 
 
 def test_a_short_resume_begins_the_delay_anew() -> None:
@@ -163,7 +163,7 @@ def test_a_short_resume_begins_the_delay_anew() -> None:
 def test_a_silent_robot_is_not_said_to_be_paused() -> None:
     state = told(up(), events.PausedReported(R0, T0, True), tick(T0))
     state = told(state, events.PausedReported(R0, T0 + 301, True), tick(T0 + 301), tick(T0 + 331))
-    assert alarm(state, "pause").text == "pause, last heard of 30 s ago"
+    assert alarm(state, "pause").text == "pause last reported 30 s ago"
 
 
 # Bad data

@@ -105,14 +105,14 @@ def test_a_robot_without_a_queue_is_not_said_to_have_no_orders() -> None:
 def test_a_floor_without_a_graph_has_no_vertex_and_none_will_come() -> None:
     state = told(of_kinds(fleet(), Kind("drives", ("pose",), (ORDER_TO,))), link_up(T0), pose(T0), tick(T0))
     (problem,) = found(state, place_order(R0, 7))
-    assert problem == ("unknown vertex", "robot_0 knows no vertex 7: there is no graph of floor_0", True)
+    assert problem == ("unknown vertex", "robot_0 has no vertex 7: no graph of floor_0", True)
 
 
 def test_a_site_that_leaves_a_service_out_has_no_such_command() -> None:
     profile = Profile(services={"pause": "", "order_with_cargo": ""})
     kind = OhRessources(profile, Site(table="profiles.a")).kind
     assert [found(moved(kind), command)[0][1] for command in (PauseRobot(R0), place_order(R0, 1))] == [
-        "robot_0: profiles.a.services.pause is empty: this site has no pause",
-        "robot_0: profiles.a.services.order_with_cargo is empty: this site has no order without a start",
+        "robot_0: profiles.a.services.pause is empty: no pause",
+        "robot_0: profiles.a.services.order_with_cargo is empty: no order without a start",
     ]
     assert unaccepted(moved(kind), place_order(R0, 1, 2)) == ""

@@ -41,9 +41,9 @@ def test_an_order_that_appears_in_the_queue_is_confirmed_whatever_was_answered(a
 @pytest.mark.parametrize(
     ("orders", "instead"),
     [
-        ((), "its queue has not been heard since"),
-        (((4, 1, 2, "Q"),), "no such order"),  # the same ends, but it was there before
-        (((5, 1, 3, "Q"),), "no such order"),  # another destination: somebody else's
+        ((), "no queue received since"),
+        (((4, 1, 2, "Q"),), "not in the queue"),  # the same ends, but it was there before
+        (((5, 1, 3, "Q"),), "not in the queue"),  # another destination: somebody else's
     ],
 )
 def test_what_is_not_seen_is_not_confirmed_and_says_what_is(
@@ -67,7 +67,7 @@ def test_an_order_of_a_robot_whose_queue_was_never_seen_is_not_known() -> None:
         fleet(), link_up(T0 - 9), *commanded(1, ORDER, SENT, ACCEPTED), queue(T0 + 1, (9, 1, 2, "Q"))
     )
     record = only(told(state, tick(T0 + PATIENCE + 1)))
-    assert record.stage is Stage.NOT_CONFIRMED and "not known before" in record.words
+    assert record.stage is Stage.NOT_CONFIRMED and "queue unknown before" in record.words
 
 
 def test_two_same_orders_are_two_in_the_queue() -> None:
@@ -95,7 +95,7 @@ def test_without_a_link_nothing_is_decided_and_after_it_the_queue_decides() -> N
     assert only(placed).stage is Stage.CONFIRMED
     restarted = told(back, queue(T0 + 504), tick(T0 + 500 + PATIENCE))
     assert only(restarted).stage is Stage.NOT_CONFIRMED
-    assert only(restarted).words == "outcome unknown: link lost; no such order in its queue"
+    assert only(restarted).words == "outcome unknown: link lost; order not in the queue"
 
 
 def test_a_late_answer_still_counts() -> None:

@@ -67,21 +67,25 @@ def alarm_texts(state: FleetState) -> list[str]:
         (
             [driving(T0 + 2), pose(T0 + 3, 2.0), pose(T0 + 4, 9.0), gone(T0 + 5)],
             Stage.DONE,
-            "driven to its end",
+            "driven to the end",
         ),
-        ([queue(T0 + 2, (5, 0, END, "D"))], Stage.DONE, "as the robot reports"),
-        ([gone(T0 + 2)], Stage.LOST, "before it was begun"),
+        ([queue(T0 + 2, (5, 0, END, "D"))], Stage.DONE, "as reported by the robot"),
+        ([gone(T0 + 2)], Stage.LOST, "before it started"),
         ([driving(T0 + 2), gone(T0 + 3)], Stage.LOST, "with the robot 3 m from its end"),
         ([driving(T0 + 2), gone(T0 + 3, 0)], Stage.LOST, "order ids started over"),
         ([driving(T0 + 2), pose(T0 + 2, 2.9), gone(T0 + 3, 0)], Stage.LOST, "order ids started over"),
         ([queue(T0 + 2, (5, 3, 4, "W"), current=5)], Stage.LOST, "order ids started over"),
-        ([driving(T0 + 2), gone(T0 + 44)], Stage.LOST, "none came for 42 s: it may have been driven"),
+        (
+            [driving(T0 + 2), gone(T0 + 44)],
+            Stage.LOST,
+            "no queue was received for 42 s: may have been completed",
+        ),
         (
             [*(driving(T0 + n) for n in range(2, 44)), gone(T0 + 44)],
             Stage.LOST,
-            "no pose came for 45 s: it may have been driven",
+            "no pose was received for 45 s: may have been completed",
         ),
-        ([queue(T0 + 2, (5, 0, END, "C"))], Stage.CANCELLED_ELSEWHERE, "as the robot reports"),
+        ([queue(T0 + 2, (5, 0, END, "C"))], Stage.CANCELLED_ELSEWHERE, "as reported by the robot"),
         ([driving(T0 + 2), pose(T0 + 2, 0.5)], Stage.CONFIRMED, "seen in the queue as order 5"),
     ],
 )
@@ -302,10 +306,10 @@ def test_a_pause_that_a_restart_of_the_robot_ended_is_told(says: bool) -> None:
     told_by_topic: list[Event] = [PausedReported(R0, T0 + 1, True)] if says else []
     state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
     state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), *told_by_topic, tick(T0 + 1))
-    assert first(state).stage is (Stage.CONFIRMED if says else Stage.TAKEN)
+    assert first(state).stage is (Stage.CONFIRMED if says else Stage.UNVERIFIABLE)
     state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
     record = first(state)
-    assert record.stage is Stage.LOST and record.words.endswith("it is not paused any more")
+    assert record.stage is Stage.LOST and record.words.endswith("no longer paused")
     assert alarm_texts(state)[0].startswith("lost: pause (the robot's order ids started over")
     assert not state.robots[R0].paused_by_us
 
@@ -315,7 +319,7 @@ def test_a_pause_that_was_resumed_before_the_restart_is_not_lost() -> None:
     state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0 + 1))
     state = told(state, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 1.5), tick(T0 + 2))
     state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
-    assert first(state).stage is Stage.TAKEN and not alarm_texts(state)
+    assert first(state).stage is Stage.UNVERIFIABLE and not alarm_texts(state)
 
 
 def test_a_robot_that_does_not_count_its_orders_has_not_started_over() -> None:

@@ -45,7 +45,7 @@ def test_not_confirmed_is_an_alarm_that_returns_after_a_while_and_stays_until_it
     state = failed(up(), 7, T0, Stage.ACCEPTED, words="")
     assert alarms(state) == {}
     state = told(state, battery(T0 + 6), tick(T0 + 6))
-    text = "not confirmed: order 1 -> 2 (accepted; its queue has not been heard since)"
+    text = "not confirmed: order 1 -> 2 (accepted; no queue received since)"
     assert alarm(state, "command").text == text
     assert alarm(told(state, battery(T0 + 35), tick(T0 + 35)), "command").text == text
     state = told(state, battery(T0 + 40), tick(T0 + 40))

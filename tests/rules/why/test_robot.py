@@ -34,7 +34,7 @@ def test_a_pause_names_where_it_came_from_and_the_key() -> None:
     planted = driving().command(PauseRobot(R0))
     at = planted.now
     here = first(planted.run(3))
-    assert here.evidence == "it says so; the pause came from here"
+    assert here.evidence == "reported by the robot, sent by this console"
     assert here.since == pytest.approx(at)
 
 
@@ -52,7 +52,7 @@ def test_poses_that_come_late_are_told_from_poses_that_stay_away() -> None:
     late = [pose(T0 + 12 + n / 10, stamp=2 + n / 10) for n in range(20)]
     state = told(fleet(), link_up(T0), *fresh, *late, battery(T0 + 14), queue(T0 + 14), tick(T0 + 14))
     found = reasons(state, state.robots[R0])[0]
-    assert (found.name, found.evidence) == ("pose 10 s old", "poses come, but late: its stamps lag behind")
+    assert (found.name, found.evidence) == ("pose 10 s old", "poses arrive late: their time stamps lag")
 
 
 def test_one_correction_of_the_pose_is_no_jumping() -> None:
@@ -76,9 +76,9 @@ def test_leaps_of_long_ago_are_forgotten() -> None:
 @pytest.mark.parametrize(
     ("stages", "name"),
     [
-        ([Stage.SENT], "pause from here: sent"),
-        ([Stage.SENT, Stage.NO_ANSWER], "pause from here: no answer"),
-        ([Stage.SENT, Stage.UNKNOWN], "pause from here: outcome unknown"),
+        ([Stage.SENT], "pause from this console: sent"),
+        ([Stage.SENT, Stage.NO_ANSWER], "pause from this console: no answer"),
+        ([Stage.SENT, Stage.UNKNOWN], "pause from this console: outcome unknown"),
     ],
 )
 def test_a_pause_from_here_that_may_hold_it_is_named_with_the_key(stages: list[Stage], name: str) -> None:
@@ -93,6 +93,6 @@ def test_a_pause_that_was_obeyed_late_is_named() -> None:
     facts = commanded(1, PauseRobot(R0), Stage.SENT, Stage.NO_ANSWER)
     state = told(fleet(), link_up(T0 - 9), pose(T0 - 9), *facts, pose(T0 + 6), tick(T0 + 6))
     assert state.commands[0].stage is Stage.NOT_CONFIRMED
-    assert "pause from here: not confirmed" in [one.name for one in reasons(state, state.robots[R0])]
+    assert "pause from this console: not confirmed" in [one.name for one in reasons(state, state.robots[R0])]
     state = told(state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, "paused"), pose(T0 + 12), tick(T0 + 12))
     assert reasons(state, state.robots[R0])[0].name == "paused (by us)"

@@ -30,7 +30,7 @@ def test_two_robots_in_each_others_way_are_said_to_be() -> None:
     other.cargo, other.orders = True, [SimOrder(9, CONSUMIDORES, BASE, status="W")]
     found = first(planted.run(2))
     assert found.evidence.startswith("robot_1 is 2.")
-    assert found.evidence.endswith("each is in the other's way")
+    assert found.evidence.endswith("each blocks the other")
     assert found.keys == ("robot_2",)
 
 
@@ -41,7 +41,7 @@ def test_robots_in_different_frames_are_not_compared() -> None:
     assert frame is not None
     moved = structs.replace(frame, origin=Pose(frame.origin.x + 5.0, frame.origin.y))
     planted.run(3)
-    assert first(planted).name == "waits behind robot_1"
+    assert first(planted).name == "waiting behind robot_1"
     planted.tell(FrameReceived("robot_1", "floor_0", moved))
     assert first(planted).name == "cause unknown"
 
@@ -51,4 +51,4 @@ def test_a_robot_beside_or_behind_is_not_in_the_way() -> None:
     for x, y, waits in [(1.5, 0.0, True), (1.5, 1.2, False), (-0.5, 0.0, False), (1.5, 0.5, True)]:
         state = told(fleet(2), *here, PoseReported("robot_1", T0, Pose(x, y), "floor_0", None), tick(T0 + 2))
         names = [reason.name for reason in reasons(state, state.robots[R0])]
-        assert ("waits behind robot_1" in names) is waits, (x, y)
+        assert ("waiting behind robot_1" in names) is waits, (x, y)

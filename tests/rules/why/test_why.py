@@ -72,7 +72,7 @@ def waiting_orders() -> Planted:
 
 SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "nothing to do": (lambda: Planted().run(3), "no orders"),
-    "it drives": (lambda: driving(), "it moves"),
+    "it drives": (lambda: driving(), "robot_0 is moving"),
     "paused elsewhere": (lambda: driving(then="paused").run(3), "paused"),
     "paused from here": (lambda: driving().command(PauseRobot(R0)).run(3), "paused"),
     "paused, no topic tells": (
@@ -104,8 +104,8 @@ SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "its software restarted": (lambda: driving("restart").run(12), "order: lost"),
     "charging": (lambda: driving("battery:robot_0", quiet=False).run(120), "charging at Charger"),
     "flat, orders wait": (lambda: flat(waiting_orders(), 6.0).run(3), "battery 6 %"),
-    "orders wait": (lambda: waiting_orders().run(3), "2 orders waiting, none current"),
-    "another robot ahead": (lambda: behind_another().run(40), "waits behind robot_1"),
+    "orders wait": (lambda: waiting_orders().run(3), "2 orders queued but not started"),
+    "another robot ahead": (lambda: behind_another().run(40), "waiting behind robot_1"),
     "paused AND obstacle": (lambda: driving(then="paused:robot_0,obstacle:robot_0").run(9), "paused"),
     "offline AND flat": (lambda: flat(driving(then="silent:robot_0"), 9.0).run(9), "offline 9 s"),
     "offline AND paused": (lambda: driving("paused:robot_0", then="silent:robot_0").run(9), "offline 9 s"),
@@ -115,7 +115,7 @@ SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
         lambda: flat(driving(then="jumping:robot_0"), 15.0).run(6),
         "localisation jumps",
     ),
-    "another robot ahead AND low": (lambda: behind_another(15.0).run(40), "waits behind robot_1"),
+    "another robot ahead AND low": (lambda: behind_another(15.0).run(40), "waiting behind robot_1"),
     "no orders AND low": (lambda: flat(Planted(), 15.0).run(3), "no orders"),
     "paused AND pose stays away": (lambda: driving(then="paused:robot_0,stale:robot_0").run(9), "paused"),
     "obstacle AND another ahead": (lambda: _blocked(behind_another()).run(6), "obstacle 5."),
@@ -182,11 +182,11 @@ def test_whatever_was_heard_there_is_a_reason_and_every_key_exists(facts: list[E
     if state.is_online(state.robots[R0]):
         assert strengths == sorted(strengths)
     assert {id_ for reason in found for id_ in reason.keys} <= {key.id for key in KEYS}
-    if found[0].name == "it moves":
+    if found[0].name == "robot_0 is moving":
         assert len(found) == 1
     names = [reason.name for reason in found]
     assert ("paused" in names or "paused (by us)" in names) is (
-        state.is_paused(state.robots[R0]) and names != ["it moves"]
+        state.is_paused(state.robots[R0]) and names != ["robot_0 is moving"]
     )
 
 

@@ -35,10 +35,10 @@ def test_every_wrong_name_is_answered_with_the_nearest() -> None:
     with pytest.raises(ConfigError) as raised:
         parse_faults("obstcle,stuck:robt_1,refuse", NAMES)
     assert raised.value.problems == [
-        "--fault obstcle: no such fault, did you mean obstacle?",
-        "--fault stuck:robt_1: no such robot, did you mean robot_1?",
+        "--fault obstcle: unknown fault, did you mean obstacle?",
+        "--fault stuck:robt_1: unknown robot, did you mean robot_1?",
     ]
-    with pytest.raises(ConfigError, match="no such fault: refuse, late, "):
+    with pytest.raises(ConfigError, match="unknown fault: refuse, late, "):
         parse_faults("zzz", NAMES)
 
 

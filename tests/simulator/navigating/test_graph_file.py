@@ -45,7 +45,7 @@ def test_several_floors_are_a_folder_of_files(tmp_path: Path) -> None:
 
 def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     (tmp_path / "taken").write_text("")
-    with pytest.raises(FleetError, match=r"can't write .*taken.*: "):
+    with pytest.raises(FleetError, match=r"cannot write .*taken.*: "):
         write_graphs(tmp_path / "taken" / "graph.geojson", 1)
 
 
@@ -53,11 +53,11 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     ("args", "words"),
     [
         (("--kind", "nav"), "did you mean nav2?"),
-        (("--kind", "nav2", "--ros", "1"), "kind nav2 run on ROS 2 only"),
-        (("--kind", "move_base", "--ros", "2"), "kind move_base run on ROS 1 only"),
-        (("--kind", "move_base", "--fault", "inactive"), "no such fault"),
+        (("--kind", "nav2", "--ros", "1"), "kind nav2 runs on ROS 2 only"),
+        (("--kind", "move_base", "--ros", "2"), "kind move_base runs on ROS 1 only"),
+        (("--kind", "move_base", "--fault", "inactive"), "unknown fault"),
         (("--kind", "nav2", "--fault", "lots"), "did you mean lost?"),
-        (("--kind", "nav2", "--fault", "refuse"), "no such fault of this kind of robots"),
+        (("--kind", "nav2", "--fault", "refuse"), "unknown fault of this kind of robots"),
         (("--graph-file", "x.geojson"), "publish their graph"),
     ],
 )

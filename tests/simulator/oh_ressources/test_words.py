@@ -106,7 +106,7 @@ async def test_it_comes_over_the_wire_with_the_types_that_rosapi_tells(server: R
     assert types["/diagnostics"] == "diagnostic_msgs/DiagnosticArray"
     async with linked(config_of(server.url, 2)) as (link, store):
         await store.until(ready)
-        link.overhear(True)
+        link.subscribe_logs(True)
         await until(store, lambda: counter(link).health)
         server.world.robots["robot_0"].paused = True
         await until(store, lambda: counter(link).log)

@@ -13,7 +13,7 @@ from fleet_tui.transports.rosbridge.reasons import refusal
     [
         ("TLSV13_ALERT_CERTIFICATE_REQUIRED", "set client_cert, client_key"),
         ("SSLV3_ALERT_BAD_CERTIFICATE", "set client_cert, client_key"),
-        ("WRONG_VERSION_NUMBER", "no TLS there"),
+        ("WRONG_VERSION_NUMBER", "no TLS on this port"),
         ("UNSUPPORTED_PROTOCOL", "TLS: unsupported protocol"),
     ],
 )

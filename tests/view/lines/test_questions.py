@@ -18,7 +18,7 @@ STATE = told(
     [
         ((CancelOrder(R0, "4"),), "Cancel order 4 of robot_0?\nBase -> Store"),
         ((ClearOrders(R0),), "Clear all 2 orders of robot_0?\n  4  Base -> Store\n  5  Store -> Base"),
-        ((place_order(R0, 1, 2),), "Send it?\nrobot_0 order Base -> Store"),
+        ((place_order(R0, 1, 2),), "Send?\nrobot_0 order Base -> Store"),
     ],
 )
 def test_what_will_be_lost_is_named(commands: tuple[Command, ...], asked: str) -> None:

@@ -18,7 +18,7 @@ def test_health_by_name_with_values_where_a_row_is_opened() -> None:
     )
     _, links = seen(link)
     lines = text(health_table(links, {(LINK, "robot_1: laser")}, "", NOW))
-    assert lines[0] == "Diagnostics of the robots /diagnostics  4 parts, 1 ERROR, 1 WARN, 1 level 9"
+    assert lines[0] == "Robot diagnostics /diagnostics  4 parts, 1 ERROR, 1 WARN, 1 level 9"
     starts = ["✗ ERROR", "● OK", "▲ WARN", "          hardware: l1", "          distance: 0.2", "? level 9"]
     assert [line.startswith(start) for line, start in zip(lines[1:], starts, strict=True)] == [True] * 6
     assert "old, 20 s ago" in lines[1]

@@ -14,10 +14,10 @@ def test_a_link_that_is_well() -> None:
         link.round_trips.take(took, NOW - 1.0)
     table = link_table(seen(link)[1], NOW)
     assert "● up for 20 s" in row(table, "state")
-    assert "2.00 ms, 1.0 s ago  the last 3: 1.00 ms to 3.00 ms, mean 2.00 ms, jitter 1.50 ms" in row(
+    assert "2.00 ms, 1.0 s ago  last 3: 1.00 ms to 3.00 ms, mean 2.00 ms, jitter 1.50 ms" in row(
         table, "trip"
     )
-    assert "50.0 /s, 15.0 kB/s, 100 and 30.0 kB in all" in row(table, "messages  ")
+    assert "50.0 /s, 15.0 kB/s, 100 and 30.0 kB in total" in row(table, "messages  ")
     assert "0 reconnects" in row(table, "connections") and "lost" not in row(table, "connections")
     assert "○ not tried yet" in row(table, "commands")
 
@@ -31,19 +31,19 @@ def test_a_link_that_is_down_says_so_and_since_when_everything_is_old() -> None:
     link.failed("no JSON", b"{", False, NOW - 3.0)
     link.round_trips.take(0.001, T0)
     link.round_trips.unanswered = 4
-    state = told(fleet(2), link_up(T0), link_lost(T0 + 10.0, "nothing listens there", NOW + 3.0))
+    state = told(fleet(2), link_up(T0), link_lost(T0 + 10.0, "connection refused", NOW + 3.0))
     table = link_table(seen(link, state)[1], NOW)
-    assert "○ no link for 10 s: nothing listens there, retry in 3 s" in row(table, "state")
+    assert "○ no link for 10 s: connection refused, retry in 3 s" in row(table, "state")
     assert "20 s ago" in row(table, "last message")
     assert "overdue" in row(table, "trip") and "4 unanswered" in row(table, "trip")
     assert "last lost 10 s ago: the bridge went away" in row(table, "connections")
-    assert "2 frames that were too large" in row(table, "passed over")
-    assert "2 frames, the last 3.0 s ago: no JSON" in row(table, "unreadable")
+    assert "2 frames: too large" in row(table, "dropped")
+    assert "2 frames, last 3.0 s ago: no JSON" in row(table, "unreadable")
 
 
 def test_before_anything_came() -> None:
     link = counter()
     _, links = seen(link)
     table = link_table(links, NOW)
-    assert "no heartbeat has come back yet" in row(table, "trip") and "never" in row(table, "last message")
+    assert "no heartbeat reply yet" in row(table, "trip") and "never" in row(table, "last message")
     assert link_table([], NOW).rows == []

@@ -16,15 +16,15 @@ def test_an_order_is_ours_anothers_or_perhaps_ours() -> None:
     given = place_order(R0, 1, 2)
     placed = commanded(7, given, Stage.SENT, Stage.ACCEPTED, at=T0 + 1)
     state = told(STATE, *placed, queue(T0 + 2, (4, 1, 2, "W"), (6, 1, 2, "Q")), tick(T0 + 2.1))
-    assert origin(state, R0, listed(6, 1, 2, "Q"), at) == "given here at 12:04:31, accepted, confirmed"
-    assert origin(state, R0, listed(4, 1, 2, "W"), at) == "not given by this console"
+    assert origin(state, R0, listed(6, 1, 2, "Q"), at) == "sent here at 12:04:31, accepted, confirmed"
+    assert origin(state, R0, listed(4, 1, 2, "W"), at) == "not sent by this console"
     unsure = told(fleet(), *commanded(7, given, Stage.SENT, Stage.UNKNOWN))
-    assert origin(unsure, R0, listed(6, 1, 2, "Q"), at) == "perhaps given here at 12:04:31, outcome unknown"
-    assert origin(unsure, R0, listed(6, 2, 1, "Q"), at) == "not given by this console"
+    assert origin(unsure, R0, listed(6, 1, 2, "Q"), at) == "possibly sent here at 12:04:31, outcome unknown"
+    assert origin(unsure, R0, listed(6, 2, 1, "Q"), at) == "not sent by this console"
     refused = told(fleet(), *commanded(7, given, Stage.SENT, Stage.REFUSED))
-    assert origin(refused, R0, listed(6, 1, 2, "Q"), at) == "not given by this console"
+    assert origin(refused, R0, listed(6, 1, 2, "Q"), at) == "not sent by this console"
     loaded = told(fleet(), *commanded(7, place_order(R0, 2), Stage.SENT))
-    assert origin(loaded, R0, listed(6, 9, 2, "Q"), at) == "perhaps given here at 12:04:31, sent"
+    assert origin(loaded, R0, listed(6, 9, 2, "Q"), at) == "possibly sent here at 12:04:31, sent"
 
 
 def test_who_gave_an_order_is_known_as_long_as_it_is_in_the_queue() -> None:
@@ -33,4 +33,4 @@ def test_who_gave_an_order_is_known_as_long_as_it_is_in_the_queue() -> None:
     for n in range(300):
         state = told(state, *commanded(100 + n, PauseRobot(R0), Stage.NOT_SENT))
     assert len(state.commands) == 200
-    assert origin(state, R0, listed(6, 1, 2, "Q"), at).startswith("given here")
+    assert origin(state, R0, listed(6, 1, 2, "Q"), at).startswith("sent here")

@@ -49,9 +49,9 @@ def under(runs: tuple[Run, ...], button: Button) -> str:
     return "".join(cells[button.start : button.end])
 
 
-def test_the_current_order_stands_first_and_positions_count_from_0() -> None:
+def test_the_current_order_comes_first() -> None:
     words = [line.split() for line in lines(state())]
-    assert [(word[0], word[1]) for word in words] == [("0", "12"), ("1", "11"), ("2", "15")]
+    assert [word[0] for word in words] == ["#12", "#11", "#15"]
     assert [row.key for row in queue_table(state(), R0, False, 100).rows] == [
         (R0, "12", 0),
         (R0, "11", 1),
@@ -61,14 +61,14 @@ def test_the_current_order_stands_first_and_positions_count_from_0() -> None:
 
 @pytest.mark.parametrize("current", [-1, 0, 99])
 def test_a_current_order_that_is_not_there_means_none(current: int) -> None:
-    assert [line.split()[1] for line in lines(state(current=current))] == ["11", "12", "15"]
+    assert [line.split()[0] for line in lines(state(current=current))] == ["#11", "#12", "#15"]
 
 
 def test_missions_by_label_and_status_in_words() -> None:
     current, waiting, odd = lines(state())
     assert "Consumidores -> 3" in current and " in process" in current
     assert "Base -> Consumidores" in waiting and " queued" in waiting
-    assert "3 -> 99?" in odd and " X " in odd and "unknown vertex" in odd
+    assert "3 -> 99?" in odd and " X, " in odd and "unknown vertex" in odd
     assert "unknown vertex" not in current + waiting
 
 
@@ -143,8 +143,8 @@ def test_the_title_counts_and_tells_cargo_and_age() -> None:
 
 
 def test_nothing_to_do_is_not_nothing_heard() -> None:
-    assert queue_table(fleet(), R0, False, 80).empty == "the queue has not been heard yet"
-    assert queue_table(told(fleet(), queue(T0)), R0, False, 80).empty == "no orders: o places one"
+    assert queue_table(fleet(), R0, False, 80).empty == "no queue received yet"
+    assert queue_table(told(fleet(), queue(T0)), R0, False, 80).empty == "no orders: press o to order"
 
 
 def test_an_order_to_nowhere_is_marked_by_ink_too() -> None:
@@ -158,7 +158,7 @@ def test_what_is_under_way_stands_at_its_order_or_in_the_title() -> None:
     now = told(state(), *cancel, *place, tick(T0 + 1))
     current, waiting, odd = lines(now)
     assert "cancel sent 1 s ago" in waiting and "cancel" not in (current + odd).replace(CANCEL, "")
-    assert "+1 not seen here yet" in text_of(queue_table(now, R0, False, 100).title)
+    assert "+1 not in the queue yet" in text_of(queue_table(now, R0, False, 100).title)
     shown = told(state(), *commanded(2, place_order(R0, 1, 2), Stage.SENT), queue(T0 + 1, (900, 1, 2, "Q")))
     assert "not seen" not in text_of(queue_table(shown, R0, False, 100).title)  # only its answer lacks
     clear = told(state(), *commanded(3, ClearOrders(R0), Stage.SENT), tick(T0 + 1))
@@ -178,8 +178,8 @@ def test_an_order_that_is_over_has_nothing_to_cancel(letter: str) -> None:
 def test_the_queue_pane_of_a_kind_without_a_queue() -> None:
     table = queue_table(heard(BARE), R0, False, 80)
     assert (text_of(table.title), table.empty) == ("Queue robot_0", "this kind has no queue")
-    assert queue_table(heard(LATE), R0, False, 80).empty == "no order has been heard of yet"
-    assert queue_table(heard(FULL), R0, False, 80).empty == "the queue has not been heard yet"
+    assert queue_table(heard(LATE), R0, False, 80).empty == "no orders reported yet"
+    assert queue_table(heard(FULL), R0, False, 80).empty == "no queue received yet"
 
 
 @pytest.mark.parametrize(("kind", "cancels", "clears"), [(FULL, True, True), (LATE, True, False)])

@@ -32,7 +32,7 @@ def log(least: Severity = Severity.DEBUG, wanted: str = "") -> list[str]:
 
 def test_the_log_tells_when_how_serious_who_and_what() -> None:
     title, *lines = log()
-    assert title == "Log of the robots /rosout  5 of 5 lines, DEBUG and worse, last 15 s ago"
+    assert title == "Robot log /rosout  5 of 5 lines, DEBUG and worse, last 15 s ago"
     words = ["· DEBUG", "  INFO", "▲ WARN", "✗ FATAL", "level 7"]
     assert [word in line for word, line in zip(words, lines, strict=True)] == [True] * 5
     assert "/robot_0/laser" in lines[2] and "something is Close" in lines[2]
@@ -57,4 +57,4 @@ def test_level_and_text_filter_the_log(least: Severity, wanted: str, count: int)
 
 def test_an_empty_log_says_why_it_is_empty() -> None:
     state, links = seen(counter())
-    assert "nothing came on /rosout" in robot_log_table((), links, state, str, Severity.INFO, "").empty
+    assert "nothing received on /rosout" in robot_log_table((), links, state, str, Severity.INFO, "").empty

@@ -23,11 +23,11 @@ def test_topics_in_the_order_of_the_config_each_with_how_it_is() -> None:
         "/robot_1/pose",
         "/rosout",
     ]
-    assert text(table)[0] == "Topics 6, 2 in trouble"
+    assert text(table)[0] == "Topics 6, 2 with problems"
     assert row(table, BATTERY).startswith("✗ not subscribed") and "std_msgs/Float64" in row(table, BATTERY)
     assert row(table, POSE).split()[:7] == ["●", "live", POSE, "10.0", "Hz", "0.0", "s"]
     assert row(table, "robot_1/pose").startswith("○ silent") and "6.0 s ago" in row(table, "robot_1/pose")
-    assert row(table, GRAPH).startswith("● came") and "Hz" not in row(table, GRAPH)
+    assert row(table, GRAPH).startswith("● received") and "Hz" not in row(table, GRAPH)
     assert row(table, MAP).startswith("· on demand") and "never" in row(table, MAP)
     assert row(table, "/rosout").startswith("· on demand")
 
@@ -56,7 +56,7 @@ def test_without_a_link_no_topic_looks_live() -> None:
 def test_topics_are_filtered_by_their_names() -> None:
     state, links = seen(counter())
     assert len(topic_table(state, links, "POSE", NOW).rows) == 2
-    assert topic_table(state, links, "nothing", NOW).empty == "no such topic"
+    assert topic_table(state, links, "nothing", NOW).empty == "no matching topic"
 
 
 def test_a_topic_is_silent_after_its_own_time_and_never_where_it_comes_on_change() -> None:
@@ -76,4 +76,4 @@ def test_a_topic_is_silent_after_its_own_time_and_never_where_it_comes_on_change
         topic.heard(b"x", False, NOW - 30.0)
     table = topic_table(state, links, "", NOW)
     states = {name: row(table, name).split("/")[0].strip() for name in ("battery", "pose", "goals")}
-    assert states == {"battery": "● live", "pose": "○ silent", "goals": "● came"}
+    assert states == {"battery": "● live", "pose": "○ silent", "goals": "● received"}

@@ -18,7 +18,7 @@ COMPLAINTS_FOR = 10.0
 QUEUE = 100
 
 
-class Overhearing:
+class LogSubscription:
     """Runs on the network loop. `ask_types` gives type by topic, as rosapi tells."""
 
     def __init__(self, connection: Connection, ask_types: Callable[[], Awaitable[Mapping[str, str]]]) -> None:
