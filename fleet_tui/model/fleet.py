@@ -12,7 +12,6 @@ from fleet_tui.model.link import LinkState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.text.durations import age
 
-
 CONTACT = 3.0
 """Seconds in contact from which an obstacle is shown at the robot; shorter ones are part of every drive."""
 

@@ -125,7 +125,7 @@ class NavigatingWorld(ABC, Generic[N]):
         navigation.give(spot.x, spot.y, self._rng.uniform(-3.0, 3.0))
 
     def _silence(self) -> None:
-        """Every 3 to 4 minutes one robot of the fleet is not heard for a moment, as where Wi-Fi hands over."""
+        """Every 3 to 4 minutes one robot is not heard for a moment, as where Wi-Fi hands over."""
         self._silence_in -= STEP
         if self._silence_in <= 0.0 and self.robots:
             self._silence_in = self._rng.uniform(180.0, 240.0)
