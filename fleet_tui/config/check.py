@@ -10,6 +10,7 @@ from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config, Link, link_key
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keymap import keymap
 from fleet_tui.model.alarm import Priority
+from fleet_tui.rules.alarms.classes import CLASSES
 
 
 def checked(config: Config) -> list[str]:
@@ -101,6 +102,10 @@ def _alarms(alarms: Alarms) -> Iterator[str]:
         yield "alarms.battery_critical: must not be above battery_low"
     if alarms.battery_low + alarms.battery_band > 100:
         yield "alarms.battery_band: battery_low and battery_band together must not be above 100"
+    for name in alarms.latched:
+        if name not in CLASSES:
+            near = did_you_mean(name, CLASSES) or f", there are {', '.join(CLASSES)}"
+            yield f"alarms.latched: no class {name!r}{near}"
     known = [priority.name.lower() for priority in Priority]
     for key, given in (("bell", alarms.bell), ("notify", alarms.notify)):
         for name in given:

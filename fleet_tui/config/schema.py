@@ -107,10 +107,11 @@ class Ui(msgspec.Struct, frozen=True):
 
 class Alarms(msgspec.Struct, frozen=True):
     """`[alarms]`: limits, delays (seconds) and dead bands (per cent); `bell` and `notify` list the
-    priorities (high, medium, low) that ring the terminal's bell or send it a notification."""
+    priorities (high, medium, low) that ring the terminal's bell or send it a notification; `latched` lists
+    the classes of alarms that stay until they are acknowledged."""
 
     offline_after: Positive = 5.0
-    obstacle_after: Positive = 3.0
+    obstacle_after: Positive = 30.0
     battery_low: Percent = 20.0
     battery_critical: Percent = 10.0
     no_link_after: Positive = 2.0
@@ -121,6 +122,7 @@ class Alarms(msgspec.Struct, frozen=True):
     battery_band: NotNegative = 2.0
     clear_after: NotNegative = 3.0
     shelve_for: Positive = 1800.0
+    latched: list[str] = msgspec.field(default_factory=lambda: ["command"])
     bell: list[str] = []
     notify: list[str] = []
 

@@ -26,6 +26,7 @@ def initial_state(config: Config, now: float) -> FleetState:
             alarms.battery_band,
             alarms.clear_after,
             alarms.shelve_for,
+            tuple(alarms.latched),
         ),
         now=now,
     )

@@ -7,8 +7,9 @@ from fleet_tui.backend import Backend
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.typed import Entry, OpenMenu
-from fleet_tui.model.alarm import Alarm, AlarmStage
+from fleet_tui.model.alarm import Alarm, AlarmStage, class_of
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved, Event
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.state.store import Store
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
@@ -30,11 +31,12 @@ class AlarmResponses:
         navigation: Navigation,
         pane: RowsPane,
         open_menu: OpenMenu,
+        why: Callable[[], None],
         keys: Mapping[str, tuple[str, ...]],
         clock: Callable[[float], str],
     ) -> None:
         self._store, self._backend, self._notices, self._navigation = store, backend, notices, navigation
-        self._pane, self._open_menu, self._keys, self._clock = pane, open_menu, keys, clock
+        self._pane, self._open_menu, self._why, self._keys, self._clock = pane, open_menu, why, keys, clock
 
     def _tell(self, event: Event) -> None:
         if problem := self._backend.tell(event):
@@ -62,14 +64,21 @@ class AlarmResponses:
             return
         first, last = self._clock(alarm.first_wall), self._clock(alarm.last_wall)
         seen = f"first seen {first}, last seen {last}, x{alarm.count}"
-        title = f"{source}: {sanitize(alarm.text)}\n{seen}"
+        title = f"{source}: {sanitize(alarm.text)}\n{CLASSES[class_of(kind)].action}\n{seen}"
         self._open_menu(title, [*self._ways_to(alarm), *self._answers(alarm)])
 
     def _ways_to(self, alarm: Alarm) -> Iterator[Entry]:
         """To the robot, or to some of a group."""
         whose = {alarm.condition.source, *alarm.condition.parts}
-        for name in [name for name in self._store.state.robots if name in whose][:SHOWN]:
+        names = [name for name in self._store.state.robots if name in whose]
+        if len(names) == 1:
+            yield f"Explain {names[0]}", partial(self._explain, names[0])
+        for name in names[:SHOWN]:
             yield f"Show {name} on the map", partial(self._navigation.find_robot, name)
+
+    def _explain(self, robot: str) -> None:
+        self._navigation.find_robot(robot)
+        self._why()
 
     def _answers(self, alarm: Alarm) -> Iterator[Entry]:
         if alarm.needs_acknowledgement:

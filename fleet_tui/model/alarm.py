@@ -1,9 +1,10 @@
 """Alarms with the life cycle of ISA-18.2, as a table.
 
-A condition holds or it doesn't; an alarm remembers that it held until a person has seen it.
+A condition holds or it doesn't. An alarm of a latched class stays until a person has seen it; the others go
+with their condition, and the audit log has them.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from enum import Enum
 from operator import is_
 
@@ -38,6 +39,7 @@ class AlarmStep(Enum):
     RAISE = "raised"
     WORSEN = "worse"
     RETURN = "returned"
+    CLEAR = "cleared"
     ACKNOWLEDGE = "acknowledged"
     SHELVE = "shelved"
     UNSHELVE = "unshelved"
@@ -47,6 +49,7 @@ TRANSITIONS = {
     (AlarmStage.CLEARED, AlarmStep.RAISE): AlarmStage.UNACKNOWLEDGED,
     (AlarmStage.UNACKNOWLEDGED, AlarmStep.ACKNOWLEDGE): AlarmStage.ACKNOWLEDGED,
     (AlarmStage.UNACKNOWLEDGED, AlarmStep.RETURN): AlarmStage.RETURNED,
+    (AlarmStage.UNACKNOWLEDGED, AlarmStep.CLEAR): AlarmStage.CLEARED,  # not latched: it needs no one
     (AlarmStage.UNACKNOWLEDGED, AlarmStep.SHELVE): AlarmStage.SHELVED,
     (AlarmStage.ACKNOWLEDGED, AlarmStep.WORSEN): AlarmStage.UNACKNOWLEDGED,
     (AlarmStage.ACKNOWLEDGED, AlarmStep.RETURN): AlarmStage.CLEARED,
@@ -58,6 +61,11 @@ TRANSITIONS = {
     (AlarmStage.SHELVED, AlarmStep.RETURN): AlarmStage.CLEARED,  # off the shelf, and it is over
 }
 _STEPS = {(was, now): step for (was, step), now in TRANSITIONS.items()}
+
+
+def class_of(kind: str) -> str:
+    """Return the class of alarms that a kind belongs to: a group's is that of its members."""
+    return {"many commands": "command", "frames": "data"}.get(kind, kind.removeprefix("many "))
 
 
 class Condition(Struct, frozen=True):
@@ -132,12 +140,15 @@ def _holding(alarm: Alarm, condition: Condition, at: float, wall: float) -> Alar
     return _stepped(alarm, AlarmStep.WORSEN) if news else alarm
 
 
-def _not_holding(alarm: Alarm, at: float, clear_after: float) -> Alarm:
-    """Until it has been away for `clear_after` seconds it may as well come back."""
+def _not_holding(alarm: Alarm, at: float, clear_after: float, is_latched: bool) -> Alarm:
+    """Off-delay: an alarm returns to normal only after its condition has been absent for `clear_after`
+    seconds."""
     if alarm.holds:
         alarm = replace(alarm, holds=False)
-    away = at - alarm.held_at >= clear_after
-    return _stepped(alarm, AlarmStep.RETURN) if away and alarm.stage is not AlarmStage.SHELVED else alarm
+    if at - alarm.held_at < clear_after or alarm.stage is AlarmStage.SHELVED:
+        return alarm
+    clears = alarm.stage is AlarmStage.UNACKNOWLEDGED and not is_latched
+    return _stepped(alarm, AlarmStep.CLEAR if clears else AlarmStep.RETURN)
 
 
 def _off_the_shelf(alarm: Alarm) -> Alarm:
@@ -150,8 +161,10 @@ def advance(
     at: float,
     wall: float,
     clear_after: float = 0.0,
+    latched: Collection[str] | None = None,
 ) -> tuple[Alarm, ...]:
-    """The alarms after a look at what holds now, oldest first, at most one for each condition."""
+    """The alarms after a look at what holds now, oldest first, at most one for each condition. Alarms of the
+    classes `latched` (None: all) stay until they are acknowledged, the others go with their condition."""
     holding = {condition.key: condition for condition in conditions}
     result: list[Alarm] = []
     for alarm in alarms:
@@ -159,7 +172,8 @@ def advance(
         if condition is not None:
             alarm = _holding(alarm, condition, at, wall)
         else:
-            alarm = _not_holding(alarm, at, clear_after)
+            stays = latched is None or class_of(alarm.condition.kind) in latched
+            alarm = _not_holding(alarm, at, clear_after, stays)
         if alarm.stage is AlarmStage.SHELVED and at >= alarm.until:
             alarm = _off_the_shelf(alarm)
         if alarm.stage is not AlarmStage.CLEARED:

@@ -12,16 +12,20 @@ from fleet_tui.model.link import LinkState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.text.durations import age
 
+CONTACT = 3.0
+"""Seconds in contact from which an obstacle is shown at the robot; shorter ones are part of every drive."""
+
 
 class Limits(Struct, frozen=True):
     """When something needs a person, and when no longer: seconds and per cent.
 
     A battery alarm ends `battery_band` above its limit, any alarm when its condition has been away
-    for `clear_after`; `shelve_for` is how long one stays on the shelf.
+    for `clear_after`; `shelve_for` is how long one stays on the shelf; alarms of the classes `latched` stay
+    until they are acknowledged.
     """
 
     offline_after: float = 5.0
-    obstacle_after: float = 3.0
+    obstacle_after: float = 30.0
     battery_low: float = 20.0
     battery_critical: float = 10.0
     link_after: float = 2.0
@@ -31,6 +35,7 @@ class Limits(Struct, frozen=True):
     battery_band: float = 2.0
     clear_after: float = 3.0
     shelve_for: float = 1800.0
+    latched: tuple[str, ...] = ("command",)
 
 
 class Floor(Struct, frozen=True, eq=False):
@@ -74,8 +79,9 @@ class FleetState(Struct, frozen=True, eq=False):
         return robot.heard is not None and self.now - robot.heard <= self.patience
 
     def was_obstructed(self, robot: Robot) -> bool:
-        """Tell whether by its last word it was in contact with an obstacle for longer than the limit."""
-        return robot.obstacle is not None and robot.obstacle.value > self.limits.obstacle_after
+        """Tell whether by its last word it was in contact with an obstacle for a while."""
+        least = min(CONTACT, self.limits.obstacle_after)
+        return robot.obstacle is not None and robot.obstacle.value > least
 
     def is_obstructed(self, robot: Robot) -> bool:
         """The same, where that word is fresh."""

@@ -41,7 +41,7 @@ def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     found = list(conditions(state, held))
     began = {one.key: state.began.get(one.key, event.at) for one in found}
     due = without_floods(state, found, held)
-    alarms = advance(state.alarms, due, event.at, event.wall, state.limits.clear_after)
+    alarms = advance(state.alarms, due, event.at, event.wall, state.limits.clear_after, state.limits.latched)
     return replace(state, began=began, alarms=alarms)
 
 

@@ -3,6 +3,7 @@
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.keymap import keymap
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk
 from tests.support.fleets import T0, battery, fleet, link_up, tick, told
@@ -25,6 +26,7 @@ def responses() -> tuple[Desk, RowsPane, AlarmResponses]:
             desk.navigation,
             pane,
             desk.open_menu,
+            lambda: desk.notices.say("why"),
             keys,
             lambda _wall: "12:00",
         ),
@@ -51,8 +53,11 @@ def test_the_menu_goes_to_the_robot_and_puts_the_alarm_on_the_shelf() -> None:
     desk, _, alarms = responses()
     alarms.menu(*LOW[1])
     (menu,) = desk.menus
-    assert menu.title.splitlines()[1] == "first seen 12:00, last seen 12:00, x1"
-    assert menu.texts == ["Show robot_1 on the map", "Acknowledge (a)", "Shelve for 30 min"]
+    assert menu.title.splitlines()[1:] == [CLASSES["battery"].action, "first seen 12:00, last seen 12:00, x1"]
+    whole = ["Explain robot_1", "Show robot_1 on the map", "Acknowledge (a)", "Shelve for 30 min"]
+    assert menu.texts == whole
+    menu.choose("Explain")
+    assert desk.notices.text == "why"
     menu.choose("Show")
     menu.choose("Shelve")
     assert desk.navigation.robot == "robot_1"

@@ -17,7 +17,7 @@ async def in_the_way(server: RosbridgeServer, *names: str) -> AsyncIterator[Cons
     server.muted.update(f"/{name}/obstacle" for name in names)
     async with console(config_of(server.url, 2, 2)) as it:
         for name in names:
-            server.publish_raw(f"/{name}/obstacle", {"data": 4.2})
+            server.publish_raw(f"/{name}/obstacle", {"data": 44.2})
         await it.shows(f"Alarms {len(names)} new", "alarms")
         yield it
 
@@ -28,11 +28,11 @@ def stages(it: Console) -> list[AlarmStage]:
 
 async def test_the_menu_of_a_row_goes_to_the_robot(server: RosbridgeServer) -> None:
     async with in_the_way(server, "robot_1") as it:
-        await it.shows("▲ new  high robot_1 obstacle 4.2 s", "alarms")
+        await it.shows("▲ new  high robot_1 obstacle 44.2 s", "alarms")
         it.app.main.alarms.focus()
         await it.press("enter")
-        await it.shows("robot_1: obstacle 4.2 s")
-        await it.shows("1  Show robot_1 on the map")
+        await it.shows("robot_1: obstacle 44.2 s")
+        await it.shows("2  Show robot_1 on the map")
         (alarm,) = it.store.state.alarms
         await it.shows(f"first seen {it.app.main.settings.clock(alarm.first_wall)}, last seen ")
         await it.press("1")
@@ -47,7 +47,7 @@ async def test_the_menu_acknowledges_by_number_and_names_the_key(server: Rosbrid
         await it.shows("2  Acknowledge (a)")
         await it.press("2")
         await it.until(lambda state: state.unacknowledged == 0)
-        await it.shows("△ seen high robot_0 obstacle 4.2 s", "alarms")
+        await it.shows("△ seen high robot_0 obstacle 44.2 s", "alarms")
         await it.press("enter")
         await it.shows("Shelve for")
         assert "Acknowledge" not in it.text
@@ -77,7 +77,7 @@ async def test_a_shelf_ends_by_itself(server: RosbridgeServer) -> None:
         config, alarms=msgspec.structs.replace(config.alarms, shelve_for=0.5, offline_after=60.0)
     )
     async with console(config) as it:
-        server.publish_raw("/robot_0/obstacle", {"data": 4.2})
+        server.publish_raw("/robot_0/obstacle", {"data": 44.2})
         await it.shows("robot_0", "alarms")
         it.app.main.alarms.focus()
         await it.press("enter", "3")
@@ -100,11 +100,11 @@ async def test_the_cursor_goes_to_what_nobody_has_seen(server: RosbridgeServer) 
     """From any pane, `a` means it; while the list itself is read, the cursor stays."""
     server.muted.update(("/robot_0/obstacle", "/robot_1/obstacle"))
     async with console(config_of(server.url, 2, 2)) as it:
-        server.publish_raw("/robot_0/obstacle", {"data": 4.2})
+        server.publish_raw("/robot_0/obstacle", {"data": 44.2})
         await it.shows("robot_0", "alarms")
         await it.press("a")
         await it.shows("▸△ seen high robot_0", "alarms")
-        server.publish_raw("/robot_1/obstacle", {"data": 4.2})
+        server.publish_raw("/robot_1/obstacle", {"data": 44.2})
         await it.shows("▸▲ new  high robot_1", "alarms")
         it.app.main.alarms.focus()
         await it.press("j", "a")

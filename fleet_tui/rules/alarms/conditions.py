@@ -28,7 +28,7 @@ STILL = 2.0
 
 def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
     """In contact for longer than the limit, by its last word."""
-    if robot.obstacle is None or not state.was_obstructed(robot):
+    if robot.obstacle is None or robot.obstacle.value <= state.limits.obstacle_after:
         return None
     text = obstacle_text(state, robot, robot.obstacle)
     return Condition(robot.name, "obstacle", Priority.HIGH, text, "cleared: obstacle")

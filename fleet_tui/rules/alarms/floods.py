@@ -37,6 +37,11 @@ def group_key(link: str, kind: str) -> Key:
     return link, f"many {kind}"
 
 
+def is_group(kind: str) -> bool:
+    """Tell whether a kind is that of an alarm that stands for several robots'."""
+    return kind.startswith("many ") and kind.removeprefix("many ") in FLOODS
+
+
 def is_held(held: Held, robot: str, link: str, kind: str) -> bool:
     """Tell whether a robot's condition held at the last look, by itself or in the group."""
     if (robot, kind) in held:

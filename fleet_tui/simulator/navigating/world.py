@@ -125,8 +125,8 @@ class NavigatingWorld(ABC, Generic[N]):
         navigation.give(spot.x, spot.y, self._rng.uniform(-3.0, 3.0))
 
     def _silence(self) -> None:
-        """Every 3 to 4 minutes one robot of the fleet can't be heard for a while."""
+        """Every 3 to 4 minutes one robot is not heard for a moment, as where Wi-Fi hands over."""
         self._silence_in -= STEP
         if self._silence_in <= 0.0 and self.robots:
             self._silence_in = self._rng.uniform(180.0, 240.0)
-            self._rng.choice(tuple(self.robots.values())).silence = self._rng.uniform(8.0, 20.0)
+            self._rng.choice(tuple(self.robots.values())).silence = self._rng.uniform(1.0, 3.0)

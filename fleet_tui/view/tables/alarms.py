@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
@@ -18,6 +19,8 @@ _PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "lo
 
 
 def _ink(alarm: Alarm) -> StyleRole:
+    if not alarm.holds:
+        return StyleRole.DIM
     if alarm.stage is AlarmStage.UNACKNOWLEDGED:
         return StyleRole.WARN if alarm.condition.priority is Priority.LOW else StyleRole.ALARM
     return StyleRole.TEXT if alarm.stage is AlarmStage.ACKNOWLEDGED else StyleRole.DIM
@@ -44,14 +47,25 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     )
 
 
-def _place(alarm: Alarm) -> tuple[bool, bool, int]:
-    """Rows of one place stay in the order in which they were raised."""
-    return alarm.stage is AlarmStage.SHELVED, not alarm.needs_acknowledgement, alarm.condition.priority.value
+def _place(alarm: Alarm) -> tuple[bool, bool, bool, int]:
+    """Rows of one place stay in the order in which they were raised. What is over stands below all that
+    holds, whatever its priority."""
+    is_over = alarm.stage is AlarmStage.RETURNED
+    shelved, priority = alarm.stage is AlarmStage.SHELVED, alarm.condition.priority.value
+    return shelved, is_over, not alarm.needs_acknowledgement, priority
 
 
 def unacknowledged(state: FleetState) -> list[Key]:
     """Return what nobody has seen, in the order of the rows."""
     return [alarm.key for alarm in sorted(state.alarms, key=_place) if alarm.needs_acknowledgement]
+
+
+def _suppressed(state: FleetState) -> int:
+    """Count the alarms that another one stands for: of the robots in a group, and of those behind a link that
+    is down."""
+    grouped = sum(len(alarm.condition.parts) - 1 for alarm in state.alarms if is_group(alarm.condition.kind))
+    down = {alarm.condition.source for alarm in state.alarms if alarm.condition.kind == "link"}
+    return grouped + sum(robot.link in down for robot in state.robots.values())
 
 
 def alarm_table(state: FleetState, clock: Callable[[float], str]) -> Table:
@@ -67,4 +81,6 @@ def alarm_table(state: FleetState, clock: Callable[[float], str]) -> Table:
         title.append((f" {state.unacknowledged} new", StyleRole.ALARM))
     if state.shelved:
         title.append((f" {state.shelved} shelved", StyleRole.DIM))
+    if suppressed := _suppressed(state):
+        title.append((f" {suppressed} suppressed", StyleRole.DIM))
     return Table(tuple(title), rows, "all clear")

@@ -1,5 +1,7 @@
 """What needs a person, and what nobody has seen yet."""
 
+from msgspec.structs import replace
+
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
@@ -36,6 +38,7 @@ def test_a_new_alarm_says_who_what_and_since_when() -> None:
 
 def test_seen_over_and_come_again() -> None:
     state = low()
+    state = replace(state, limits=replace(state.limits, latched=("battery",)))
     seen = told(state, events.AlarmAcknowledged(R0, "battery"))
     assert texts(seen)[0].startswith("△ seen low  robot_0 battery 15 %")
     assert text_of(alarm_table(seen, clock).title) == "Alarms"
@@ -82,6 +85,26 @@ def test_what_is_shelved_stands_last_and_is_counted_apart() -> None:
 
 
 def test_no_alarm_needs_more_than_its_word_in_48_cells() -> None:
-    state = told(fleet(), link_up(T0), events.ObstacleReported(R0, T0, 14.2), tick(T0))
+    state = told(fleet(), link_up(T0), events.ObstacleReported(R0, T0, 44.2), tick(T0))
     (row,) = alarm_table(state, lambda _wall: "12:34:56").rows
-    assert text_of(row.runs) == "▲ new  high robot_0 obstacle 14.2 s 12:34:56"
+    assert text_of(row.runs) == "▲ new  high robot_0 obstacle 44.2 s 12:34:56"
+
+
+def test_an_alarm_that_is_over_leaves_the_pane_unless_its_class_is_latched() -> None:
+    state = told(low(), battery(T0 + 1, 60.0), tick(T0 + 1))
+    assert texts(state)[0].startswith("▲ new  low  robot_0 battery recovered")
+    assert alarm_table(state, clock).rows[0].runs[0][1] is StyleRole.DIM  # it is over: never red
+    assert texts(told(state, battery(T0 + 4, 60.0), tick(T0 + 4))) == []
+
+
+def test_what_is_over_stands_below_what_holds_whatever_its_priority() -> None:
+    state = told(fleet(2), link_up(T0))
+    state = replace(state, limits=replace(state.limits, latched=("battery",)))
+    state = told(state, battery(T0, 5.0), tick(T0), battery(T0 + 1, 60.0), tick(T0 + 1), tick(T0 + 5))
+    state = told(state, battery(T0 + 5, 15.0, "robot_1"), tick(T0 + 5))
+    assert [text[:6] for text in texts(state)] == ["▲ new ", "▽ over"]
+
+
+def test_alarms_that_another_one_stands_for_are_counted() -> None:
+    state = told(fleet(3), link_lost(T0, "nothing listens there"), tick(T0 + 60))
+    assert text_of(alarm_table(state, clock).title) == "Alarms 1 new 3 suppressed"
