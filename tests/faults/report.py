@@ -9,23 +9,27 @@ from pathlib import Path
 
 HEAD = """# Faults
 
-For operators and reliability engineers: every fault that is tested, what the console shows, and how soon it notices and recovers.
+For operators and reliability engineers: every fault that is tested, what the console shows, and how soon
+it notices and recovers.
 
-Each line is a test in `tests/faults` that drives the real program against the real loopback server, mostly through a proxy that
-injects the fault. `make faults` runs the tests and writes this table. The times are those of its last run, in seconds: from the
-fault until the state shows it, and from its end until everything is as before. `make test` runs the same tests with shorter delays.
+Each line is a test in `tests/faults` that drives the real program against the real loopback server,
+mostly through a proxy that injects the fault. `make faults` runs the tests and writes this table. The
+times are those of its last run, in seconds: from the fault until the state shows it, and from its end
+until everything is as before. `make test` runs the same tests with shorter delays.
 
 None of these faults loses an order, an alarm or the terminal. After each fault a check verifies this
 (`tests/support/invariants.py`, and `terminal_session.py` if the whole program runs):
 
-- Each command has exactly one end, or is open and marked `outcome unknown` or `no answer`. It was sent once, or not at all if it is
-  `not sent`. Every step is a line of the audit log, and every line is whole. Most tests have a command in progress.
+- Each command has exactly one end, or is open and marked `outcome unknown` or `no answer`. It was sent
+  once, or not at all if it is `not sent`. Every step is a line of the audit log, and every line is
+  whole. Most tests have a command in progress.
 - Each earlier alarm is still there, or the log says that it was cleared. Most tests have one.
 - The program exits in time when told to, and leaves its terminal as it was.
 
-Some things are impossible: after SIGKILL the terminal is not restored (use `reset`), and the log ends without `console closed`. After
-a hang-up there is no terminal to restore. If no file can grow, or the folder is missing, the log is lost; the screen says so, and
-stderr reports the extent at the end. Alarms are derived from the robots' reports: the next console raises them again.
+Some things are impossible: after SIGKILL the terminal is not restored (use `reset`), and the log ends
+without `console closed`. After a hang-up there is no terminal to restore. If no file can grow, or the
+folder is missing, the log is lost; the screen says so, and stderr reports the extent at the end. Alarms
+are derived from the robots' reports: the next console raises them again.
 
 | fault | how it is made | what the operator sees | noticed after | healed after |
 |---|---|---|---|---|
