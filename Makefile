@@ -3,9 +3,9 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
-PURE := $(addprefix tests/,text model rules state view adapters config test_house.py test_keys.py)
-# They wait more than they work: several at once.
-FAULTS := -q -n 6 --maxschedchunk 1 tests/faults
+PURE := $(addprefix tests/,text model keys rules state view adapters config test_house.py test_mirror.py test_keymap.py test_errors.py)
+# Tests with links and processes wait more than they work: several at once, the longest first.
+TOGETHER := -q -n 4 --maxschedchunk 1
 
 .PHONY: demo test quick lint types unit bench faults fuzz soak picture lock format clean
 
@@ -27,8 +27,7 @@ quick: $(READY)
 	@$(BIN)/pytest -q -n 2 $(PURE)
 
 unit: $(READY)
-	@$(BIN)/pytest -q -n 2 --ignore tests/faults
-	@$(BIN)/pytest $(FAULTS)
+	@$(BIN)/pytest $(TOGETHER)
 
 bench: $(READY)
 	@$(BIN)/pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[bench]' || echo "measuring without the others"
@@ -39,8 +38,8 @@ soak: $(READY)
 
 faults: $(READY)
 	@rm -f $(VENV)/faults.jsonl
-	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest $(FAULTS)
-	@$(BIN)/python -m tests.faults.report $(VENV)/faults.jsonl docs/faults.md
+	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest $(TOGETHER) tests/faults
+	@$(BIN)/python -m tests.support.fault_report $(VENV)/faults.jsonl docs/faults.md
 
 # Coverage-guided, and no part of the tests: atheris has no wheels for some systems.
 fuzz: $(READY)

@@ -11,7 +11,7 @@ from typing import IO, TYPE_CHECKING, Any, NoReturn
 
 from fleet_tui.errors import ConfigError, FleetError, LinkError
 from fleet_tui.terminal.ending import PATIENCE, end_within
-from fleet_tui.text.ascii_fallback import stand_in
+from fleet_tui.text.ascii_fallback import ascii_fallback
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -50,7 +50,7 @@ def _run_command() -> None:
         _end(130)
     except click.ClickException as problem:
         words = f"fleet-tui: {problem.format_message()}".splitlines()
-        _end(2, *words, "fleet-tui --help lists what there is.")
+        _end(2, *words, "Run fleet-tui --help for usage.")
 
 
 def _open_closed_streams() -> None:
@@ -66,14 +66,14 @@ def _nothing(mode: str) -> IO[Any]:
 
 def _never_fail_to_encode() -> None:
     """A locale of Latin-1 has no sign of ours, and not every letter of a site's names."""
-    codecs.register_error("stand_in", stand_in)
+    codecs.register_error("ascii_fallback", ascii_fallback)
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="stand_in")
+        sys.stdout.reconfigure(errors="ascii_fallback")
 
 
 def _words(problem: Exception, log: "Path | None") -> str:
     if isinstance(problem, OSError) and problem.errno in FULL and problem.filename is None:
-        return f"the output can't be written: {problem.strerror}"
+        return f"cannot write the output: {problem.strerror}"
     where = "with --debug" if log is None else f"in {log}, or with --debug"
     words = truncate(str(problem)) or type(problem.__cause__ or problem).__name__
     return f"internal error: {words} (details {where})"

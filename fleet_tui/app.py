@@ -119,8 +119,8 @@ class FleetApp(LeanApp, inherit_bindings=False):
         try:
             self.backend.open()
         except Exception as problem:
-            LOG.exception("the link can't be opened")
-            said = f"the link can't be opened: {problem} (see the log file)"
+            LOG.exception("link not opened")
+            said = f"link not opened: {problem} (see the log file)"
             self.call_from_thread(self.main.notices.say, said)
 
     def use_theme(self, name: str) -> None:

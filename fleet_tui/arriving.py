@@ -16,7 +16,7 @@ def open_with(
     from fleet_tui.config.load import find, load
 
     if url and config_file:
-        raise ConfigError(["--config and --url: one of them"])
+        raise ConfigError(["--config and --url exclude each other"])
     site = None
     try:
         config = None if url else load(find(config_file))

@@ -43,7 +43,7 @@ class Backend(Protocol):
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for the live map of one robot's floor."""
 
-    def overhear(self, on: bool) -> None:
+    def subscribe_logs(self, on: bool) -> None:
         """Listen to the log and diagnostics of all robots, or no longer."""
 
     def close(self) -> None:
@@ -66,7 +66,7 @@ class OpenLinks(Protocol):
     def show_map(self, robot: str, floor: str) -> None:
         """Ask for the live map of one robot's floor."""
 
-    def overhear(self, on: bool) -> None:
+    def subscribe_logs(self, on: bool) -> None:
         """Listen to the log and diagnostics of all robots, or no longer."""
 
     def close(self) -> None:
@@ -127,7 +127,7 @@ class LiveBackend:
             if self._map is not None:
                 links.show_map(*self._map)
             if self._overhears:
-                links.overhear(True)
+                links.subscribe_logs(True)
 
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
@@ -137,7 +137,7 @@ class LiveBackend:
     def submit(self, command: Command) -> str:
         """Send a command now, or say why not."""
         if self.links is None:
-            return "not sent: the console is still starting"
+            return "not sent: console starting"
         self.links.submit(command)
         return ""
 
@@ -154,12 +154,12 @@ class LiveBackend:
             if self.links is not None:
                 self.links.show_map(robot, floor)
 
-    def overhear(self, on: bool) -> None:
+    def subscribe_logs(self, on: bool) -> None:
         """Listen to the log and diagnostics of all robots, or no longer."""
         with self._changing:
             self._overhears = on
             if self.links is not None:
-                self.links.overhear(on)
+                self.links.subscribe_logs(on)
 
     def close(self) -> None:
         """Close the links, also those that are still being opened."""

@@ -40,7 +40,7 @@ def _refuse(config: Config, themes: Mapping[str, FleetTheme]) -> None:
     refused = access_problems(config)
     if config.ui.theme not in themes:
         near = did_you_mean(config.ui.theme, themes)
-        refused.append(f"ui.theme: no theme {config.ui.theme!r}{near}")
+        refused.append(f"ui.theme: unknown theme {config.ui.theme!r}{near}")
     if refused:
         raise ConfigError([f"{config.path}: {line}" for line in refused])
 
@@ -185,7 +185,7 @@ def _ready(
     _refuse(config, themes)
     warnings = [*unsafe_places(config), *(f"theme {problem}" for problem in problems)]
     if log_to_file(debug) is None:
-        warnings.append(f"nothing is logged: {state_folder()} can't be written")
+        warnings.append(f"logging off: {state_folder()} is not writable")
     for warning in warnings:
         LOG.warning("%s", warning)
     more = f" and {len(warnings) - 1} more" if warnings[1:] else ""

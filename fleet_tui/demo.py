@@ -41,7 +41,7 @@ def simulated(
         try:
             urls = [child.stdout.readline().decode().strip() for _ in site_of(kind, robots)]
             if not all(url.startswith("ws://") for url in urls):
-                raise FleetError("the simulator did not start: try `fleet-tui sim` to see why")
+                raise FleetError("the simulator did not start: run `fleet-tui sim` for the reason")
             yield urls
         finally:
             child.terminate()

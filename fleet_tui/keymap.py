@@ -14,7 +14,7 @@ _NAMED = frozenset(
 )
 # Ctrl-C never commands a robot; these arrive from a terminal as other keys.
 _FORBIDDEN = {
-    "ctrl+c": "Ctrl-C is kept free",
+    "ctrl+c": "Ctrl-C is reserved",
     "ctrl+i": "a terminal sends it as tab",
     "ctrl+m": "a terminal sends it as enter",
     "ctrl+[": "a terminal sends it as escape",
@@ -28,13 +28,13 @@ def _problem_of_key(key: str) -> str | None:
     *modifiers, last = key.split("+") if len(key) > 1 else [key]
     known = (len(last) == 1 and last.isprintable() and not last.isspace()) or last in _NAMED
     if not known:
-        return f"no such key{did_you_mean(last, _NAMED)}"
+        return f"unknown key{did_you_mean(last, _NAMED)}"
     if len(last) == 1 and "shift" in modifiers:
-        return "write the shifted character itself"
+        return "use the shifted character itself"
     if len(last) == 1 and last.isupper() and "ctrl" in modifiers:
         return f"a terminal sends it as {key.lower()}"
     wrong = [name for name in modifiers if name not in ("ctrl", "shift", "alt")]
-    return f"no such modifier {wrong[0]}, use ctrl, shift or alt" if wrong else None
+    return f"unknown modifier {wrong[0]}, use ctrl, shift or alt" if wrong else None
 
 
 def _types_nothing(key: str) -> bool:
@@ -59,14 +59,14 @@ def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list
     chosen = {key.id: key.keys for key in KEYS}
     for id_, text in changes.items():
         if id_ not in BY_ID:
-            problems.append(f"keys.{id_}: no such key id{did_you_mean(id_, BY_ID)}")
+            problems.append(f"keys.{id_}: unknown key id{did_you_mean(id_, BY_ID)}")
             continue
         keys = ("," if text == "," else part.strip() for part in ([text] if text == "," else text.split(",")))
         chosen[id_] = tuple(keys)
         for key in chosen[id_]:
             wrong = _problem_of_key(key)
             if BY_ID[id_].pane is Pane.ANYWHERE and not _types_nothing(key):
-                wrong = "works while typing too, so it must be a function key or a ctrl key"
+                wrong = "also works while typing: use a function key or a ctrl key"
             if wrong:
                 problems.append(f"keys.{id_}: {key!r}: {wrong}")
     chosen |= _yielded(chosen, changes)
@@ -92,8 +92,6 @@ def _clashes(chosen: Mapping[str, Iterable[str]]) -> list[str]:
         for key in keys:
             for other in taken.setdefault(key, []):
                 if _same_place(this, other):
-                    problems.append(
-                        f"keys.{id_}: {key!r} is taken by {other.id}: give one of them another key"
-                    )
+                    problems.append(f"keys.{id_}: {key!r} is already used by {other.id}: change one of them")
             taken[key].append(this)
     return problems

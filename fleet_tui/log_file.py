@@ -95,7 +95,7 @@ class _LogQueue(logging.handlers.QueueHandler):
         """Let it wait, if it can. Under the handler's lock."""
         try:
             if self.lost:
-                words = f"{self.lost} messages before this one are lost: the disk did not answer"
+                words = f"{self.lost} messages before this one lost: disk not responding"
                 about = {"name": __name__, "levelno": logging.WARNING, "levelname": "WARNING", "msg": words}
                 super().enqueue(self.prepare(logging.makeLogRecord(about)))
                 self.lost = 0

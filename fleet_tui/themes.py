@@ -117,7 +117,7 @@ def read_theme(path: Path, others: Mapping[str, FleetTheme]) -> FleetTheme:
     try:
         content = read_toml(path)
     except (OSError, ValueError, RecursionError) as error:
-        raise ConfigError([f"can't be read: {error}"]) from error
+        raise ConfigError([f"unreadable: {error}"]) from error
     problems = list(_problems(content))
     dark = content.get("dark", True) is not False
     start = others.get("dark" if dark else "light")
@@ -158,7 +158,7 @@ def _value_problems(key: str, value: object, table_allowed: bool) -> Iterator[st
             elif name in ("color", "on"):
                 yield from _value_problems(f"{key}.{name}", part, False)
     elif not (isinstance(value, str) and _COLOUR.match(value)):
-        yield f'{key} = {value!r} is no colour: write it as "#rrggbb"'
+        yield f'{key} = {value!r} is not a colour: use "#rrggbb"'
 
 
 def _strangers(

@@ -1,5 +1,6 @@
 """Fixtures that several packages' tests share."""
 
+import os
 import signal
 from collections.abc import AsyncIterator, Iterator
 from pathlib import Path
@@ -14,12 +15,24 @@ from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.terminal import fault_guard
 from tests.support.cli import config_file
 
-# In the background of a shell SIGINT is ignored; programs that a test interrupts would inherit that.
+# In the background of a shell SIGINT is ignored, under nohup SIGHUP: what a test starts would inherit that.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 # How long an example takes on a busy machine says nothing; what hangs meets pytest's own timeout.
-settings.register_profile("fleet-tui", deadline=None)
+# More examples find more: FLEET_TUI_EXAMPLES=2000 make quick.
+settings.register_profile(
+    "fleet-tui", deadline=None, max_examples=int(os.environ.get("FLEET_TUI_EXAMPLES", "60"))
+)
 settings.load_profile("fleet-tui")
+
+
+LONGEST = ("test_soak.py", "test_main_fuzz.py", "test_process.py")
+"""They begin first: whoever ran one of them at the end would run alone."""
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    items.sort(key=lambda item: item.path.name not in LONGEST)
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.bench.in_pty import simulator
+from tests.support.in_pty import simulator
 from tests.support.terminal_session import InTerminal
 
 ON, OFF = b"\x1b[?1049h", b"\x1b[?1049l"
@@ -60,9 +60,9 @@ def test_an_address_is_enough(terminals: Terminals, kind: str) -> None:
 @pytest.mark.parametrize(
     ("address", "code", "words"),
     [
-        ("ws://127.0.0.1:9", 3, "nothing listens there: start rosbridge there"),
+        ("ws://127.0.0.1:9", 3, "connection refused: start rosbridge on it"),
         ("robot:9090", 2, "did you mean ws://robot:9090?"),
-        ("mqtt://robot:1883", 2, "this version does not speak MQTT yet"),
+        ("mqtt://robot:1883", 2, "MQTT is not supported yet"),
     ],
 )
 def test_what_keeps_it_from_opening_is_one_sentence(

@@ -27,7 +27,7 @@ class CalledLinks:
     def show_map(self, robot: str, floor: str) -> None:
         self.calls.append((robot, floor))
 
-    def overhear(self, on: bool) -> None:
+    def subscribe_logs(self, on: bool) -> None:
         self.calls.append(on)
 
     def close(self) -> None:
@@ -41,7 +41,7 @@ def backend_of(links: CalledLinks) -> LiveBackend:
 def test_before_the_links_are_open_a_command_is_refused_and_never_sent() -> None:
     links = CalledLinks()
     backend = backend_of(links)
-    assert backend.submit(PauseRobot(R0)) == "not sent: the console is still starting"
+    assert backend.submit(PauseRobot(R0)) == "not sent: console starting"
     backend.open()
     assert links.calls == []
     assert backend.submit(PauseRobot(R0)) == ""
@@ -53,7 +53,7 @@ def test_what_is_to_be_watched_is_asked_for_once_they_are_open() -> None:
     backend = backend_of(links)
     backend.show_map(R0, "floor_0")
     backend.show_map(R0, "floor_1")
-    backend.overhear(True)
+    backend.subscribe_logs(True)
     backend.open()
     assert links.calls == [(R0, "floor_1"), True]
 

@@ -187,3 +187,17 @@ def _classes_of(match: ast.Match) -> set[str]:
 
 def _ends_in_assert_never(match: ast.Match) -> bool:
     return ast.unparse(match.cases[-1].body[-1]).startswith("assert_never(")
+
+
+def test_tests_share_what_is_in_support() -> None:
+    """No test imports from another one; the benchmarks and their short form are programs of their own."""
+    shared = ("tests.support", "tests.bench")
+    foreign = [
+        f"{path.relative_to(ROOT)}: {part.module}"
+        for path in (ROOT / "tests").rglob("*.py")
+        for part in ast.walk(ast.parse(path.read_text()))
+        if isinstance(part, ast.ImportFrom)
+        and (part.module or "").startswith("tests.")
+        and not (part.module or "").startswith(shared)
+    ]
+    assert foreign == []

@@ -54,7 +54,7 @@ def test_what_can_not_wait_is_counted_and_nothing_is_said_on_the_screen(tmp_path
     if then == "answers":
         waited = [f"n{n}" for n in range(11)]
         assert [line.rpartition(" ")[2] for line in lines if " x: " in line] == [*waited, "last"]
-        assert "4 messages before this one are lost: the disk did not answer" in lines[-2]
+        assert "4 messages before this one lost: disk not responding" in lines[-2]
 
 
 CLEARED = """

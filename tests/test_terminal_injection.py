@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.text.sanitize import sanitize
-from tests.bench.in_pty import Terminal, serving
 from tests.support.hostile_fleet import CLIPBOARD, EVIL, ROBOTS
+from tests.support.in_pty import Terminal, serving
 
 EVIL_NAME = r"evil\u001b]52;c;aGFja2Vk\u0007\u202e[red]"
 """As TOML writes it."""
@@ -101,8 +101,8 @@ def through_the_panes(terminal: Terminal) -> None:
     look(terminal, "robot_1 is on unknown floor")
     terminal.press("[")
     terminal.press("\t\r")
-    look(terminal, "Why does it stand still?")
-    leave(terminal, "Why does it stand still?")
+    look(terminal, "Explain why it")
+    leave(terminal, "Explain why it")
     terminal.press("\t\r")
     look(terminal, "Shelve for")
     leave(terminal, "Shelve for")
@@ -128,10 +128,10 @@ def through_the_commands(terminal: Terminal) -> None:
 
 OPENS = (
     (":theme: evil", "Theme: evil␛]52;c;eA==␇\ufffd[red]", "\x1b"),
-    ("?", "Help: every key", "\x1b"),
-    ("w", "Why does robot_0 stand still?", "\x1b"),
+    ("?", "Show help: all keys", "\x1b"),
+    ("w", "Stop reasons: robot_0", "\x1b"),
     ("L", "evil␛]52;… robot_0 pause: outcome unknown", "\x1b"),
-    ("d", "too many to wait for", "\x1b"),
+    ("d", "too large, or queue full", "\x1b"),
     ("d2", "▲ bad data", "\x1b"),
     ("d4", "INFO  ␛]52;c;aGFja2Vk␇", "\x1b"),
     ("d5", f"▲ WARN    {sanitize(EVIL[0])}", "\x1b"),
@@ -169,4 +169,4 @@ def test_nothing_that_robots_or_files_say_speaks_to_the_terminal(tmp_path: Path)
     left = KNOWN.sub("", sent)
     assert harmless(left), sorted(set(re.findall(r"[\x00-\x1f\x7f-\x9f].{0,20}", left)))
     log = (tmp_path / "fleet-tui" / "fleet-tui.log").read_text()
-    assert "the bridge says" in log and harmless(log.replace("\n", ""))
+    assert "bridge: " in log and harmless(log.replace("\n", ""))

@@ -32,7 +32,7 @@ def said(values: object) -> str:
     try:
         return str(values)
     except RecursionError:
-        return "something nested too deep"
+        return "nested too deep"
 
 
 def judge(
@@ -49,7 +49,7 @@ def judge(
     fields = values if isinstance(values, dict) else {}
     success, words = fields.get("success"), fields.get("status", fields.get("message"))
     if not isinstance(success, bool) and not ("success" not in fields and isinstance(words, str)):
-        return Stage.UNKNOWN, f"an answer that says nothing: {truncate(said(values))}"
+        return Stage.UNKNOWN, f"unrecognised reply: {truncate(said(values))}"
     text = words if isinstance(words, str) else ""
     already = _ALREADY.get(type(command))
     if already is not None and already.search(text, 0, LONGEST_JUDGED):

@@ -74,11 +74,9 @@ class Discovery:
         if chosen:
             others = [one for one in candidates if one != chosen]
             if others:
-                self.note(table, f"{key} could also be {', '.join(others)}")
+                self.note(table, f"{key}: also possible: {', '.join(others)}")
         else:
-            choice = (
-                f", one of {', '.join(candidates)}?" if candidates else f": nothing of type {type_} is there"
-            )
+            choice = f", one of {', '.join(candidates)}?" if candidates else f": no topic of type {type_}"
             self.note(table, f'{key} = "..."{choice}')
             if not candidates:
                 self.absent.add(key)

@@ -80,7 +80,7 @@ def closing_records(origin: Origin, state: FleetState, wall: float) -> Iterator[
     for record in state.commands:
         if not record.is_decided or record.has_open_order:
             words = f"order {record.order_id} was in the queue" if record.has_open_order else ""
-            fields = _about(state, record) | {"words": words or f"it was: {record.stage.value}"}
+            fields = _about(state, record) | {"words": words or f"last stage: {record.stage.value}"}
             yield origin.record(wall, change="console closed", **fields)
     for batch in pauses(state.commands):
         if not all(record.is_decided for record in batch):

@@ -40,7 +40,7 @@ class AuditFile:
         if size and os.pread(fd, 1, size - 1) != b"\n":
             line = b"\n" + line
         if os.write(fd, line) < len(line):
-            raise OSError(errno.EIO, "only a part of the last record could be written")
+            raise OSError(errno.EIO, "last record only partly written")
 
     def close(self) -> None:
         """Let the file go; the next line opens it again."""
@@ -70,7 +70,7 @@ class AuditFile:
         self.warning = ""
         if not stat.S_ISREG(mode):
             self.close()  # a pipe that nobody reads takes lines, and loses them
-            raise OSError(errno.EINVAL, "is no regular file")
+            raise OSError(errno.EINVAL, "not a regular file")
         if stat.S_IMODE(mode) != 0o600:
             try:
                 os.fchmod(fd, 0o600)

@@ -40,7 +40,7 @@ PATIENCE, SLOW, SLOW_TOGETHER = 0.05, 0.02, 0.1
 # Seconds until a disk that does not answer is left alone at the end.
 LAST_CHANCE = 0.5
 
-HANGS = "the disk does not answer"
+HANGS = "disk not responding"
 
 
 def encode(record: AuditRecord) -> bytes:
@@ -176,7 +176,7 @@ class Audit:
             if not self._waiting:
                 self._problem = ""
                 if self._lost:
-                    words = f"{self._lost} records before this one could not be written"
+                    words = f"{self._lost} records before this one were not written"
                     self._keep(encode(self._of_console("lost", words)))
                     self._lost = 0
             self._changed.notify_all()
@@ -209,7 +209,7 @@ def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> 
         store.watchers.remove(audit.watch)
         missing = audit.close(store.state)
         if missing:
-            _say(f"audit: {missing} record{'s' * (missing != 1)} could not be written: {audit.problem}")
+            _say(f"audit: {missing} record{'s' * (missing != 1)} not written: {audit.problem}")
 
 
 def _say(text: str) -> None:

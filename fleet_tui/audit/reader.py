@@ -34,7 +34,7 @@ class AuditReader:
         """Return what is to be said of the lines so far."""
         if not self.unreadable:
             return ""
-        return f"{self.unreadable} line{'s' * (self.unreadable != 1)} that can't be read"
+        return f"{self.unreadable} unreadable line{'s' * (self.unreadable != 1)}"
 
     def newest_first(self) -> Iterator[AuditRecord]:
         """The records; nothing where there is no file. Raises OSError where one can't be read."""

@@ -68,7 +68,7 @@ def moment(text: str, now: datetime) -> datetime:
         # Without an offset it is local time.
         return datetime.fromisoformat(text).astimezone()
     except (ValueError, OverflowError):
-        raise FleetError(f"{text!r} is no time: give {TIME_FORMS}") from None
+        raise FleetError(f"{text!r} is not a time: use {TIME_FORMS}") from None
 
 
 def search_of(typed: str, now: datetime, demo: bool = False) -> Search:

@@ -57,15 +57,15 @@ def convert(path: Path, config: Config, out: Path, progress: Progress = lambda _
         try:
             file = PartFile(out, b"")
         except FileExistsError:
-            raise BagError(f"{out}: is there already: give another name, or take it away first") from None
+            raise BagError(f"{out}: exists: choose another name, or remove it") from None
         except OSError as problem:
-            raise BagError(f"{out}: can't be written: {problem.strerror}") from None
+            raise BagError(f"{out}: not writable: {problem.strerror}") from None
         try:
             return _Conversion(bag, config, chosen, file).run(progress)
         except BaseException as problem:
             out.unlink(missing_ok=True)
             if isinstance(problem, OSError):
-                raise BagError(f"{out}: can't be written: {problem.strerror}") from None
+                raise BagError(f"{out}: not writable: {problem.strerror}") from None
             raise
         finally:
             file.close()
@@ -95,11 +95,9 @@ class _Conversion:
         except BagError as problem:
             if self._report.messages == 0:
                 raise
-            self._report.notes.insert(0, f"not all of it could be read: {problem}")
+            self._report.notes.insert(0, f"read only in part: {problem}")
         if self._track is None:
-            raise BagError(
-                f"{self._bag.path}: it is empty: of the configured topics there is no message in it"
-            )
+            raise BagError(f"{self._bag.path}: no message of the configured topics in it")
         self._file.end()
         progress(1.0)
         return self._finished(self._track)
@@ -109,17 +107,13 @@ class _Conversion:
         report.seconds = track.at - FIRST_AT
         report.topics = len({framer.topic for framer in self._framers.values() if framer})
         if report.unreadable:
-            report.notes.append(f"{report.unreadable:,} messages could not be read: the robots' rows say why")
+            report.notes.append(f"{report.unreadable:,} messages unreadable: see the robots' rows")
         if report.late:
-            report.notes.append(
-                f"{report.late:,} messages have a time before that of the message before them"
-            )
+            report.notes.append(f"{report.late:,} messages out of time order")
         if report.impossible:
-            report.notes.append(
-                f"{report.impossible:,} messages have a time that can't be: they are left out"
-            )
-        what = "what consoles commanded, and how the links were, is not in a bag"
-        report.notes.insert(0, f"made of the ROS bag {self._bag.path.name}: {what}")
+            report.notes.append(f"{report.impossible:,} messages with an impossible time left out")
+        what = "a bag has no console commands and no link states"
+        report.notes.insert(0, f"from ROS bag {self._bag.path.name}: {what}")
         return report
 
     def _take(self, connection: Any, stamp: int, raw: bytes) -> None:
@@ -136,7 +130,7 @@ class _Conversion:
         framer = self._framer(track, connection)
         if framer is None:
             return
-        frame, problem = b"", f"{len(raw):,} bytes: a message of a bag may have {LARGEST:,}"
+        frame, problem = b"", f"{len(raw):,} bytes: the limit for bag messages is {LARGEST:,}"
         if len(raw) <= LARGEST:
             frame, problem = _frame(framer, raw)
         if problem or len(frame) > LARGEST:

@@ -97,7 +97,7 @@ def _fields(text: str, owner: str) -> Fields:
         field = _FIELD.match(line)
         if field is None:
             if line and not line.startswith("@"):
-                raise BagError(f"the definition of {owner} has a line that is none: {truncate(line, 80)!r}")
+                raise BagError(f"the definition of {owner} has an invalid line: {truncate(line, 80)!r}")
             continue
         if field["constant"]:
             continue
@@ -132,7 +132,7 @@ class _Check:
         if name in TIMES:
             return 2
         if name not in self._types or not _TYPE_NAME.fullmatch(name):
-            raise BagError(f"{self._about} lacks that of {truncate(name, LONGEST_NAME)}")
+            raise BagError(f"{self._about} lacks {truncate(name, LONGEST_NAME)}")
         if depth > DEEPEST:
             raise BagError(f"{self._about} is nested too deep")
         if name not in self._values:
@@ -155,5 +155,5 @@ class _Check:
         if kind == Nodetype.NAME:
             return times * self._message(what, depth + 1)
         if what[0] not in BASE:
-            raise BagError(f"{self._about} has {truncate(str(what[0]), 20)}, which is not read")
+            raise BagError(f"{self._about} has {truncate(str(what[0]), 20)}, which is not supported")
         return times if what[0] == "string" else 1

@@ -14,13 +14,13 @@ MEMORY = 4 * 2**30
 """Bytes that reading may take: a few bytes of a compressed bag can stand for more than fits anywhere."""
 LARGEST_METADATA = 16 * 2**20
 """Bytes of a metadata.yaml."""
-MISSING = "ROS bags are read by rosbags, which is not installed: pip install 'fleet-tui[bags]'"
+MISSING = "ROS bags need rosbags, which is not installed: pip install 'fleet-tui[bags]'"
 
-_REINDEX = "it was cut off, or is damaged: `rosbag reindex {name}` mends a ROS 1 bag"
-_RECOVER = "it was cut off, or is damaged: `mcap recover {name} -o mended.mcap` mends it"
+_REINDEX = "truncated or damaged: repair a ROS 1 bag with `rosbag reindex {name}`"
+_RECOVER = "truncated or damaged: repair it with `mcap recover {name} -o mended.mcap`"
 # What rosbags says (0.11), and what that means to a person.
 _WORDS = {
-    "not indexed": f"it has no index: {_REINDEX}",
+    "not indexed": f"no index: {_REINDEX}",
     "index looks damaged": _REINDEX,
     "Could not read uint": _REINDEX,
     "Header could not be read": _REINDEX,
@@ -28,9 +28,9 @@ _WORDS = {
     "end magic": _RECOVER,
     "MCAP footer": _RECOVER,
     "Truncated record": _RECOVER,
-    "seems to be empty": "it is empty",
-    "magic is invalid": "it is no bag",
-    "missing tables": "it is no bag",
+    "seems to be empty": "empty",
+    "magic is invalid": "not a bag",
+    "missing tables": "not a bag",
 }
 
 
@@ -91,10 +91,10 @@ def _check(path: Path) -> int:
         files = _of_folder(path) if path.is_dir() else [path]
         for file in files:
             if not file.is_file():
-                raise BagError(f"{file}: is no file")
+                raise BagError(f"{file}: not a file")
         return sum(file.stat().st_size for file in files)
     except OSError as problem:
-        raise BagError(f"{path}: can't be read: {problem.strerror}") from None
+        raise BagError(f"{path}: unreadable: {problem.strerror}") from None
 
 
 def _of_folder(path: Path) -> list[Path]:
@@ -103,12 +103,12 @@ def _of_folder(path: Path) -> list[Path]:
     metadata = path / "metadata.yaml"
     if not metadata.exists():
         if not stored:
-            raise BagError(f"{path}: is no bag: there is no metadata.yaml in it, no .bag, .db3 or .mcap")
+            raise BagError(f"{path}: not a bag: no metadata.yaml, .bag, .db3 or .mcap in it")
         names = ", ".join(file.name for file in stored[:3])
-        mend = "" if stored[0].suffix == ".bag" else ", or mend it with `ros2 bag reindex`"
-        raise BagError(f"{path}: there is no metadata.yaml in it: give one of its files ({names}){mend}")
+        mend = "" if stored[0].suffix == ".bag" else ", or repair it with `ros2 bag reindex`"
+        raise BagError(f"{path}: no metadata.yaml in it: name one of its files ({names}){mend}")
     if metadata.stat().st_size > LARGEST_METADATA:
-        raise BagError(f"{metadata}: is larger than {LARGEST_METADATA:,} bytes: it is none")
+        raise BagError(f"{metadata}: is larger than {LARGEST_METADATA:,} bytes: not a metadata.yaml")
     return [file for file in inside if not file.is_dir()]
 
 
@@ -119,9 +119,9 @@ def _in_words(path: Path) -> Iterator[None]:
     except BagError:
         raise
     except MemoryError:
-        raise BagError(f"{path}: reading it takes more than {MEMORY / 2**30:.0f} GB of memory") from None
+        raise BagError(f"{path}: needs more than {MEMORY / 2**30:.0f} GB of memory") from None
     except PermissionError:
-        raise BagError(f"{path}: can't be read: Permission denied") from None
+        raise BagError(f"{path}: unreadable: Permission denied") from None
     except Exception as problem:  # noqa: BLE001  # a damaged bag leads rosbags into errors of every kind
         raise BagError(f"{path}: {_words(path, problem)}") from None
 
@@ -131,7 +131,7 @@ def _words(path: Path, problem: Exception) -> str:
     for part, words in _WORDS.items():
         if part in said:
             return words.format(name=path.name)
-    return f"can't be read: {truncate(said or type(problem).__name__)}"
+    return f"unreadable: {truncate(said or type(problem).__name__)}"
 
 
 @contextmanager

@@ -37,9 +37,9 @@ def choose(bag: Bag, config: Config) -> Chosen:
     wanted = _wanted(config, adapters)
     there = {one.topic: plain_type(one.msgtype) for one in bag.connections}
     if not there:
-        raise BagError(f"{bag.path}: it is empty: there is no topic in it")
+        raise BagError(f"{bag.path}: empty: no topics in it")
     if not wanted:
-        raise BagError("the configuration has no robots, so nothing is asked for: add [[robots]]")
+        raise BagError("no robots in the configuration: add [[robots]]")
     chosen = Chosen(by_topic={topic: ones for topic, ones in wanted.items() if topic in there})
     for connection in bag.connections:
         _take(chosen, connection, adapters)
@@ -79,12 +79,12 @@ def _leave_maps(chosen: Chosen) -> None:
     left = maps[LIVE_MAPS_KEPT:]
     if left:
         chosen.connections = [one for one in chosen.connections if one.topic not in left]
-        chosen.notes.append(f"of {len(maps)} live maps {LIVE_MAPS_KEPT} are read: not {_some(left)}")
+        chosen.notes.append(f"{LIVE_MAPS_KEPT} of {len(maps)} live maps read, not {_some(left)}")
 
 
 def _nothing(chosen: Chosen, wanted: ByTopic, there: Mapping[str, str]) -> str:
     if chosen.notes:
-        return f"nothing in it can be read: {chosen.notes[0]}"
+        return f"nothing readable in it: {chosen.notes[0]}"
     first = next(iter(wanted.values()))[0][1]
     return (
         f"none of the configured topics is in the bag: not {first.address}{_near(first, there)};"
@@ -102,7 +102,7 @@ def _absent(config: Config, wanted: ByTopic, there: Mapping[str, str]) -> list[s
     """Robots of which there is nothing."""
     present = _present(wanted, there)
     absent = [robot.name for robot in config.robots if robot.name not in present]
-    return [f"nothing of {_some(absent)} is in the bag"] if absent else []
+    return [f"not in the bag: {_some(absent)}"] if absent else []
 
 
 def _present(wanted: ByTopic, there: Mapping[str, str]) -> set[str]:
@@ -121,7 +121,7 @@ def _missing(wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
 
 def _unasked(wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
     others = [topic for topic in there if topic not in wanted]
-    return [f"in the bag, but not asked for: {_some(others)}"] if others else []
+    return [f"in the bag, not used: {_some(others)}"] if others else []
 
 
 def _some(names: Iterable[str]) -> str:

@@ -38,5 +38,5 @@ def write_records(typed: str, as_csv: bool, demo: bool, out: TextIO) -> str:
             raise  # by the output: the log is only read
         raise FleetError(f"{reading.path}: {problem.strerror}") from None
     notes = [reading.note] if reading.note else []
-    notes += [] if count else ["no such record"]
+    notes += [] if count else ["no matching record"]
     return f"{reading.path}: {', '.join(notes)}" if notes else ""

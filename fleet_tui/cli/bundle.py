@@ -12,7 +12,7 @@ from fleet_tui.recording.recordings import recent_runs
 def pack(config: Config, report: str, kind: str) -> str:
     """Write the archive; a line that says where it is. Raises FleetError."""
     incident = Incident()
-    incident.add(f"doctor.{kind}", "what the doctor found", lambda: report.encode())
+    incident.add(f"doctor.{kind}", "doctor report", lambda: report.encode())
     runs = recent_runs(state_folder())
     for name, files in runs.items():
         incident.add_recording(f"{name}.jsonl.gz", files)
@@ -23,4 +23,4 @@ def pack(config: Config, report: str, kind: str) -> str:
         return f"for the ticket: {incident.write(state_folder() / FOLDER)}"
     except OSError as problem:
         why = f"{problem.strerror or problem} ({state_folder()})"
-        raise FleetError(f"the archive can't be written: {why}; XDG_STATE_HOME names another place") from None
+        raise FleetError(f"cannot write the archive: {why}; set XDG_STATE_HOME to another folder") from None

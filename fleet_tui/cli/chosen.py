@@ -44,7 +44,7 @@ def chosen_to_examine(config_file: str | None, url: str | None, within: float) -
 
 def _is_address(config_file: str | None, url: str | None) -> bool:
     if config_file and url:
-        raise click.UsageError("--config and --url: one of them")
+        raise click.UsageError("--config and --url exclude each other")
     return bool(url)
 
 

@@ -25,9 +25,9 @@ for command in (config, *orders.commands.values()):
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/status.md tells the schema.")
-@click.option("--watch", is_flag=True, help="Go on, and say what changes (as JSON Lines with --json).")
-@click.option("--oneline", is_flag=True, help="One line, for a status bar.")
+@click.option("--json", "as_json", is_flag=True, help="JSON output; schema in docs/status.md.")
+@click.option("--watch", is_flag=True, help="Keep running and print changes (JSON Lines with --json).")
+@click.option("--oneline", is_flag=True, help="One line for a status bar.")
 @timeout(5.0)
 @fleet
 @merged
@@ -40,10 +40,10 @@ def status(
     oneline: bool,
     timeout: float,
 ) -> None:
-    """The fleet as a table or JSON, without a screen. Exit code 0: all well, 1: something needs attention,
-    3: no link."""
+    """Print the fleet as a table or JSON. Exit code 0: all well, 1: something needs attention, 3: no
+    link."""
     if as_json and oneline:
-        raise click.UsageError("--json and --oneline: one of them")
+        raise click.UsageError("--json and --oneline exclude each other")
     from fleet_tui.cli.chosen import chosen
     from fleet_tui.cli.status.status import status as run
     from fleet_tui.log_file import log_to_file
@@ -54,20 +54,22 @@ def status(
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/commands.md tells the schema.")
+@click.option("--json", "as_json", is_flag=True, help="JSON output; schema in docs/commands.md.")
 @common
 @merged
 def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
-    """The kinds of robots with what each reports and accepts."""
+    """List the kinds of robots with what each reports and accepts."""
     from fleet_tui.cli.kinds import kinds as run
 
     run(as_json, click.echo)
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="As JSON: docs/doctor.md tells the schema.")
-@click.option("--robot", metavar="ROBOT", default="", help="Only this one, its bridge and its floors.")
-@click.option("--bundle", is_flag=True, help="And pack it with recordings, log and audit log, for a ticket.")
+@click.option("--json", "as_json", is_flag=True, help="JSON output; schema in docs/doctor.md.")
+@click.option(
+    "--robot", metavar="ROBOT", default="", help="Check only this robot, its bridge and its floors."
+)
+@click.option("--bundle", is_flag=True, help="Also pack report, recordings, log and audit log for a ticket.")
 @timeout(20.0)
 @fleet
 @merged
@@ -80,8 +82,8 @@ def doctor(
     bundle: bool,
     timeout: float,
 ) -> None:
-    """Check the path to the robots from outside in, with a remedy for each fault. Sends no command. Exit
-    code 0: all well, 1: something is wrong or was left out, 3: no link."""
+    """Check the path to the robots step by step, with a remedy for each fault. Sends no commands. Exit
+    code 0: all well, 1: faults or checks not run, 3: no link."""
     from fleet_tui.cli.chosen import chosen_to_examine
     from fleet_tui.doctor.run import doctor as run
     from fleet_tui.log_file import log_to_file
@@ -111,11 +113,13 @@ def _pack(config: Config, said: list[str], as_json: bool) -> None:
 
 @headless.command()
 @click.argument("file", type=FileName(path_type=Path))
-@click.option("--for", "seconds", type=DurationParam(), default="366d", help="End after 45s, 30m, 8h, ...")
-@click.option("--rotate-mb", type=click.FloatRange(1), help="A new file after so many MB.")
-@click.option("--rotate-every", type=DurationParam(), help="A new file after 30m, 1h, ...")
-@click.option("--keep", type=click.IntRange(0), help="How many files stay, 0: all.")
-@click.option("--timeout", type=click.FloatRange(0.1), help="End if there is no link after so many seconds.")
+@click.option("--for", "seconds", type=DurationParam(), default="366d", help="Stop after 45s, 30m, 8h, ...")
+@click.option("--rotate-mb", type=click.FloatRange(1), help="Start a new file after this many MB.")
+@click.option("--rotate-every", type=DurationParam(), help="Start a new file after 30m, 1h, ...")
+@click.option("--keep", type=click.IntRange(0), help="Number of files to keep, 0: all.")
+@click.option(
+    "--timeout", type=click.FloatRange(0.1), help="Stop if there is no link after this many seconds."
+)
 @fleet
 @merged
 def record(
@@ -129,8 +133,8 @@ def record(
     keep: int | None,
     timeout: float | None,
 ) -> None:
-    """Write everything that comes over the wire to FILE, until Ctrl-C or SIGTERM. Commands nothing. Exit code
-    0: fine, 3: there never was a link."""
+    """Record all received messages to FILE until Ctrl-C or SIGTERM. Sends no commands. Exit code 0: recorded,
+    3: no link."""
     from fleet_tui.cli.chosen import chosen
     from fleet_tui.cli.record import record as run
     from fleet_tui.log_file import log_to_file
@@ -150,10 +154,10 @@ def record(
 
 @headless.command()
 @click.argument("words", nargs=-1)
-@click.option("--robot", default="", help="Only of this robot.")
+@click.option("--robot", default="", help="Only records of this robot.")
 @click.option("--since", default="", metavar="TIME", help="30m, 2h, 7d, 12:00 or 2024-05-31T12:00.")
-@click.option("--csv", "as_csv", is_flag=True, help="For a spreadsheet.")
-@click.option("--demo", is_flag=True, help="What the demo wrote, instead of what real fleets did.")
+@click.option("--csv", "as_csv", is_flag=True, help="CSV for a spreadsheet.")
+@click.option("--demo", is_flag=True, help="Records of the demo instead of real fleets.")
 @common
 @merged
 def audit(
@@ -165,7 +169,7 @@ def audit(
     as_csv: bool,
     demo: bool,
 ) -> None:
-    """Print commands and their outcomes, newest first; WORDS as in the console's audit log."""
+    """Print commands and their outcomes, newest first. WORDS filter as in the console's audit log."""
     from fleet_tui.cli.audit import write_records
 
     named = {"robot": robot, "since": since}

@@ -19,5 +19,5 @@ class DurationParam(click.ParamType):  # type: ignore[type-arg,unused-ignore]  #
         found = re.fullmatch(r"(\d{1,9}(?:\.\d{1,3})?)([smhd]?)", str(value))
         seconds = float(found[1]) * _SECONDS[found[2]] if found else 0.0
         if not 0.0 < seconds <= LONGEST:
-            self.fail(f"{value!r} is no duration: write 45s, 30m, 8h or 1d", param, ctx)
+            self.fail(f"{value!r} is not a duration: use 45s, 30m, 8h or 1d", param, ctx)
         return seconds

@@ -64,8 +64,8 @@ def _lines(name: str, usual: Kind, whole: Kind) -> Iterator[str]:
         yield f"           with [profile.topics]: {', '.join(more)}"
     yield f"  accepts  {', '.join(usual.accepts)}"
     if usual.keeps_goals:
-        yield "  queue    kept by the console that gave the orders"
+        yield "  queue    kept by the console that sent the orders"
     if usual.gives_stops:
-        yield "  stops    one goal for each: the console gives the next one when the one before is reached"
+        yield "  stops    one goal each: the console sends the next when one is reached"
     if usual.holds:
-        yield "  pause    cancels the goal; the console keeps it, and resume gives it again"
+        yield "  pause    cancels the goal; the console keeps it, resume sends it again"

@@ -54,10 +54,10 @@ def commands(
     read_only: bool,
     drawing: str | None,
 ) -> None:
-    """The terminal console for robot fleets behind a rosbridge server.
+    """Watch and command robot fleets behind a rosbridge server.
 
-    Without a command it opens the console; `fleet-tui ws://HOST:9090` opens it on what is behind
-    that address, without a configuration. `fleet-tui demo` shows it with simulated robots.
+    Without a command it opens the console. `fleet-tui ws://HOST:9090` discovers the fleet at that
+    address, without a configuration. `fleet-tui demo` opens a simulated fleet.
     """
     if ctx.invoked_subcommand is None:
         from fleet_tui.arriving import open_with
@@ -70,7 +70,7 @@ def commands(
 @common
 @merged
 def check(config_file: str | None, debug: bool, file: str | None) -> None:
-    """Validate a configuration: every problem at once."""
+    """Validate a configuration and list all problems."""
     path = find(file or config_file)
     config, problems = read(path)
     problems += [*missing_files(config), *_graph_problems(config)]
@@ -81,7 +81,7 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
         raise ConfigError([f"{path}: {line}" for line in problems])
     robots, floors = len(config.robots), len(config.floors)
     counts = f"{robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}"
-    click.echo(f"{sanitize(str(path))}: fine: {counts}")
+    click.echo(f"{sanitize(str(path))}: valid: {counts}")
 
 
 def _graph_problems(config: Config) -> list[str]:
@@ -99,4 +99,4 @@ def _theme_problems(config: Config) -> list[str]:
     themes, _ = load_themes(user_folder() / "themes")
     if config.ui.theme in themes:
         return []
-    return [f"ui.theme: no theme {config.ui.theme!r}{did_you_mean(config.ui.theme, themes)}"]
+    return [f"ui.theme: unknown theme {config.ui.theme!r}{did_you_mean(config.ui.theme, themes)}"]

@@ -19,7 +19,7 @@ class NearestGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Find the command, or say which one was meant."""
         if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
-            ctx.fail(f"no such command {args[0]!r}{did_you_mean(args[0], self.list_commands(ctx))}")
+            ctx.fail(f"unknown command {args[0]!r}{did_you_mean(args[0], self.list_commands(ctx))}")
         return super().resolve_command(ctx, args)
 
 
@@ -29,7 +29,7 @@ class FileName(click.Path):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """Read what was typed: what an unset variable of the shell leaves would mean this folder."""
         if value == "":
-            self.fail("an empty name is no file; is a variable of the shell not set?", param, ctx)
+            self.fail("empty file name: check that the shell variable is set", param, ctx)
         return super().convert(value, param, ctx)
 
 
@@ -51,7 +51,7 @@ def with_url(args: list[str]) -> list[str]:
 def common(command: F) -> F:
     """`--config` and `--debug` work before and after a command's name."""
     command = click.option(
-        "--config", "config_file", type=FileName(), metavar="FILE", help="Use this configuration."
+        "--config", "config_file", type=FileName(), metavar="FILE", help="Use this configuration file."
     )(command)
     return click.option("--debug", is_flag=True, help="Show tracebacks, log everything.")(command)
 
@@ -62,26 +62,26 @@ class Address(click.types.StringParamType):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """Read what was typed: what an unset variable of the shell leaves would mean another fleet."""
         if not value.strip():
-            self.fail("an empty name is no address; is a variable of the shell not set?", param, ctx)
+            self.fail("empty address: check that the shell variable is set", param, ctx)
         return super().convert(value, param, ctx)
 
 
 def fleet(command: F) -> F:
     """`--url` in the place of `--config`, for what talks to robots."""
-    text = "Ask the bridge there what it has; no configuration is needed."
+    text = "Discover the fleet on this bridge; no configuration needed."
     return click.option("--url", type=Address(), metavar="URL", help=text)(common(command))
 
 
 def drawing_mode(command: F) -> F:
     """`--drawing`."""
     modes = click.Choice(["auto", "braille", "half-block", "ascii"])
-    return click.option("--drawing", type=modes, help="How the map is drawn.")(command)
+    return click.option("--drawing", type=modes, help="Drawing mode of the map.")(command)
 
 
 def screen(command: F) -> F:
     """Return what the console can be told."""
     command = drawing_mode(command)
-    return click.option("--read-only", is_flag=True, help="Watch only: no command leaves.")(command)
+    return click.option("--read-only", is_flag=True, help="Watch only: send no commands.")(command)
 
 
 def timeout(seconds: float) -> Callable[[F], F]:
@@ -99,7 +99,7 @@ def merged(run: Callable[..., None]) -> Callable[..., None]:
         before = ctx.find_root().params
         for name, value in before.items():
             if value and name not in options:
-                ctx.fail(f"--{name.replace('_', '-')} means nothing to {ctx.command.name}")
+                ctx.fail(f"--{name.replace('_', '-')} is not an option of {ctx.command.name}")
         run(**{name: value or before.get(name, value) for name, value in options.items()})
 
     return run_merged

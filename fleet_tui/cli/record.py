@@ -79,7 +79,7 @@ class _Watch:
         problem = self._recorder.problem
         if problem != self._problem:
             self._problem = problem
-            self._line(f"not recorded: {problem}" if problem else "recording again")
+            self._line(f"recording stopped: {problem}" if problem else "recording resumed")
         if self._is_live and time.monotonic() - self._shown_at >= SHOW_EVERY:
             self._show(state)
 
@@ -149,7 +149,7 @@ def record(
     taps = Taps()
     recorder = taps.attach(Recorder(path, config, store, new_origin(config), limits))
     shown = sanitize(str(path))
-    say(f"recording to {shown}; to look at it: fleet-tui replay {shlex.quote(shown)}")
+    say(f"recording to {shown}; replay with: fleet-tui replay {shlex.quote(shown)}")
     watch = _Watch(recorder, say, is_live)
     with _ended_by_signals():
         try:

@@ -29,7 +29,7 @@ def replayed() -> None:
     type=click.FloatRange(0.25, 64),
     default=1.0,
     show_default=True,
-    help="How many times as fast as it was.",
+    help="Playback speed factor.",
 )
 @click.option(
     "--at", "start", default="", metavar="TIME", help="12:04:31, 2024-05-31T12:04:31, +90s or +1m30s."
@@ -46,7 +46,7 @@ def replay(
     read_only: bool,
     drawing: str | None,
 ) -> None:
-    """Look at a recording, or a ROS bag, with the console. Nothing can be sent."""
+    """Replay a recording or a ROS bag in the console. Nothing is sent."""
     from fleet_tui.bags.opening import is_bag
     from fleet_tui.console import open_replay
     from fleet_tui.recording.play.start import playing

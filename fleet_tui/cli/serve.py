@@ -16,13 +16,11 @@ def served() -> None:
 
 @served.command()
 @click.option(
-    "--port", type=click.IntRange(0, 65535), default=8000, show_default=True, help="0 takes a free one."
+    "--port", type=click.IntRange(0, 65535), default=8000, show_default=True, help="Port; 0 takes a free one."
 )
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
-@click.option(
-    "--allow-commands", is_flag=True, help="Let commands leave; without it the browser only watches."
-)
-@click.option("--demo", is_flag=True, help="Every tab with a simulated fleet of its own.")
+@click.option("--allow-commands", is_flag=True, help="Allow commands; without it the browser only watches.")
+@click.option("--demo", is_flag=True, help="A separate simulated fleet for each tab.")
 @drawing_mode
 @fleet
 @merged
@@ -36,7 +34,7 @@ def serve(
     demo: bool,
     drawing: str | None,
 ) -> None:
-    """Show the console in a browser, on this machine alone and read-only unless told otherwise."""
+    """Serve the console to a browser; by default on this machine only and read-only."""
     command = [sys.executable, "-m", "fleet_tui", *(["demo"] if demo else [])]
     command += _address(url, config_file, demo, allow_commands, debug) if url else _file(config_file, demo)
     command += [] if allow_commands else ["--read-only"]
@@ -54,7 +52,7 @@ def serve(
 def _address(url: str, config_file: str | None, demo: bool, allow_commands: bool, debug: bool) -> list[str]:
     """Return the option for the fleet at an address. What is wrong with it is said here, not in each tab."""
     if config_file or demo:
-        raise click.UsageError(f"{'--config' if config_file else '--demo'} and --url: one of them")
+        raise click.UsageError(f"{'--config' if config_file else '--demo'} and --url exclude each other")
     from fleet_tui.discovery.address import bridge_at
     from fleet_tui.discovery.awaiting import Discovering
     from fleet_tui.log_file import log_to_file
@@ -80,5 +78,5 @@ def _file(config_file: str | None, demo: bool) -> list[str]:
 
 def _said(allow_commands: bool) -> str:
     if allow_commands:
-        return "Commands are allowed: who opens a tab commands the robots."
-    return "read-only: no command leaves; --allow-commands lets them."
+        return "Commands allowed: every tab can command the robots."
+    return "read-only: no commands; allow them with --allow-commands."

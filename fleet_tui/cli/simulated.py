@@ -37,7 +37,7 @@ def _faults(command: F) -> F:
         "--fault",
         default="",
         metavar="NAME[:ROBOT],...",
-        help="What goes wrong, for every robot or for one; see below.",
+        help="Faults, for all robots or for one; see below.",
     )(command)
 
 
@@ -48,7 +48,7 @@ def _simulation(command: F) -> F:
         type=click.FloatRange(0.1, 100.0),
         default=1.0,
         show_default=True,
-        help="Seconds of the robots' time in a second; the rates on the wire stay.",
+        help="Simulation speed factor; message rates stay the same.",
     )
     return speed(_faults(command))
 
@@ -59,15 +59,15 @@ def _ros(command: F) -> F:
         *("--ros", "ros"),
         type=click.Choice(["1", "2"]),
         default=None,
-        show_default="the usual one of the kind",
-        help="Generation of ROS.",
+        show_default="default of the kind",
+        help="ROS version.",
     )(command)
 
 
 def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) -> str:
     if kind not in WORDS:
         near = did_you_mean(kind, WORDS) or f": {', '.join(WORDS)}"
-        raise click.BadParameter(f"no such kind of robots: {kind}{near}")
+        raise click.BadParameter(f"unknown kind of robot: {kind}{near}")
     return kind
 
 
@@ -94,7 +94,7 @@ def _kind(command: F) -> F:
         callback=_known_kind,
         metavar="|".join(WORDS),
         show_default=True,
-        help=f"What the robots are; {MIXED}: of all kinds in turn, on two bridges.",
+        help=f"Kind of robot; {MIXED}: all kinds in turn, on two bridges.",
     )(command)
 
 
@@ -102,11 +102,11 @@ def _check(kind: str, robots: int, ros: str | None) -> None:
     """Refuse what such robots can't be. Raises UsageError."""
     if kind == MIXED:
         if robots < len(KINDS):
-            raise click.UsageError(f"robots of all {len(KINDS)} kinds are at least --robots {len(KINDS)}")
+            raise click.UsageError(f"all {len(KINDS)} kinds need at least --robots {len(KINDS)}")
         if ros:
-            raise click.UsageError("robots of all kinds run on ROS 1 and 2: --ros is for one kind")
+            raise click.UsageError("--ros needs a single kind: a mixed fleet runs on ROS 1 and 2")
     elif ros and ros not in KINDS[kind].ros:
-        raise click.UsageError(f"robots of kind {kind} run on ROS {' and '.join(KINDS[kind].ros)} only")
+        raise click.UsageError(f"kind {kind} runs on ROS {' and '.join(KINDS[kind].ros)} only")
 
 
 @simulated.command(epilog=ALL_FAULTS)
@@ -157,7 +157,7 @@ def demo(
     type=click.IntRange(0, LAST_PORT),
     default=9090,
     show_default=True,
-    help=f"0 takes a free one. A {MIXED} fleet takes the next one too.",
+    help=f"Port; 0 takes a free one. A {MIXED} fleet also takes the next one.",
 )
 @click.option(
     "--rate", type=click.FloatRange(0.1, 100), default=10.0, show_default=True, help="Poses per second."
@@ -171,8 +171,8 @@ def demo(
     "--graph-file",
     metavar="PATH",
     type=click.Path(path_type=Path),
-    help="Write the route graph, for robots that publish none, here: a GeoJSON file, with several floors a"
-    " folder of them.",
+    help="Write the route graph of robots that publish none: a GeoJSON file, or for several floors a folder"
+    " of them.",
 )
 @_ros
 @_simulation
@@ -194,13 +194,13 @@ def sim(
     speed: float,
     ros: str | None,
 ) -> None:
-    """Serve a simulated fleet to several consoles, until Ctrl-C."""
+    """Serve a simulated fleet until Ctrl-C."""
     from fleet_tui.simulator.run import run
 
     _check(kind, robots, ros)
     if kind == MIXED and port == LAST_PORT:
-        raise click.UsageError(f"a {MIXED} fleet takes two ports: --port {LAST_PORT} is the last one")
+        raise click.UsageError(f"a {MIXED} fleet needs two ports: --port {LAST_PORT} is the maximum")
     if graph_file and not needs_graph_files(kind):
-        raise click.UsageError(f"robots of kind {kind} publish their graph: --graph-file is for others")
+        raise click.UsageError(f"--graph-file: robots of kind {kind} publish their graph")
     announce = partial(_announce, graph_file, floors)
     run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros or "", kind)

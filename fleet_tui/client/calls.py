@@ -53,7 +53,7 @@ class Calls:
         try:
             return await asyncio.wait_for(asyncio.shield(call.answer), within)
         except TimeoutError:
-            raise NoAnswerError(f"from {call.service} in {within:g} s: it may still be carried out") from None
+            raise NoAnswerError(f"from {call.service} in {within:g} s: may still be carried out") from None
 
     def forget(self, call: "PendingCall") -> None:
         """Nobody waits for this answer any more."""
@@ -81,6 +81,4 @@ class Calls:
         """End every call under way: on a new connection no answer to them can come."""
         for answer in self._pending.values():
             if not answer.done():
-                answer.set_exception(
-                    LinkLostError("the link went down before an answer: it may still be carried out")
-                )
+                answer.set_exception(LinkLostError("link lost before the reply: may still be carried out"))

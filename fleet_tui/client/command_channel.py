@@ -87,7 +87,7 @@ class CommandChannel:
             return
         self._heartbeat.take(operation)
         if not self._calls.on_response(operation):
-            LOG.warning("a late answer to %s: %s", truncate(operation.id), truncate(said(operation.values)))
+            LOG.warning("late reply to %s: %s", truncate(operation.id), truncate(said(operation.values)))
 
     def on_sent(self, payload: bytes) -> None:
         """A call left."""
@@ -96,7 +96,7 @@ class CommandChannel:
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """No answer to a command is that large."""
-        LOG.warning("an answer of %d bytes was passed over", size)
+        LOG.warning("a reply of %d bytes was dropped", size)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic), before anything else happens.
@@ -153,7 +153,7 @@ class CommandChannel:
     def _outgoing(self, command: Command, command_id: int, late: float) -> Sequence[Outgoing]:
         """Return what carries a command. Raises CommandError or LinkError where it must not leave."""
         if late > LATEST:
-            raise CommandError(f"the console was busy for {late:.1f} s: give the command again")
+            raise CommandError(f"console busy for {late:.1f} s: repeat the command")
         # A pause is tried even where others are held back: it can only make things safer.
         if not isinstance(command, PauseRobot):
             if self._heartbeat.path is CommandPath.DEAD:
@@ -161,7 +161,7 @@ class CommandChannel:
             silent = self._silence()
             if silent > LONGEST_SILENCE:
                 # What goes into a frozen connection may come out, and be obeyed, much later.
-                raise LinkError(f"nothing has come from the bridge for {silent:.1f} s")
+                raise LinkError(f"no message from the bridge for {silent:.1f} s")
         adapter = self._adapters[command.robot]
         robot = self._writer.store.state.robots[command.robot]
         outgoing = adapter.outgoing(command, command_id, robot, uuid.uuid4().hex)
@@ -181,7 +181,7 @@ class CommandChannel:
                 case Publication():
                     self._publishing.send(one)
                 case ActionGoal():
-                    raise CommandError("a goal goes alone")
+                    raise CommandError("goals are sent one at a time")
         return calls
 
     def _advance(

@@ -93,10 +93,10 @@ class FleetLink:
         for name, link in self._links.items():
             link.show_map(robot if name == wanted and floor else "", floor)
 
-    def overhear(self, on: bool) -> None:
+    def subscribe_logs(self, on: bool) -> None:
         """Listen to the log and diagnostics of all robots, or no longer."""
         for link in self._links.values():
-            link.overhear(on)
+            link.subscribe_logs(on)
 
     def close(self) -> None:
         """Close every connection."""

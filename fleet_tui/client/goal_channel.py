@@ -48,7 +48,7 @@ class GoalChannel:
     def send(self, command_id: int, goal: ActionGoal) -> None:
         """Give a goal now or not at all. Raises LinkError."""
         if not self.connection.is_connected:
-            raise LinkError(f"no link for goals: {self._reason or 'the bridge does not answer'}")
+            raise LinkError(f"no link for goals: {self._reason or 'bridge not responding'}")
         # An order that was paused is given anew: the end of its goal before is not this one's.
         self._commands = {id_: other for id_, other in self._commands.items() if other != command_id}
         goal_id = f"goal:{command_id}:{next(self._numbers)}"
@@ -81,7 +81,7 @@ class GoalChannel:
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """No end of a goal is that large."""
-        LOG.warning("an answer of %d bytes was dropped", size)
+        LOG.warning("a reply of %d bytes was dropped", size)
 
     def close(self) -> None:
         """Close for good; goals go on."""

@@ -70,7 +70,7 @@ class Heartbeat:
         words = response.values if isinstance(response.values, str) else ""
         if "unable to communicate with master" in words.lower():
             self._services.master_gone()
-            self._set(CommandPath.DEAD, "the ROS master is gone")
+            self._set(CommandPath.DEAD, "no ROS master")
             return
         was_dead, self.path = self.path is CommandPath.DEAD, CommandPath.ALIVE
         self._refresh()
@@ -83,11 +83,11 @@ class Heartbeat:
             return
         gone, absent = self._services.unregistered, self._services.without_any
         if self._services.is_total:
-            self._set(CommandPath.UNREGISTERED, "the robots' nodes are not registered: restart them")
+            self._set(CommandPath.UNREGISTERED, "robot nodes not registered: restart them")
         elif gone:
-            self._set(CommandPath.UNREGISTERED, f"nodes of {some(gone)} are not registered: restart them")
+            self._set(CommandPath.UNREGISTERED, f"nodes of {some(gone)} not registered: restart them")
         elif absent:
-            wrong = f"no service of {some(absent)} is there: restart its node, or correct [profile.services]"
+            wrong = f"no services of {some(absent)}: restart its node, or correct [profile.services]"
             self._set(CommandPath.UNREGISTERED, wrong)
         else:
             self._set(CommandPath.ALIVE)
@@ -102,7 +102,7 @@ class Heartbeat:
                 self._round_trips.unanswered += 1
                 # An answer to something else, meanwhile, is a sign of life, too.
                 if self._answered_at < began:
-                    self._set(CommandPath.DEAD, "the bridge does not answer calls")
+                    self._set(CommandPath.DEAD, "no reply from the bridge to calls")
             except LinkError:
                 return
             else:

@@ -96,7 +96,7 @@ class Keeper:
                 if record.order_id == command.order_id:
                     self._drop(record, given_at)
                     for stage in (Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED):
-                        self._tell(CommandAdvanced(command_id, stage, given_at, "it waited here"))
+                        self._tell(CommandAdvanced(command_id, stage, given_at, "was waiting here"))
                     return True
         if isinstance(command, ClearOrders):
             for record in waiting(state, robot):
@@ -105,17 +105,17 @@ class Keeper:
 
     def _keep(self, robot: Robot) -> tuple[Stage, str]:
         if len(waiting(self._store.state, robot)) >= MOST_KEPT:
-            return Stage.NOT_SENT, f"{robot.name} has {MOST_KEPT} orders that wait here, the most that may"
+            return Stage.NOT_SENT, f"{robot.name} has {MOST_KEPT} orders waiting here, the maximum"
         busy = "is paused" if robot.paused_by_us else "has an order"
         if self._file is None:
-            words = f"{robot.name} {busy}, and keeps no queue: give this one in a console, or wait"
+            words = f"{robot.name} {busy} and has no queue: order from a console, or wait"
             return Stage.NOT_SENT, words
         if not self._claim(self._file):
             return Stage.NOT_SENT, f"{robot.name} {busy}, and {self._file.owner} keeps the queue"
         return Stage.WAITING, f"in the queue of this console ({self._file.owner})"
 
     def _drop(self, record: CommandRecord, at: float) -> None:
-        self._tell(CommandAdvanced(record.id, Stage.CANCELLED, at, "by this console, before it was sent"))
+        self._tell(CommandAdvanced(record.id, Stage.CANCELLED, at, "by this console before it was sent"))
 
     def look(self, now: float) -> None:
         """Send what may leave, and write down what waits. With each tick."""

@@ -60,9 +60,9 @@ class BridgeLink:
         """Ask for the live map of one robot's floor, no other one; an empty name for none."""
         self._writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)
 
-    def overhear(self, on: bool) -> None:
+    def subscribe_logs(self, on: bool) -> None:
         """Listen to the robots' log and diagnostics, or no longer."""
-        self._writer.loop.call_soon_threadsafe(self._telemetry.overhear, on)
+        self._writer.loop.call_soon_threadsafe(self._telemetry.subscribe_logs, on)
 
     def close(self) -> None:
         """Close both connections."""

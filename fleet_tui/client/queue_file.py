@@ -68,11 +68,11 @@ class QueueFile:
             return []
         except (OSError, msgspec.MsgspecError) as problem:
             aside = path.with_suffix(".unreadable")
-            self.problem = f"{path} can't be read ({problem}): it is kept as {aside.name}"
+            self.problem = f"{path} unreadable ({problem}): kept as {aside.name}"
             try:
                 path.replace(aside)
             except OSError as error:
-                self.problem = f"{path} can't be read: {error.strerror}"
+                self.problem = f"{path} unreadable: {error.strerror}"
             return []
 
     def save(self, kept: list[Kept]) -> None:
@@ -88,7 +88,7 @@ class QueueFile:
             beside.replace(path)
             self.problem = ""
         except OSError as problem:
-            self.problem = f"{path} can't be written: {problem.strerror}"
+            self.problem = f"{path} not writable: {problem.strerror}"
 
     def close(self) -> None:
         """Let others keep orders."""

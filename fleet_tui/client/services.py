@@ -140,7 +140,7 @@ class Services:
             try:
                 await self._take_services(await self._ask("services", {}))
             except NoAnswerError as problem:
-                LOG.info("services are not looked up yet: %s", problem)
+                LOG.info("services not looked up yet: %s", problem)
             except LinkError:
                 return
             else:

@@ -88,7 +88,7 @@ class Sourcing:
         try:
             response = await self._calls.call("/rosapi/publishers", args, ROSAPI_TIMEOUT)
         except LinkError as problem:
-            LOG.info("publishers are not looked up: %s", problem)
+            LOG.info("publishers not looked up: %s", problem)
             return 0
         nodes = response.values.get("publishers") if isinstance(response.values, dict) else None
         return len(nodes) if response.result and isinstance(nodes, list) else 0

@@ -12,7 +12,7 @@ from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.adapters.ros.type_names import type_problem
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.latched import Latched
-from fleet_tui.client.overhearing import Overhearing
+from fleet_tui.client.log_subscription import LogSubscription
 from fleet_tui.errors import LinkError
 from fleet_tui.model import events
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -57,7 +57,7 @@ class Subscriber:
         self._plainly: asyncio.TimerHandle | None = None
         self._map: Feed | None = None
         self._watched: frozenset[Feed] = frozenset()
-        self.overhearing = Overhearing(connection, self._ask_types)
+        self.log_subscription = LogSubscription(connection, self._ask_types)
         self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
         self._asked: dict[str, float] = {}
         self._patience: dict[str, float] = {}
@@ -74,7 +74,7 @@ class Subscriber:
     async def _begin(self) -> None:
         self.types = await self._ask_types()
         # First, to hear what the bridge has to say of the others.
-        self.overhearing.subscribe(self.types)
+        self.log_subscription.subscribe(self.types)
         self._subscribe_to(self._robots)
         if self._is_ros2:
             self._latched.start(self._of_latched(), FOR_EACH_TOPIC)
@@ -110,7 +110,7 @@ class Subscriber:
         silent = {robot for robot in self._robots if self._is_silent(robot, now, spoke.get(robot, 0.0))}
         if not silent:
             return
-        LOG.info("silent, and so asked for again: %s", " ".join(sorted(silent)))
+        LOG.info("silent, subscribing again: %s", " ".join(sorted(silent)))
         let_go = min(LONGEST_LET_GO, max(map(self._waits, silent)) / 4)
         for robot in silent:
             self._asked[robot] = now
@@ -151,11 +151,11 @@ class Subscriber:
         try:
             response = await self._calls.call("/rosapi/topics", {}, ROSAPI_TIMEOUT)
         except LinkError as problem:
-            LOG.info("types are not checked: %s", problem)
+            LOG.info("types not checked: %s", problem)
             return {}
         values = response.values
         if not response.result or not isinstance(values, dict):
-            LOG.info("types are not checked: %s", values)
+            LOG.info("types not checked: %s", values)
             return {}
         topics, types = values.get("topics"), values.get("types")
         if not isinstance(topics, list) or not isinstance(types, list):

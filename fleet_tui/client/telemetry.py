@@ -69,7 +69,7 @@ class Telemetry:
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.take
         )
         self.show_map = self._subscriber.show_map
-        self.overhear = self._subscriber.overhearing.listen
+        self.subscribe_logs = self._subscriber.log_subscription.listen
         self.counter = self._reading.counter
         self._fragments = Fragments(int(bridge.max_message_mb * 1e6))
         self._backlog = Backlog(self.connection, self._reading, self._read_frame)
@@ -135,8 +135,8 @@ class Telemetry:
             return
         if self._waiting > MOST_WAITING:
             self.counter.dropped += 1
-            behind = f"{self._waiting / 1e6:.0f} MB before it are not decoded yet"
-            self._take(events.FrameRejected(self._link, f"{len(payload):,} bytes were passed over: {behind}"))
+            behind = f"{self._waiting / 1e6:.0f} MB still being decoded"
+            self._take(events.FrameRejected(self._link, f"{len(payload):,} bytes dropped: {behind}"))
             return
         self._waiting += len(payload)
         loop = asyncio.get_running_loop()

@@ -55,7 +55,7 @@ def secret(bridge: Link, key: str) -> str:
         where, found = f"{key}_env", os.environ.get(variable, "")
         if not found:
             # Without its name: it may be the secret itself, put where its name belongs.
-            raise ConfigError([f"{where}: there is no environment variable of that name"])
+            raise ConfigError([f"{where}: environment variable not set"])
     else:
         found = _content(bridge, where).decode("ascii", errors="replace").rstrip("\r\n")
     if found and (len(found) > LONGEST or not re.fullmatch(r"[\x20-\x7e]+", found)):
@@ -75,7 +75,7 @@ def _content(bridge: Link, key: str) -> bytes:
             content = b"" if problem else opened.read(LONGEST + 1)
     except (OSError, ValueError) as error:
         # Its name is not said: where a path belongs, the secret itself may have been written.
-        problem = f"can't be read: {getattr(error, 'strerror', '') or 'no path'}"
+        problem = f"unreadable: {getattr(error, 'strerror', '') or 'no path'}"
     if not problem and not content:
         problem = "is empty"
     if problem:
@@ -86,12 +86,12 @@ def _content(bridge: Link, key: str) -> bytes:
 def _exposure(found: os.stat_result, is_private: bool) -> str:
     """Return why a file can't be used, "" if it can."""
     if not stat.S_ISREG(found.st_mode):
-        return "is no file"
+        return "not a file"
     mode = stat.S_IMODE(found.st_mode)
     if is_private and mode & (stat.S_IRWXG | stat.S_IRWXO):
-        return f"others can read it (mode {mode:o}): chmod 600 it"
+        return f"readable by others (mode {mode:o}): chmod 600 it"
     if is_private and found.st_uid not in (os.geteuid(), 0):
-        return "belongs to another user: chown it"
+        return "owned by another user: chown it"
     return ""
 
 
@@ -108,4 +108,4 @@ def unsafe_places(config: Config) -> Iterator[str]:
             continue
         # In a folder like /tmp nobody can replace what belongs to others.
         if mode & stat.S_IWOTH and not (stat.S_ISDIR(mode) and mode & stat.S_ISVTX):
-            yield f"any user of this machine can change {place}: chmod o-w {place}"
+            yield f"{place} is writable by everyone: chmod o-w {place}"

@@ -29,7 +29,7 @@ def checked(config: Config) -> list[str]:
 def missing_files(config: Config) -> list[str]:
     """One line for each file of a floor that isn't there. The console starts without them, and says so."""
     return [
-        f"floors[{n}].{key}: no such file {name}"
+        f"floors[{n}].{key}: file not found: {name}"
         for n, floor in enumerate(config.floors)
         for key, name in (("map", floor.map), ("graph", floor.graph))
         if name and not config.beside(name).is_file()
@@ -38,7 +38,7 @@ def missing_files(config: Config) -> list[str]:
 
 def _links(config: Config) -> Iterator[str]:
     if DEFAULT_LINK in config.links:
-        yield f"links.{DEFAULT_LINK}: this name stands for [rosbridge], choose another"
+        yield f"links.{DEFAULT_LINK}: name reserved for [rosbridge], choose another"
     for name, link in {**config.links, DEFAULT_LINK: config.rosbridge}.items():
         for problem in _link(link):
             yield f"{link_key(name)}.{problem}"
@@ -51,29 +51,29 @@ def _link(link: Link) -> Iterator[str]:
     except ValueError:
         fine = False
     if not fine or parts.fragment:
-        yield f"url: {link.shown!r} is no address, it looks like ws://HOST:9090"
+        yield f"url: {link.shown!r} is not an address, expected e.g. ws://HOST:9090"
     elif "@" in parts.netloc:
-        yield "url: no user and password here: set authorization_file to a file with `Basic ...` in it"
+        yield "url: user and password not allowed: set authorization_file to a file with `Basic ...`"
     if not link.is_secure:
         for key in ("ca_file", "client_cert", "client_key"):
             if getattr(link, key):
-                yield f"{key}: there is no TLS with ws://, the url must begin with wss://"
+                yield f"{key}: ws:// has no TLS, use wss:// in the url"
     if link.client_key and not link.client_cert:
-        yield "client_key: is of no use without client_cert"
+        yield "client_key: needs client_cert"
     for key in ("authorization", "rosauth"):
         if getattr(link, f"{key}_env") and getattr(link, f"{key}_file"):
-            yield f"{key}_file: give the file or {key}_env, not both"
+            yield f"{key}_file: use {key}_file or {key}_env, not both"
 
 
 def _names(where: str, names: list[str]) -> Iterator[str]:
     if not names:
-        yield f"{where}: there is none: add [[{where}]] with a name"
+        yield f"{where}: empty: add [[{where}]] with a name"
     for n, name in enumerate(names):
         if not NAME.fullmatch(name):
-            yield f"{where}[{n}].name: {name!r} is no ROS name: letters, digits and _ only"
+            yield f"{where}[{n}].name: {name!r} is not a ROS name: use letters, digits and _ only"
     for name, count in Counter(names).items():
         if count > 1:
-            yield f"{where}: the name {name} is given {count} times"
+            yield f"{where}: name {name} used {count} times"
 
 
 def _frames(config: Config) -> Iterator[str]:
@@ -82,7 +82,7 @@ def _frames(config: Config) -> Iterator[str]:
         names_of.setdefault(floor.frame, {})[floor.name] = None
     for frame, names in names_of.items():
         if len(names) > 1:
-            yield f"floors: frame_id {frame} stands for {' and '.join(names)}: poses can't tell them apart"
+            yield f"floors: frame_id {frame} used by {' and '.join(names)}: poses would be ambiguous"
 
 
 def _references(config: Config) -> Iterator[str]:
@@ -91,9 +91,9 @@ def _references(config: Config) -> Iterator[str]:
     for n, robot in enumerate(config.robots):
         for floor in robot.floors:
             if floor not in floors:
-                yield f"robots[{n}].floors: no floor {floor!r}{did_you_mean(floor, floors)}"
+                yield f"robots[{n}].floors: unknown floor {floor!r}{did_you_mean(floor, floors)}"
         if robot.link not in links:
-            yield f"robots[{n}].link: no link {robot.link!r}{did_you_mean(robot.link, links)}"
+            yield f"robots[{n}].link: unknown link {robot.link!r}{did_you_mean(robot.link, links)}"
 
 
 def _alarms(alarms: Alarms) -> Iterator[str]:
@@ -105,5 +105,5 @@ def _alarms(alarms: Alarms) -> Iterator[str]:
     for key, given in (("bell", alarms.bell), ("notify", alarms.notify)):
         for name in given:
             if name not in known:
-                near = did_you_mean(name, known) or f", there are {', '.join(known)}"
-                yield f"alarms.{key}: no priority {name!r}{near}"
+                near = did_you_mean(name, known) or f", use {', '.join(known)}"
+                yield f"alarms.{key}: unknown priority {name!r}{near}"

@@ -38,16 +38,16 @@ def _references(config: Config) -> Iterator[str]:
     named += [(f"robots[{n}].profile", robot.profile) for n, robot in enumerate(config.robots)]
     for where, name in named:
         if not _is_known(config, name):
-            yield f"{where}: no kind and no profile {name!r}{did_you_mean(name, [*config.profiles, *KINDS])}"
+            yield f"{where}: unknown kind or profile {name!r}{did_you_mean(name, [*config.profiles, *KINDS])}"
 
 
 def _profile(where: str, profile: Profile) -> Iterator[str]:
     if profile.name and profile.kind and profile.name != profile.kind:
-        yield f"{where}.name: {profile.name!r} and kind {profile.kind!r} mean the same: leave one out"
+        yield f"{where}.name: {profile.name!r} and kind {profile.kind!r} are the same setting: remove one"
     kind = kind_of(profile)
     if kind not in KINDS:
         key = "kind" if profile.kind else "name"
-        yield f"{where}.{key}: no kind {kind!r}{did_you_mean(kind, KINDS)}"
+        yield f"{where}.{key}: unknown kind {kind!r}{did_you_mean(kind, KINDS)}"
         return
     known = KINDS[kind].vocabulary
     fields = {f"{message}.{field}" for message, names in known.fields.items() for field in names}
@@ -76,10 +76,10 @@ def _profile(where: str, profile: Profile) -> Iterator[str]:
 def _numbers(where: str, profile: Profile) -> Iterator[str]:
     for key, scale in profile.scales.items():
         if not 0.0 < scale < math.inf:
-            yield f"{where}.scales.{key}: {scale:g} is no factor: give a number above 0"
+            yield f"{where}.scales.{key}: {scale:g} is not a factor: use a number above 0"
     for key, seconds in profile.silence.items():
         if not seconds > 0.0:
-            yield f"{where}.silence.{key}: {seconds:g} is no time: give seconds above 0"
+            yield f"{where}.silence.{key}: {seconds:g} is not a duration: use seconds above 0"
 
 
 def _refusals(where: str, profile: Profile) -> Iterator[str]:
@@ -87,7 +87,7 @@ def _refusals(where: str, profile: Profile) -> Iterator[str]:
         try:
             re.compile(pattern)
         except (re.error, OverflowError, RecursionError) as problem:
-            yield f"{where}.refusals[{n}]: {pattern!r} is no regular expression: {problem}"
+            yield f"{where}.refusals[{n}]: {pattern!r} is not a regular expression: {problem}"
 
 
 def _placeholders(where: str, profile: Profile, floor_topics: frozenset[str]) -> Iterator[str]:
@@ -96,7 +96,7 @@ def _placeholders(where: str, profile: Profile, floor_topics: frozenset[str]) ->
         for key, template in given.items():
             for name in re.findall(r"\{([^}]*)\}", template):
                 if name not in (("robot", "floor") if key in floor_topics else ("robot",)):
-                    yield f"{where}.{table}.{key}: {{{name}}} can't be filled in here"
+                    yield f"{where}.{table}.{key}: {{{name}}} is not available here"
 
 
 def _settings(where: str, profile: Profile, kind: str) -> Iterator[str]:
@@ -104,7 +104,7 @@ def _settings(where: str, profile: Profile, kind: str) -> Iterator[str]:
     for name, table in profile.settings.items():
         struct = KINDS[name].settings if name in KINDS else None
         if name != kind or struct is None:
-            yield f"{where}.{name}: is no table of the kind {kind}"
+            yield f"{where}.{name}: not a table of kind {kind}"
             continue
         known = [field.name for field in msgspec.structs.fields(struct)]
         yield from (

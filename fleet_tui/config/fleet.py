@@ -96,8 +96,8 @@ def shared_topics(config: Config, adapters: Mapping[str, Adapter]) -> Iterator[s
             table, other = taken.setdefault((robot.link, feed.address), (adapter.names.table, feed))
             is_shared = feed.is_shared and (other.key, other.floor) == (feed.key, feed.floor)
             if _owner(other) != _owner(feed) and not is_shared:
-                both = f"{_owner(other)} and {_owner(feed)}"
-                yield f"{table}.topics.{feed.key}: {feed.address} is {both}: put {{robot}} or {{floor}} in it"
+                both = f"{_owner(other)} and {_owner(feed)}: add {{robot}} or {{floor}}"
+                yield f"{table}.topics.{feed.key}: {feed.address} is used by {both}"
 
 
 def _owner(feed: Feed) -> str:

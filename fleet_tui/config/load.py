@@ -52,8 +52,8 @@ def find(given: str | None) -> Path:
         raise NoConfigError(
             [
                 f"no configuration found: $FLEET_TUI_CONFIG is not set, no ./{places()[0]}, no {places()[1]}",
-                "give one with --config FILE, or the address of a bridge with --url ws://HOST:9090; fleet-tui"
-                " config init prints an example, fleet-tui demo needs none",
+                "use --config FILE, or --url ws://HOST:9090 for a bridge; fleet-tui"
+                " config init prints an example, fleet-tui demo needs no configuration",
             ]
         )
     return found
@@ -92,13 +92,13 @@ def read(path: Path) -> tuple[Config, list[str]]:
     try:
         table = read_toml(path)
     except FileNotFoundError:
-        raise ConfigError([f"{path}: no such file: give another with --config FILE"]) from None
+        raise ConfigError([f"{path}: no such file: use --config FILE"]) from None
     except OSError as problem:
-        raise ConfigError([f"{path}: can't be read: {problem.strerror}"]) from None
+        raise ConfigError([f"{path}: unreadable: {problem.strerror}"]) from None
     except UnicodeDecodeError:
-        raise ConfigError([f"{path}: is not UTF-8 text"]) from None
+        raise ConfigError([f"{path}: not UTF-8 text"]) from None
     except (ValueError, RecursionError) as problem:
-        raise ConfigError([f"{path}: is not TOML: {problem}"]) from None
+        raise ConfigError([f"{path}: not TOML: {problem}"]) from None
     config, problems = _config_of(table)
     return msgspec.structs.replace(config, path=path.absolute()), problems
 
@@ -108,7 +108,7 @@ def from_text(text: str) -> Config:
     try:
         config, problems = _config_of(tomllib.loads(text))
     except (ValueError, RecursionError) as problem:
-        raise ConfigError([f"is not TOML: {problem}"]) from None
+        raise ConfigError([f"not TOML: {problem}"]) from None
     if problems:
         raise ConfigError(problems)
     return config
@@ -138,7 +138,7 @@ def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> 
             if value is not None:
                 values[name] = value
         elif field.required:
-            problems.append(f"{where}{name}: is missing")
+            problems.append(f"{where}{name}: missing")
     # Every required field is a name. The entry stays under one that nobody else has, so that the
     # entries after it keep their numbers.
     stand_in = "".join(letter if letter.isalnum() else "_" for letter in where)

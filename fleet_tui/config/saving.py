@@ -43,7 +43,7 @@ def write_config(text: str, name: str) -> Path:
     path = expanded(name).resolve()
     try:
         if path.is_dir():
-            raise FleetError(f"{name}: is a folder: name a file in it")
+            raise FleetError(f"{name}: is a folder: name a file")
         number, made = tempfile.mkstemp(dir=path.parent, prefix=".fleet-tui-")  # mode 600
     except OSError as problem:
         raise FleetError(f"{name}: {problem.strerror}") from None

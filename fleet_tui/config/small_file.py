@@ -25,7 +25,7 @@ def open_file(path: Path) -> BinaryIO:
     file = FileIO(path, opener=_without_waiting)
     if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
         file.close()
-        raise OSError(errno.EINVAL, "it is no regular file")
+        raise OSError(errno.EINVAL, "not a regular file")
     return BufferedReader(file)
 
 

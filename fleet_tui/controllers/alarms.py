@@ -58,7 +58,7 @@ class AlarmResponses:
         """List what can be done with an alarm."""
         alarm = next((one for one in self._store.state.alarms if one.key == (source, kind)), None)
         if alarm is None:
-            self._notices.say(f"the alarm of {source} is over")
+            self._notices.say(f"the alarm of {source} has cleared")
             return
         first, last = self._clock(alarm.first_wall), self._clock(alarm.last_wall)
         seen = f"first seen {first}, last seen {last}, x{alarm.count}"
@@ -76,7 +76,7 @@ class AlarmResponses:
             key = " ".join(self._keys["acknowledge"])
             yield f"Acknowledge ({key})", partial(self._tell, AlarmAcknowledged(*alarm.key))
         if alarm.stage is AlarmStage.SHELVED:
-            yield "Take off the shelf", partial(self._tell, AlarmUnshelved(*alarm.key))
+            yield "Unshelve", partial(self._tell, AlarmUnshelved(*alarm.key))
         state = self._store.state
         seconds = state.limits.shelve_for
         shelved = AlarmShelved(*alarm.key, state.now + seconds)

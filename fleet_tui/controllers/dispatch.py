@@ -101,7 +101,7 @@ class Dispatch:
         """Return why nothing may leave now. Looked at last, for each command: the checks let pauses pass."""
         if self._backend.refusal or self.permissions.armed:
             return self._backend.refusal
-        return "not sent: this console is not armed, : Arm lets commands leave"
+        return "not sent: this console is not armed: use Arm in the palette (:)"
 
     def _send(self, request: Request, sent: Callable[[], None]) -> None:
         for command in request.commands:

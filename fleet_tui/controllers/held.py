@@ -51,7 +51,7 @@ class Held:
             if ready is None:
                 continue
             if now > one.until + LATEST and not one.pauses:
-                self._refuse(f"not sent: it waited {now - one.since:.1f} s for the link: give it again")
+                self._refuse(f"not sent: no link for {now - one.since:.1f} s, repeat the command")
             else:
                 self._give(ready)
 

@@ -33,13 +33,13 @@ class IncidentPacking:
         """Pack what belongs to an incident into one archive."""
         pack = self._files.pack
         if pack is None:
-            self._say("nothing to pack here: this is no live console")
+            self._say("nothing to pack: not a live console")
         elif self._packing:
             self._say("still packing: the doctor takes up to 10 s")
         else:
             self._packing = True
             shot = self._screenshot()
-            self._say("packing an incident: the doctor looks at everything first, up to 10 s")
+            self._say("packing an incident: the doctor runs first, up to 10 s")
             self._in_thread(partial(self._pack, pack, shot))
 
     def _pack(self, pack: Pack, shot: str, is_cancelled: Cancelled) -> None:
@@ -52,7 +52,7 @@ class IncidentPacking:
         except Exception as problem:
             # Whatever it is, the operator learns of it, and may try again.
             LOG.exception("packing")
-            said = f"the incident could not be packed: {problem}"
+            said = f"incident not packed: {problem}"
         LOG.info("%s", said)
         self._packing = False
         if not is_cancelled():

@@ -60,7 +60,7 @@ class OrderRequests:
         chart = robot.charts.get(floor)
         name = chart.name_of(vertex) if chart else None
         if name is None:
-            self._notices.say(f"{robot.name} knows no vertex {sanitize(vertex)} on {floor}")
+            self._notices.say(f"{robot.name} has no vertex {sanitize(vertex)} on {floor}")
         else:
             self._open_form(robot.name, Place(vertex, name, floor))
 
@@ -73,7 +73,7 @@ class OrderRequests:
                 asked = self._robot
                 lacks = not asked.kind.can(kind.CANCEL)
                 lack = f"{asked.name}: {asked.kind.lack(kind.CANCEL)}"
-                self._notices.say(lack if lacks else "there is no order to cancel")
+                self._notices.say(lack if lacks else "no order to cancel")
 
     def ask_cancel(self, robot: str, order_id: str) -> None:
         """Cancel one order, after asking."""
@@ -88,15 +88,15 @@ class OrderRequests:
         robot = self._store.state.robots[name]
         order = next((order for order in robot.orders.orders if order.id == order_id), None)
         if order is None:
-            self._notices.say(f"order {sanitize(order_id)} is gone already")
+            self._notices.say(f"order {sanitize(order_id)} is no longer in the queue")
             return
         back = order.stops[::-1]
         entries: list[Entry] = []
         if robot.kind.can(kind.CANCEL):
-            entries.append(("Cancel this order", partial(self.ask_cancel, name, order_id)))
+            entries.append(("Cancel order", partial(self.ask_cancel, name, order_id)))
         if order.stops and robot.kind.can(kind.ORDER):
             again = Request((PlaceOrder(name, order.stops),))
-            entries.append((f"Again: {way(robot, order.stops)}", partial(self._dispatch.do, again)))
+            entries.append((f"Repeat: {way(robot, order.stops)}", partial(self._dispatch.do, again)))
         if len(back) > 1 and kind.ORDER in robot.kind.accepts:
             returning = Request((PlaceOrder(name, back),))
             entries.append((f"Return trip: {way(robot, back)}", partial(self._dispatch.do, returning)))

@@ -27,7 +27,7 @@ class RecordingSwitch:
     def turn(self) -> None:
         """Begin a recording, or end it."""
         if self._files.recordings is None:
-            self._say("nothing to record here: this is no live console")
+            self._say("nothing to record: not a live console")
         elif not self._switching:
             self._switching = True
             self._in_thread(self._turn)
@@ -42,7 +42,7 @@ class RecordingSwitch:
             else:
                 said = f"recording to {recordings.start()}"
         except FleetError as problem:
-            said = f"not recording: {problem}"
+            said = f"recording failed: {problem}"
         finally:
             self._switching = False
         LOG.info("%s", said)

@@ -72,7 +72,7 @@ class Replay:
         if not text:
             from fleet_tui.recording.play.times import FORMS  # numpy comes with it
 
-            return Typed(problem=f"go to a time: {FORMS}")
+            return Typed(problem=f"enter a time: {FORMS}")
         try:
             at = self._player.time_of(text)
         except FleetError as problem:

@@ -56,7 +56,7 @@ class RobotRequests:
             [
                 *((text, partial(self._for, robot, do)) for text, verb, do in asked if known.kind.can(verb)),
                 ("Show on the map", partial(self._navigation.find_robot, robot)),
-                ("Why does it stand still?", partial(self._for, robot, self._why)),
+                ("Explain why it is not moving", partial(self._for, robot, self._why)),
             ],
         )
 

@@ -43,16 +43,16 @@ class SaveCommand:
     def _unsavable(self, name: str) -> str:
         """Say why there is nothing to write, empty where there is."""
         if self._files.saving is None:
-            return "nothing to save: this is no console on a fleet of your own"
+            return "nothing to save: this console has no fleet of its own"
         path = self._files.saving.path
         if path and (not name or expanded(name).resolve() == Path(path).resolve()):
-            return f"this configuration is in {sanitize(path)} already: {WORD} FILE writes a copy"
+            return f"already saved in {sanitize(path)}: {WORD} FILE writes a copy"
         return ""
 
     def _save(self, saving: Saving, name: str) -> None:
         """Write it, after asking where something is there already."""
         if expanded(name).exists():
-            question = f"{sanitize(name)} is there already. Write over it?"
+            question = f"{sanitize(name)} exists. Overwrite?"
             self._ask(lambda: question, partial(self._write, saving, name))
         else:
             self._write(saving, name)

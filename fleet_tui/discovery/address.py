@@ -15,7 +15,7 @@ def bridge_at(url: str, known: Link | None = None) -> Link:
     scheme, _, rest = bridge.url.partition("://")
     if scheme.lower() in ("mqtt", "mqtts") and rest:
         raise ConfigError(
-            [f"{bridge.shown}: this version does not speak MQTT yet: give a rosbridge's, ws://HOST:9090"]
+            [f"{bridge.shown}: MQTT is not supported yet: use a rosbridge address, ws://HOST:9090"]
         )
     wrong = [
         line
@@ -35,4 +35,4 @@ def _meant(bridge: Link, scheme: str, rest: str) -> str:
         meant = f"ws://{bridge.url}"
     else:
         return ""
-    return f"{bridge.shown} is no address of a rosbridge: did you mean {Link(meant).shown}?"
+    return f"{bridge.shown} is not a rosbridge address: did you mean {Link(meant).shown}?"

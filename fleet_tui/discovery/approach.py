@@ -20,7 +20,7 @@ from fleet_tui.transports.rosbridge.tls import tls_context
 STEPS = ("name", "tcp", "tls", "websocket", "rosbridge")
 PATIENCE = 4.0  # seconds for each step
 PROBE = 1.5  # seconds to find out whether TLS is spoken
-START_IT = f"start rosbridge there ({named(START_BRIDGE, 0)}), or correct"
+START_IT = f"start rosbridge on it ({named(START_BRIDGE, 0)}), or correct"
 
 
 class Approach:
@@ -50,7 +50,7 @@ class Approach:
             if step == "tls" and not self._bridge.is_secure:
                 continue
             if broken:
-                yield Finding(self._name, step, Verdict.SKIPPED, f"{broken} comes first")
+                yield Finding(self._name, step, Verdict.SKIPPED, f"not checked: {broken} failed")
                 continue
             self.step, began = step, time.monotonic()
             failed = await walks[step]()
@@ -63,7 +63,7 @@ class Approach:
 
     async def _look_up(self) -> str | tuple[str, str]:
         with suppress(ValueError):
-            return f"{ipaddress.ip_address(self._host)} is an address"
+            return f"{ipaddress.ip_address(self._host)} is an IP address"
         began = time.monotonic()
         try:
             async with asyncio.timeout(PATIENCE):
@@ -71,7 +71,7 @@ class Approach:
                     self._host, self._port, type=socket.SOCK_STREAM
                 )
         except (OSError, TimeoutError, UnicodeError) as problem:
-            reason = "DNS does not answer" if isinstance(problem, TimeoutError) else self._why(problem)
+            reason = "DNS not responding" if isinstance(problem, TimeoutError) else self._why(problem)
             return f"{self._host}: {reason}", f"correct {self._key}, or the name in DNS or /etc/hosts"
         addresses = ", ".join(dict.fromkeys(str(entry[4][0]) for entry in found))
         return f"{self._host} is {addresses}, in {milliseconds(time.monotonic() - began)}"
@@ -87,11 +87,11 @@ class Approach:
         except (OSError, TimeoutError) as problem:
             there = f"{self._host} port {self._port}"
             if isinstance(problem, TimeoutError):
-                return f"{there}: {self._why(problem)}", "is the machine on, is a firewall or VPN between?"
+                return f"{there}: {self._why(problem)}", "check that the machine is on, and firewall and VPN"
             return f"{there}: {self._why(problem)}", f"{START_IT} {self._key}"
         took = time.monotonic() - began
         writer.close()
-        return f"port {self._port} takes the connection in {milliseconds(took)}"
+        return f"port {self._port} open, connected in {milliseconds(took)}"
 
     async def _shake_hands(self) -> str | tuple[str, str]:
         try:
@@ -99,11 +99,11 @@ class Approach:
                 context = await asyncio.to_thread(tls_context, self._bridge)
                 _, writer = await asyncio.open_connection(self._host, self._port, ssl=context)
         except (OSError, TimeoutError, FleetError) as problem:
-            return self._why(problem), f"correct the certificate, or what {link_key(self._name)} says of it"
+            return self._why(problem), f"correct the certificate or its settings in {link_key(self._name)}"
         certificate = writer.get_extra_info("peercert") or {}
         version = writer.get_extra_info("ssl_object").version()
         writer.close()
-        return f"{version}, the certificate is trusted until {certificate.get('notAfter', 'no given day')}"
+        return f"{version}, certificate trusted until {certificate.get('notAfter', 'an unknown date')}"
 
     async def _speaks_tls(self) -> bool:
         """Tell whether TLS is spoken at a port where we speak none."""
@@ -121,11 +121,11 @@ class Approach:
         began = time.monotonic()
         reason = await self._wire.connect(PATIENCE)
         if not reason:
-            return f"opens in {milliseconds(time.monotonic() - began)}"
+            return f"open in {milliseconds(time.monotonic() - began)}"
         if not self._bridge.is_secure and await self._speaks_tls():
-            return f"{reason} (TLS is spoken there)", f"{self._key} must begin with wss://"
+            return f"{reason} (TLS port)", f"use wss:// in {self._key}"
         if reason == FROZEN:
-            return reason, f"if that is not rosbridge, correct {self._key}"
+            return reason, f"if it is not rosbridge, correct {self._key}"
         return reason, f"correct host, port and path in {self._key}: rosbridge usually listens on 9090"
 
     async def _ask(self) -> str | tuple[str, str]:
@@ -134,8 +134,8 @@ class Approach:
             answer = await self._wire.beat(PATIENCE)
         except LinkError:
             if self._wire.lost:
-                return self._wire.lost, "see the log of rosbridge"
-            return FROZEN, f"if that is not rosbridge, correct {self._key}"
+                return self._wire.lost, "see the rosbridge log"
+            return FROZEN, f"if it is not rosbridge, correct {self._key}"
         if "unable to communicate" in answer.lower():
-            return f"the ROS master is gone ({answer})", "start roscore, then the nodes of the robots"
-        return f"answers a call in {milliseconds(time.monotonic() - began)}"
+            return f"no ROS master ({answer})", "start roscore, then the robot nodes"
+        return f"reply to a call in {milliseconds(time.monotonic() - began)}"

@@ -26,7 +26,7 @@ class Choice(NamedTuple):
     def __str__(self) -> str:
         """The question with what holds, and what else could."""
         others = [option for option in self.options if option != self.chosen]
-        return f"{self.text}: {self.chosen or 'not known'}, could be {', '.join(others)}"
+        return f"{self.text}: {self.chosen or 'unknown'}, possibly {', '.join(others)}"
 
 
 def decided(claims: Found, answers: Answers) -> Found:
@@ -95,7 +95,7 @@ def placed(answers: Answers) -> dict[str, str]:
 def lacks(found: Found) -> list[str]:
     """Say what is missing that robots can't be shown without."""
     return [
-        f"no topic tells the pose of {kind} robots: they are listed, and have no place on the map"
+        f"no pose topic for {kind} robots: listed, but not on the map"
         for kind, one in found.items()
         if "pose" in one.absent or one.topics.get("pose") == ""
     ]

@@ -11,11 +11,11 @@ from fleet_tui.discovery.choices import floors_of, strange_frames
 from fleet_tui.discovery.recognition import Found
 
 FIRST = [
-    "# fleet-tui: what was found behind this bridge. `fleet-tui check` says what is wrong with it.",
+    "# fleet-tui: discovered on this bridge. Validate with `fleet-tui check`.",
     "",
     "[rosbridge]",
 ]
-NOBODY = "# No topic looks like a robot's. Give their names, and in [profile.topics] how theirs are named."
+NOBODY = "# No robot topics found. Name the robots here and their topics in [profile.topics]."
 
 
 def render(
@@ -85,20 +85,20 @@ def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) 
     needs_graph = {floor for kind, one in found.items() if _has_no_graph(kind) for floor in one.floors}
     strange = [frame for frame in strange_frames(found, frames) if frame not in placed.values()]
     if not floors:
-        yield "# No topic is a floor's: these are named after the frames of the poses."
+        yield "# No floor topics found: floors are named after the pose frames."
         floors, strange = [one for one in strange if NAME.fullmatch(one)] or ["floor_0"], []
     for floor in floors:
         yield from ("[[floors]]", f"name = {_text(floor)}")
         if floor in placed or len(floors) == 1 == len(strange):
             yield f"frame_id = {_text(placed.get(floor) or strange[0])}"
-        shown = "the live map is shown; a file is" if floor in live else "no live map is there:"
+        shown = "the live map is used; or a" if floor in live else "no live map:"
         yield f'# map = "maps/{floor}.yaml"   # {shown} map_server YAML, or a plain PNG/PGM'
         if floor in needs_graph:
             yield f'# graph = "maps/{floor}.geojson"   # of Nav2 (GeoJSON), for robots that publish none'
         yield ""
     if strange and len(floors) > 1:
         yield from (
-            f"# Poses come in frame {_text(one)} too: give it to its floor as frame_id." for one in strange
+            f"# Poses also use frame {_text(one)}: set it as frame_id of its floor." for one in strange
         )
         yield ""
 

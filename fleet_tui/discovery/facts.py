@@ -38,7 +38,7 @@ class RosapiFacts:
     @property
     def is_silent(self) -> bool:
         """Tell whether its node is there and does not answer: we waited long enough, or the bridge did."""
-        words = ("does not answer", "Unable to communicate with service", "Timeout exceeded")
+        words = ("no reply from rosapi", "Unable to communicate with service", "Timeout exceeded")
         return any(word in self.problem for word in words)
 
     def lists_action_of(self, topic: str) -> bool:

@@ -37,7 +37,7 @@ async def _with_publishers(
         names = [name for spaces in groups for name in next_questions(spaces, rosapi.publishers)]
         names = names[: MOST_TOPICS - done]
         known = len(rosapi.publishers)
-        count = _Count(done, done + len(names), watch, "asking who publishes")
+        count = _Count(done, done + len(names), watch, "looking up publishers")
         rosapi = await ask_publishers(wire, rosapi, names, until, count)
         done += len(names)
         if len(rosapi.publishers) == known:  # all is asked, or nothing answers
@@ -51,7 +51,7 @@ async def _service_types(
     """Return the types of services by name, "" where not known: each robot's as those of one like it."""
     groups = alike(telling_services(rosapi.services))
     names = [name for spaces in groups for name in spaces[0].values()][:MOST_SERVICES]
-    count = _Count(0, len(names), watch, "asking for types of services")
+    count = _Count(0, len(names), watch, "looking up service types")
     known = (await ask_service_types(wire, rosapi, names, until, count)).services
     return {
         name: known[spaces[0][rest]] or ""

@@ -40,7 +40,7 @@ async def look_around(wire: BridgeConnection) -> RosapiFacts:
             )
         )
     except LinkError:
-        return RosapiFacts(problem=wire.lost or f"rosapi does not answer within {ANSWER_WITHIN:g} s")
+        return RosapiFacts(problem=wire.lost or f"no reply from rosapi within {ANSWER_WITHIN:g} s")
     if not isinstance(topics, dict):
         return RosapiFacts(problem=str(topics))
     types = dict(zip(_names(topics, "topics"), _names(topics, "types"), strict=False))

@@ -54,13 +54,13 @@ class DiscoveredSite:
         mean two things."""
         if not any(one.robots for one in self.found.values()):
             raise FleetError(
-                f"{self.bridge.shown}: no robot found among {self.topics} topics: start the robots' nodes, or"
+                f"{self.bridge.shown}: no robot found among {self.topics} topics: start the robot nodes, or"
                 f" name their topics: fleet-tui config init --from-live {self.bridge.shown}"
             )
         try:
             return from_text(self.text)
         except ConfigError as problem:
-            edit = f"correct it in a file: fleet-tui config init --from-live {self.bridge.shown}"
+            edit = f"edit it in a file: fleet-tui config init --from-live {self.bridge.shown}"
             raise FleetError(f"{self.bridge.shown}: {problem.problems[0]}; {edit}") from None
 
     @property
@@ -71,8 +71,8 @@ class DiscoveredSite:
     @property
     def unclear(self) -> list[str]:
         """Robots that must not be commanded unseen: it would be in the words of another kind."""
-        how = f"fleet-tui {self.bridge.shown} lets you choose, and :save keeps it"
-        return [f"nothing was sent: {choice}: {how}" for choice in self.choices if choice.id[0] == "kind"]
+        how = f"fleet-tui {self.bridge.shown} to choose, then :save"
+        return [f"nothing sent: {choice}: {how}" for choice in self.choices if choice.id[0] == "kind"]
 
     @property
     def warnings(self) -> list[str]:
@@ -116,13 +116,13 @@ async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
         async for finding in Approach(DEFAULT_LINK, bridge, wire, "the address").walk():
             if finding.verdict is Verdict.FAIL:
                 raise LinkError(f"{bridge.shown}: {finding.measured}: {finding.remedy}")
-        watch(0, 0, "asking rosapi what is there")
+        watch(0, 0, "querying rosapi")
         rosapi = await look_around(wire)
         if rosapi.problem:
             raise FleetError(f"{bridge.shown}: {_without_rosapi(rosapi)}")
         listed, rosapi = await listed_by(wire, rosapi, until, watch)
         claims = claimed(listed)
-        watch(0, 0, "listening to poses")
+        watch(0, 0, "waiting for poses")
         frames = await hear_frames(wire, assigned(claims, {}), rosapi.topics, until)
     finally:
         wire.close()
@@ -131,4 +131,4 @@ async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
 
 def _without_rosapi(rosapi: RosapiFacts) -> str:
     remedy = f"{rosapi_remedy(rosapi)}; or edit an example (fleet-tui config init)"
-    return f"it is rosapi that tells what is there: {rosapi.problem}: {remedy}"
+    return f"discovery needs rosapi: {rosapi.problem}: {remedy}"

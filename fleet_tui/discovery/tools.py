@@ -22,8 +22,8 @@ def rosapi_remedy(rosapi: RosapiFacts) -> str:
     """Say how to have a rosapi that answers."""
     start = named(START_ROSAPI, rosapi.ros)
     if rosapi.is_absent:
-        renew = "if it runs, a restarted ROS master knows neither it nor the robots' nodes: restart them"
+        renew = "if it runs, the ROS master was restarted: restart rosapi and the robot nodes"
         return f"start rosapi beside rosbridge ({start})" + f"; {renew}" * (rosapi.ros != 2)
     if rosapi.is_silent:
-        return f"restart rosapi ({start}), not rosbridge: that answers, and carries commands"
-    return "those are rosapi's own words: see its log"
+        return f"restart rosapi ({start}), not rosbridge: that responds and carries commands"
+    return "error of rosapi: see its log"

@@ -26,7 +26,7 @@ from fleet_tui.transports.rosbridge.connection import Connection
 HEAVY_BYTES = 100_000
 QUEUE = 100  # lines of the log that the bridge keeps for us
 NAMED = re.compile(r'"topic":\s*"(?P<topic>[^"]+)"')
-FROZEN = "it takes connections and does not answer: restart it"
+FROZEN = "accepts connections but does not respond: restart it"
 
 
 @dataclass(slots=True)
@@ -152,7 +152,7 @@ class BridgeConnection:
         self.heard[topic].again = True
         self.connection.send(operations.subscribe(Subscription(topic, type_)))
 
-    def overhear(self, type_: str) -> None:
+    def subscribe_logs(self, type_: str) -> None:
         """Hear what the bridge says in its log of our subscriptions. Raises LinkError."""
         self.connection.send(operations.subscribe(Subscription(ROSOUT, type_, queue_length=QUEUE)))
 
@@ -226,4 +226,4 @@ class BridgeConnection:
             if topic.encode() in plain:
                 heard.count += 1
                 heard.faults += 1
-                heard.problem = f"a message of {size / 1e6:.1f} MB is over the limit: raise max_message_mb"
+                heard.problem = f"a message of {size / 1e6:.1f} MB exceeds the limit: raise max_message_mb"

@@ -31,10 +31,10 @@ def rosapi_finding(facts: BridgeFacts) -> Finding:
         measured = ", ".join(f"{count} {what}" for what, count in counts.items())
         return Finding(facts.name, "rosapi", Verdict.OK, measured, values=counts)
     remedy = rosapi_remedy(rosapi)
-    lost = f"{rosapi.problem}: names, types, publishers and services can't be looked up"
+    lost = f"{rosapi.problem}: names, types, publishers and services are unavailable"
     # Some sites run without it; one that is there and does not work is broken.
     verdict = Verdict.WARN if rosapi.is_absent else Verdict.FAIL
-    return Finding(facts.name, "rosapi", verdict, lost, f"{remedy}; topics are listened to without it")
+    return Finding(facts.name, "rosapi", verdict, lost, f"{remedy}; topics work without it")
 
 
 def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
@@ -60,13 +60,13 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
             facts.name,
             "nodes",
             Verdict.FAIL,
-            "the robots' nodes are not registered: restart them"
-            f" (topics of {listed(robots)} come, and none of their services exists)",
-            f"look for them with {named(LOOK_FOR_NODE, 2)}"
+            "robot nodes not registered: restart them"
+            f" (topics of {listed(robots)} arrive, but none of their services exist)",
+            f"check them with {named(LOOK_FOR_NODE, 2)}"
             if facts.rosapi.ros == 2
-            else "a node that ran before the ROS master was restarted is not known to the new one",
+            else "nodes started before a ROS master restart are unknown to the new master",
         ),
-        "the robots' nodes are not registered",
+        "robot nodes not registered",
         services=frozenset(services),
     )
 
@@ -106,12 +106,12 @@ def _silent_node(facts: BridgeFacts, node: str, topics: list[TopicFacts], robots
             robots[0] if len(robots) == 1 else facts.name,
             "node",
             Verdict.FAIL,
-            f"{node} is silent: nothing came in {waited:.1f} s on the {len(names)} topics that it publishes:"
+            f"{node} silent: no messages in {waited:.1f} s on the {len(names)} topics it publishes:"
             f" {listed(names)}",
-            f"does it run ({look})? Restart it",
+            f"check that it runs ({look}), or restart it",
             {"node": node, "topics": len(names)},
         ),
-        f"its node {node} is silent",
+        f"node {node} silent",
         frozenset(names),
         frozenset(service for service, owner in facts.rosapi.owners.items() if owner == node),
     )
@@ -130,21 +130,21 @@ def _unsourced(facts: BridgeFacts) -> Iterator[Cause]:
     names = frozenset(one.topic for one in silent)
     nodes = sorted({node for name in names for node in rosapi.publishers.get(name, ())})
     by = f", published by {listed(nodes)}" if nodes else ""
-    remedy = f"source the workspace that has {package} before starting rosbridge, and restart it so"
+    remedy = f"source the workspace with {package}, then restart rosbridge"
     if rosapi.problem and package != package.lower():
-        remedy += f"; or it is ROS 2, where the package is {package.lower()}: [profile.types]"
-    said = next((f"; rosbridge says: {one.complaint}" for one in silent if one.complaint), "")
+        remedy += f"; on ROS 2 the package is {package.lower()}: set [profile.types]"
+    said = next((f"; rosbridge: {one.complaint}" for one in silent if one.complaint), "")
     yield Cause(
         Finding(
             facts.name,
             "messages",
             Verdict.FAIL,
-            f"the bridge does not know {package}: nothing comes on {listed(sorted(names))}{by}; other topics"
-            f" of the same robots come{said}",
+            f"the bridge lacks {package}: no messages on {listed(sorted(names))}{by}; other topics"
+            f" of the same robots arrive{said}",
             remedy,
             {"package": package, "topics": len(names)},
         ),
-        f"the bridge does not know {package}",
+        f"the bridge lacks {package}",
         names,
     )
 

@@ -17,15 +17,13 @@ LONG_AGO = 1e8  # a robot that says 1973 or earlier counts from the start of a s
 def round_trip_finding(facts: BridgeFacts) -> Finding:
     """Return how long a call and its answer take."""
     if not facts.round_trips:
-        return Finding(facts.name, "round trip", Verdict.SKIPPED, "no call was answered")
+        return Finding(facts.name, "round trip", Verdict.SKIPPED, "no reply to any call")
     median = statistics.median(facts.round_trips)
     jitter = max(facts.round_trips) - min(facts.round_trips)
-    measured = (
-        f"{milliseconds(median)} and back, jitter {milliseconds(jitter)} ({len(facts.round_trips)} calls)"
-    )
+    measured = f"{milliseconds(median)}, jitter {milliseconds(jitter)} ({len(facts.round_trips)} calls)"
     values = {"median_s": round(median, 4), "jitter_s": round(jitter, 4), "calls": len(facts.round_trips)}
     if median > SLOW or jitter > UNEVEN:
-        remedy = "the network or the bridge is slow: cable instead of WLAN, fewer consoles, less maps"
+        remedy = "network or bridge slow: use a cable instead of WLAN, fewer consoles or fewer maps"
         return Finding(facts.name, "round trip", Verdict.WARN, measured, remedy, values)
     return Finding(facts.name, "round trip", Verdict.OK, measured, values=values)
 
@@ -47,21 +45,21 @@ def load_finding(facts: BridgeFacts) -> Finding:
     """Tell whether the bridge keeps up with all topics at once: else calls are slower, stamps older."""
     rate = sum(topic.rate or 0.0 for topic in facts.topics)
     if not rate:
-        return Finding(facts.name, "load", Verdict.SKIPPED, "no message to measure it by")
+        return Finding(facts.name, "load", Verdict.SKIPPED, "no messages to measure")
     late, calls = _lateness(facts)
-    lateness = f"poses {milliseconds(late)} late at the end, calls {milliseconds(calls)} meanwhile"
+    lateness = f"poses {milliseconds(late)} late at the end, calls {milliseconds(calls)} under load"
     measured = f"{rate:.0f} messages/s, {lateness}"
     values = {"messages_per_s": round(rate, 1), "late_s": round(late, 3), "call_s": round(calls, 4)}
     if not falls_behind(facts):
         if late < LATE and calls < SLOW:
             return Finding(facts.name, "load", Verdict.OK, measured, values=values)
-        own = f"{measured}; but this machine was {milliseconds(facts.behind)} behind itself"
+        own = f"{measured}; this machine itself lagged by {milliseconds(facts.behind)}"
         return Finding(facts.name, "load", Verdict.SKIPPED, own, values=values)
     carries = MOST_MESSAGES.get(facts.rosapi.ros)
-    remedy = "fewer topics, lower rates at the robots, or a second bridge ([links])"
+    remedy = "use fewer topics, lower rates at the robots or a second bridge ([links])"
     if carries:
-        remedy += f"; a bridge of ROS {facts.rosapi.ros} carries about {carries} messages/s"
-    return Finding(facts.name, "load", Verdict.WARN, f"it falls behind: {measured}", remedy, values)
+        remedy += f"; a ROS {facts.rosapi.ros} bridge carries about {carries} messages/s"
+    return Finding(facts.name, "load", Verdict.WARN, f"bridge overloaded: {measured}", remedy, values)
 
 
 def clock_findings(facts: BridgeFacts) -> Iterator[Finding]:
@@ -70,18 +68,18 @@ def clock_findings(facts: BridgeFacts) -> Iterator[Finding]:
         yield _clock(facts.name, facts.ahead, "rosapi's time")
     for topic in facts.topics:
         if topic.lag is not None:
-            yield _clock(topic.wanted.robot, -topic.lag, "the stamp of its poses")
+            yield _clock(topic.wanted.robot, -topic.lag, "its pose stamps")
 
 
 def _clock(subject: str, ahead: float, by: str) -> Finding:
     values = {"ahead_s": round(ahead, 3)}
     way = "ahead of" if ahead > 0 else "behind"
-    measured = f"{_span(abs(ahead))} {way} ours by {by}"
+    measured = f"{_span(abs(ahead))} {way} this machine by {by}"
     if abs(ahead) <= WRONG:
         return Finding(subject, "clock", Verdict.OK, measured, values=values)
-    remedy = "set it by NTP (chrony): ages here stay right, times in logs don't agree"
+    remedy = "synchronise it by NTP (chrony): ages stay correct, log times differ"
     if ahead < -LONG_AGO:
-        remedy = "it counts from the start of a simulation: is /use_sim_time left on?"
+        remedy = "simulation time: check /use_sim_time"
     return Finding(subject, "clock", Verdict.WARN, measured, remedy, values)
 
 

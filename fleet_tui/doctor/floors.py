@@ -62,8 +62,8 @@ def _map(floor: FloorEntry, loaded: FloorMapLoaded | None, grid: OccupancyGrid |
     if loaded is not None and loaded.problem:
         return Finding(floor.name, "map", Verdict.FAIL, loaded.problem, "correct floors.map of this floor")
     if grid is None:
-        nothing = "no map file in the config, and no live map came"
-        remedy = "give floors.map, or publish the map: until then vertices stand on empty ground"
+        nothing = "no map file configured and no live map received"
+        remedy = "set floors.map or publish the map: until then the floor is blank"
         return Finding(floor.name, "map", Verdict.WARN, nothing, remedy)
     source = floor.map if loaded else "the live map"
     return Finding(floor.name, "map", Verdict.OK, f"{source}: {_size(grid.frame)}")
@@ -92,8 +92,8 @@ def _sizes(floor: FloorEntry, by: str, map_: MapFrame, told: MapFrame, tied: boo
         floor.name,
         "map size",
         Verdict.FAIL,
-        f"the map is {_place(map_)}, map_metadata{by} says {_place(told)}",
-        "they are two different maps: take the picture the robots drive by, or restart their map server",
+        f"map {_place(map_)}, map_metadata{by} {_place(told)}",
+        "use the map the robots drive by, or restart their map server",
     )
 
 
@@ -106,17 +106,15 @@ def _vertices(
 ) -> Finding:
     count = f"{len(graph.vertices)} vertices{by}"
     if not graph.vertices:
-        return Finding(
-            floor.name, "vertices", Verdict.FAIL, f"the graph{by} has none", "load the graph again"
-        )
+        return Finding(floor.name, "vertices", Verdict.FAIL, f"none in the graph{by}", "reload the graph")
     if grid is None:
-        return Finding(floor.name, "vertices", Verdict.SKIPPED, f"{count}, and no map to look them up on")
+        return Finding(floor.name, "vertices", Verdict.SKIPPED, f"{count}, no map to check them against")
     found: dict[int, list[str]] = {FREE: [], OCCUPIED: [], UNKNOWN: [], OFF_MAP: []}
     for vertex in graph.vertices.values():
         type_ = f", type {vertex.type}," if vertex.type else ""
         place = f"{chart.name_of(vertex.id)}{type_} at ({vertex.x:.2f}, {vertex.y:.2f})"
         found[class_at(grid, vertex.x, vertex.y)].append(place)
-    remedy = 'do map and graph belong together? Is [profile] origin right ("ros" or "added")?'
+    remedy = 'check that map and graph match, and [profile] origin ("ros" or "added")'
     if found[OFF_MAP]:
         off = f"{len(found[OFF_MAP])} of {count} off the map: {listed(found[OFF_MAP])}"
         return Finding(floor.name, "vertices", Verdict.FAIL, off, remedy)
@@ -142,8 +140,8 @@ def place_finding(
     floor = next((floor for floor in config.floors if floor.frame == frame), None)
     if floor is None:
         near = nearest(frame, [one.frame for one in config.floors])
-        remedy = f'give the floor it is on frame_id = "{frame}"' + (f" ({near[0]} is near)" if near else "")
-        measured = f"its poses are in frame {pose.frame_id!r}, which is no floor's"
+        remedy = f'set frame_id = "{frame}" on its floor' + (f" (nearest: {near[0]})" if near else "")
+        measured = f"pose frame {pose.frame_id!r} matches no floor"
         return Finding(pose.robot, "place", Verdict.FAIL, measured, remedy)
     return _place_on(pose, grids, floors, floor.name)
 
@@ -151,21 +149,21 @@ def place_finding(
 def _place_on(
     pose: Placed, grids: Mapping[str, OccupancyGrid | None], floors: list[str], floor: str
 ) -> Finding:
-    at = f"({pose.pose.x:.2f}, {pose.pose.y:.2f}) on {floor or 'a floor that is not known'}"
+    at = f"({pose.pose.x:.2f}, {pose.pose.y:.2f}) on {floor or 'an unknown floor'}"
     if not floor:
-        remedy = 'give it its floor ([[robots]] floors = ["NAME"]), or [profile.topics] floor'
+        remedy = 'set [[robots]] floors = ["NAME"], or [profile.topics] floor'
         return Finding(pose.robot, "place", Verdict.WARN, at, remedy)
     if floor not in floors:
-        remedy = f"add {floor} to its floors in the config"
-        return Finding(pose.robot, "place", Verdict.WARN, f"{at}, which is not among its floors", remedy)
+        remedy = f"add {floor} to its floors in the configuration"
+        return Finding(pose.robot, "place", Verdict.WARN, f"{at}, not one of its floors", remedy)
     grid = grids.get(floor)
     if grid is None:
-        return Finding(pose.robot, "place", Verdict.SKIPPED, f"{at}, and no map to look it up on")
+        return Finding(pose.robot, "place", Verdict.SKIPPED, f"{at}, no map to check it against")
     ground = class_at(grid, pose.pose.x, pose.pose.y)
     if ground == OFF_MAP:
-        remedy = "does the map belong to this floor? Is the robot localised?"
+        remedy = "check the floor's map and the robot's localisation"
         return Finding(pose.robot, "place", Verdict.FAIL, f"{at} is off the map", remedy)
     if ground == OCCUPIED:
-        remedy = "is the robot localised? Is the map still true?"
+        remedy = "check the robot's localisation, and whether the map is current"
         return Finding(pose.robot, "place", Verdict.WARN, f"{at} is in a wall", remedy)
     return Finding(pose.robot, "place", Verdict.OK, f"{at}, {'free' if ground == FREE else 'unknown'} ground")

@@ -86,7 +86,7 @@ async def _ask_robots(
         try:
             return await wire.call(query.service, query.args, min(ANSWER_WITHIN, until - time.monotonic()))
         except LinkError:
-            return f"no answer within {ANSWER_WITHIN:g} s"
+            return f"no reply within {ANSWER_WITHIN:g} s"
 
     robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
     queries = [

@@ -14,13 +14,13 @@ def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing
     """Tell whether there is a file with the graph where robots need one, and all of it could be read."""
     if file is None:
         absent = (
-            f"none, and {needing} of its robots publish{'es' * (needing == 1)} no graph: no place has a name"
+            f"none, and {needing} of its robots publish{'es' * (needing == 1)} no graph: places have no names"
         )
-        remedy = "give floors.graph of this floor: a route graph of Nav2 (GeoJSON)"
+        remedy = "set floors.graph of this floor to a Nav2 route graph (GeoJSON)"
         return Finding(floor.name, "graph file", Verdict.WARN, absent, remedy)
     if file.graph is not None and not needing:
-        unused = f"{floor.graph} is unused: every robot of the floor publishes its graph"
-        return Finding(floor.name, "graph file", Verdict.WARN, unused, "take floors.graph away")
+        unused = f"{floor.graph} unused: all robots of the floor publish a graph"
+        return Finding(floor.name, "graph file", Verdict.WARN, unused, "remove floors.graph")
     if file.graph is None:
         remedy = "correct floors.graph of this floor"
         return Finding(floor.name, "graph file", Verdict.FAIL, file.problem, remedy)
@@ -33,18 +33,18 @@ def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing
 def connection_finding(
     floor: FloorEntry, by: str, chart: FloorSurvey, graph: RouteGraph, has_others: bool
 ) -> Finding:
-    """Tell whether every vertex can be reached from every other."""
+    """Tell whether all vertices reachable from every other."""
     lost = _cut_off(graph, has_others)
     count = f"{len(graph.edges)} edges{by}"
     if not lost:
-        return Finding(floor.name, "graph", Verdict.OK, f"{count}, every vertex can be reached")
+        return Finding(floor.name, "graph", Verdict.OK, f"{count}, all vertices reachable")
     names = listed([chart.name_of(vertex) for vertex in sorted(lost, key=natural)])
     return Finding(
         floor.name,
         "graph",
         Verdict.FAIL,
-        f"{count}: {len(lost)} of {len(graph.vertices)} vertices can't be reached: {names}",
-        "an edge is missing in the graph: orders to or from there will stand still",
+        f"{count}: {len(lost)} of {len(graph.vertices)} vertices unreachable: {names}",
+        "add the missing edges: orders to or from there will stall",
     )
 
 
@@ -85,13 +85,19 @@ def label_finding(floor: FloorEntry, by: str, labels: Mapping[str, str], graph: 
     """Tell whether each label names a vertex, and one only."""
     lost = [f"{label} ({vertex})" for vertex, label in labels.items() if vertex not in graph.vertices]
     if lost:
-        measured = f"{len(lost)} of {len(labels)} labels{by} name a vertex that is not there: {listed(lost)}"
-        remedy = "do labels and graph belong together? Is the label's field for the id right?"
+        measured = f"{len(lost)} of {len(labels)} labels{by} name a missing vertex: {listed(lost)}"
+        remedy = "check that labels and graph match, and the label's id field"
         return Finding(floor.name, "labels", Verdict.FAIL, measured, remedy)
     twice = sorted({label for label in labels.values() if list(labels.values()).count(label) > 1})
     if twice:
-        remedy = "orders by label take the first one: give each its own"
-        return Finding(floor.name, "labels", Verdict.WARN, f"given twice{by}: {listed(twice)}", remedy)
+        remedy = "make labels unique: orders by label use the first match"
+        return Finding(floor.name, "labels", Verdict.WARN, f"duplicate{by}: {listed(twice)}", remedy)
     if not labels:
-        return Finding(floor.name, "labels", Verdict.WARN, f"none{by}", "orders can be given by id only")
-    return Finding(floor.name, "labels", Verdict.OK, f"{len(labels)} labels{by}, each names a vertex")
+        return Finding(
+            floor.name,
+            "labels",
+            Verdict.WARN,
+            f"none{by}",
+            "publish labels: without them orders need vertex ids",
+        )
+    return Finding(floor.name, "labels", Verdict.OK, f"{len(labels)} labels{by}, all valid")

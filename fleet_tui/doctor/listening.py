@@ -92,7 +92,7 @@ async def _hear(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, unti
         return
     with suppress(LinkError):
         if ROSOUT in rosapi.topics:
-            wire.overhear(rosapi.topics[ROSOUT])
+            wire.subscribe_logs(rosapi.topics[ROSOUT])
         await _subscribe(wire, topics, rosapi.ros != 1, until)
         ours = min(until, time.monotonic() + AT_MOST)
         again = asyncio.ensure_future(_ask_again(wire, topics, rosapi, ours))

@@ -36,9 +36,9 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
         return meant
     floor = _floor_in(bridge.adapters[wanted.robot].names, facts, near[0])
     if floor:
-        return f"{meant} Then the floor's name is {floor}, not {wanted.floor}"
+        return f"{meant} Rename floor {wanted.floor} to {floor}"
     template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
-    return f'{meant} Then [{bridge.table(wanted.robot)}.topics] {wanted.key} = "{template}"'
+    return f'{meant} Set [{bridge.table(wanted.robot)}.topics] {wanted.key} = "{template}"'
 
 
 def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:
@@ -56,7 +56,7 @@ def near_service(table: str, robot: str, key: str, service: str, free: Collectio
     if not near:
         return ""
     template = near[0].replace(f"/{robot}/", "/{robot}/")
-    return f'did you mean {near[0]}? Then [{table}.services] {key} = "{template}"'
+    return f'did you mean {near[0]}? Set [{table}.services] {key} = "{template}"'
 
 
 def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:
@@ -80,9 +80,7 @@ def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:
     ]
     if not written:
         return None
-    measured = (
-        f"those of {listed([*topics, *services])} are spelled as in ROS 2: found only while rosapi answers"
-    )
+    measured = f"those of {listed([*topics, *services])} use ROS 2 spelling: found only while rosapi responds"
     return Finding(facts.name, "types", Verdict.WARN, measured, "; ".join(written))
 
 

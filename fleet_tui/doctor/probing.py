@@ -45,12 +45,12 @@ def _judged(subject: str, check: str, diagnosis: Diagnosis, **values: object) ->
 def _action(robot: str, probe: ActionProbe, facts: BridgeFacts) -> Finding:
     rosapi, values = facts.rosapi, {"action": probe.action}
     if rosapi.problem or not rosapi.actions:
-        unknown = "without a list of action servers only a goal would show it"
+        unknown = "unknown without a list of action servers"
         return Finding(robot, probe.check, Verdict.SKIPPED, unknown, values=values)
     if probe.action in rosapi.actions:
-        return Finding(robot, probe.check, Verdict.OK, f"{probe.action} is there", values=values)
+        return Finding(robot, probe.check, Verdict.OK, f"{probe.action} available", values=values)
     near = nearest(probe.action, rosapi.actions, 1)
-    remedy = f"did you mean {near[0]}? Else {probe.remedy}" if near else probe.remedy
+    remedy = f"did you mean {near[0]}? Otherwise {probe.remedy}" if near else probe.remedy
     return Finding(robot, probe.check, Verdict.FAIL, f"no action server {probe.action}", remedy, values)
 
 
@@ -59,15 +59,15 @@ def _query(robot: str, probe: QueryProbe, facts: BridgeFacts) -> Finding:
     if probe.service in facts.answers:
         return _judged(robot, probe.check, probe.judge(facts.answers[probe.service]), **values)
     if rosapi.problem:
-        return Finding(robot, probe.check, Verdict.SKIPPED, "without rosapi it is not asked", values=values)
+        return Finding(robot, probe.check, Verdict.SKIPPED, "not checked without rosapi", values=values)
     if probe.service not in rosapi.services:
         absent = f"{probe.service} is not on the bridge"
         return Finding(robot, probe.check, Verdict.WARN, absent, probe.remedy, values)
     there = rosapi.services[probe.service]
     if there is None or same_type(there, probe.type):
-        late = "no time was left to ask for it"
-        return Finding(robot, probe.check, Verdict.SKIPPED, late, "a longer --timeout", values, True)
-    other = f"{probe.service} has type {there or 'none that is told'}, not {probe.type}: it is not called"
+        late = "not checked: out of time"
+        return Finding(robot, probe.check, Verdict.SKIPPED, late, "use a longer --timeout", values, True)
+    other = f"{probe.service} has type {there or 'unknown'}, not {probe.type}: not called"
     return Finding(robot, probe.check, Verdict.WARN, other, probe.remedy, values)
 
 

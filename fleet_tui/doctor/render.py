@@ -36,7 +36,7 @@ def summary(findings: Sequence[Finding], width: int = 0) -> str:
     text = ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict])
     first = next((finding for finding in findings if finding.is_failure), None)
     if first is not None:
-        text = f"{text}. Begin with {first.subject} {first.check}: {first.measured}"
+        text = f"{text}. Start with {first.subject} {first.check}: {first.measured}"
     text = sanitize(text + _left_out(findings))
     return "\n".join(textwrap.wrap(text, width, break_on_hyphens=False)) if width else text
 
@@ -46,9 +46,7 @@ def _left_out(findings: Sequence[Finding]) -> str:
     if not left:
         return ""
     whose = listed(dict.fromkeys(left))
-    return (
-        f". Not looked at, the time was over: {len(left)} checks of {whose}: a longer --timeout, or --robot"
-    )
+    return f". Out of time, not run: {len(left)} checks of {whose}: use a longer --timeout or --robot"
 
 
 def as_values(findings: Sequence[Finding], wall: float, code: int) -> dict[str, Any]:

@@ -57,9 +57,7 @@ async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFa
                 is_up = is_up and finding.verdict is Verdict.OK
         return await gather(config, name, wire, until) if is_up else None
     except TimeoutError:
-        take(
-            Finding(name, "time", Verdict.FAIL, "the time was over before it answered", "a longer --timeout")
-        )
+        take(Finding(name, "time", Verdict.FAIL, "out of time before it responded", "use a longer --timeout"))
         return None
     finally:
         wire.close()
@@ -69,7 +67,7 @@ def only(config: Config, robot: str) -> Config:
     """The same with one robot and its floors. Raises ConfigError for a name that no robot has."""
     known = {entry.name: entry for entry in config.robots}
     if robot not in known:
-        raise ConfigError([f"--robot {robot}: no such robot{did_you_mean(robot, known)}"])
+        raise ConfigError([f"--robot {robot}: unknown robot{did_you_mean(robot, known)}"])
     floors = [floor for floor in config.floors if floor.name in config.floors_of(known[robot])]
     return structs.replace(config, robots=[known[robot]], floors=floors)
 
@@ -80,8 +78,8 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
     yield rosapi_finding(facts)
     yield load_finding(facts)
     if facts.lost:
-        remedy = "see the log of rosbridge: the rest was measured on what came before"
-        yield Finding(facts.name, "link", Verdict.FAIL, f"it broke while measuring: {facts.lost}", remedy)
+        remedy = "see the rosbridge log; the results below use earlier messages"
+        yield Finding(facts.name, "link", Verdict.FAIL, f"lost while measuring: {facts.lost}", remedy)
     yield from bridge_probes(facts)
     spelling = spelling_finding(config, facts)
     if spelling is not None:

@@ -12,7 +12,7 @@ from fleet_tui.doctor.names import near_service
 def service_findings(robot: str, facts: BridgeFacts, causes: Sequence[Cause]) -> Iterator[Finding]:
     """One finding for each service, one for all where they can't be looked up."""
     if facts.rosapi.problem:
-        yield Finding(robot, "services", Verdict.SKIPPED, "without rosapi only a command would show them")
+        yield Finding(robot, "services", Verdict.SKIPPED, "unknown without rosapi")
     elif not facts.knows(robot):
         yield Finding(robot, "services", Verdict.SKIPPED, "not on this bridge: see above")
     else:
@@ -38,17 +38,17 @@ def _service(robot: str, key: str, service: str, expected: str, facts: BridgeFac
 
     if service not in rosapi.services:
         free = rosapi.services.keys() - {name for _, name, _ in adapter.services(robot)}
-        start = f"start the node that offers it, or correct [{table}.services] {key}"
+        start = f"start the node that provides it, or correct [{table}.services] {key}"
         remedy = near_service(table, robot, key, service, free) or start
         return finding(Verdict.FAIL, f"{service} is not on the bridge", remedy)
     if there is None:
-        return finding(Verdict.SKIPPED, "no time was left to ask for its type", "a longer --timeout", True)
+        return finding(Verdict.SKIPPED, "type not checked: out of time", "use a longer --timeout", True)
     by = f", by {node}" if node else ""
     if there and not same_type(there, expected):
         return finding(
             Verdict.FAIL,
             f"{service}{by} has type {there}, not {expected}",
-            f'if its fields are the same: [{table}.service_types] {key} = "{there}"; else correct'
+            f'if the fields match, set [{table}.service_types] {key} = "{there}"; else correct'
             f" [{table}.services] {key}",
         )
-    return finding(Verdict.OK, f"{service}, {there or 'its type was not told'}{by}")
+    return finding(Verdict.OK, f"{service}, {there or 'type unknown'}{by}")

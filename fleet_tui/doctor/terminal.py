@@ -41,8 +41,8 @@ def size_finding(columns: int, rows: int) -> Finding:
             TERMINAL,
             "size",
             Verdict.WARN,
-            f"{measured}: a plain list only",
-            "make it 80 x 24 or more",
+            f"{measured}: plain list only",
+            "enlarge it to 80 x 24 or more",
             values,
         )
     small = "" if columns >= 120 else ": side by side from 120 columns on"
@@ -56,7 +56,7 @@ def colour_finding(environment: Mapping[str, str]) -> Finding:
     if environment.get("NO_COLOR"):
         return Finding(TERMINAL, "colours", Verdict.OK, "none: NO_COLOR is set", values=values)
     if not term or term in ("dumb", "unknown", "vt100", "vt102", "vt220"):
-        remedy = "set TERM to what it is, for example xterm-256color"
+        remedy = "set TERM to the terminal's type, e.g. xterm-256color"
         return Finding(
             TERMINAL, "colours", Verdict.WARN, f"none: TERM is {term or 'not set'}", remedy, values
         )
@@ -84,7 +84,7 @@ def measured_findings(keys: int, screen: int) -> Iterator[Finding]:
     finally:
         termios.tcsetattr(keys, termios.TCSADRAIN, before)
     if found is None:
-        silent = f"it does not say where its cursor is within {PATIENCE:g} s"
+        silent = f"no cursor position report within {PATIENCE:g} s"
         yield Finding(TERMINAL, "glyphs", Verdict.SKIPPED, silent)
         yield Finding(TERMINAL, "speed", Verdict.SKIPPED, silent)
         return
@@ -118,9 +118,9 @@ def glyph_finding(cells: int) -> Finding:
     """Tell whether braille takes the cells it should."""
     values = {"cells": cells, "of": len(BRAILLE)}
     if cells == len(BRAILLE):
-        return Finding(TERMINAL, "glyphs", Verdict.OK, "braille takes one cell each", values=values)
-    remedy = "set a UTF-8 locale here and there, or start with --drawing ascii"
-    wide = f"{len(BRAILLE)} braille characters take {cells} cells"
+        return Finding(TERMINAL, "glyphs", Verdict.OK, "braille characters are one cell wide", values=values)
+    remedy = "set a UTF-8 locale on both ends, or start with --drawing ascii"
+    wide = f"{len(BRAILLE)} braille characters are {cells} cells wide"
     return Finding(TERMINAL, "glyphs", Verdict.WARN, wide, remedy, values)
 
 
@@ -128,10 +128,10 @@ def speed_finding(rate: float, answer: float, inside: str = "") -> Finding:
     """Return how fast what is written is taken, bytes per second, and how long a key's echo would take.
     `inside` a multiplexer it is that which is measured, not what is behind it."""
     values = {"bytes_per_s": round(rate), "answer_s": round(answer, 4)}
-    by = f" (that is {inside}, not what shows it)" if inside else ""
-    measured = f"{rate / 1000:,.0f} kB/s, answers in {answer * 1000:.1f} ms{by}"
+    by = f" (measured to {inside}, not to the display)" if inside else ""
+    measured = f"{rate / 1000:,.0f} kB/s, response {answer * 1000:.1f} ms{by}"
     if rate < SLOW:
-        remedy = 'in the config: [ui] ticks_per_second = 2, drawing = "ascii"'
+        remedy = 'set [ui] ticks_per_second = 2, drawing = "ascii"'
         return Finding(TERMINAL, "speed", Verdict.WARN, measured, remedy, values)
     return Finding(TERMINAL, "speed", Verdict.OK, measured, values=values)
 

@@ -12,7 +12,7 @@ from fleet_tui.doctor.clocks import falls_behind
 from fleet_tui.doctor.names import near_topic, robots_on
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
-UNSEEN = "without rosapi its existence is not known"
+UNSEEN = "existence unknown without rosapi"
 
 
 def robot_findings(
@@ -40,14 +40,14 @@ def _robot(
     if not facts.knows(robot.name):
         known = {other.name for other in config.robots}
         others = nearest(robot.name, robots_on(facts.adapters[robot.name].names, facts.rosapi) - known)
-        remedy = f"did you mean {listed(others)}? Correct its name" if others else "correct its name"
+        remedy = f"did you mean {listed(others)}? Correct the name" if others else "correct the name"
         place, table = f"robots[{config.robots.index(robot)}].name", facts.table(robot.name)
         return Finding(
             robot.name,
             "robot",
             Verdict.FAIL,
-            f"not on this bridge: none of its {len(topics)} topics is there",
-            f"{remedy} in {place} ([{table}.topics] if all are named otherwise), or switch it on",
+            f"not on this bridge: none of its {len(topics)} topics found",
+            f"{remedy} in {place} ([{table}.topics] if all names differ), or switch it on",
         )
     # What is latched tells of the past.
     live = [one for one in topics if not one.wanted.floor and not one.wanted.latched]
@@ -58,7 +58,7 @@ def _robot(
         return Finding(robot.name, "robot", Verdict.SKIPPED, f"{explained[0].short}: see above")
     if not heard and any(one.is_silent for one in asked):
         return _silent(robot, asked, facts)
-    measured = f"heard on {len(heard)} of {len(live)} live topics"
+    measured = f"messages on {len(heard)} of {len(live)} live topics"
     return Finding(robot.name, "robot", Verdict.OK if heard else Verdict.SKIPPED, measured)
 
 
@@ -71,9 +71,9 @@ def _silent(robot: RobotEntry, asked: list[TopicFacts], facts: BridgeFacts) -> F
         robot.name,
         "robot",
         Verdict.FAIL,
-        f"silent: nothing came on {listed([one.topic for one in asked])} in {waited:.1f} s{by}",
-        f"is it switched on and in the network? Do its nodes run ({look})?"
-        + f" ({UNSEEN}: is its name right?)" * bool(facts.rosapi.problem),
+        f"silent: no messages on {listed([one.topic for one in asked])} in {waited:.1f} s{by}",
+        f"check power, network and its nodes ({look})"
+        + f" ({UNSEEN}: check its name)" * bool(facts.rosapi.problem),
         {"nodes": nodes},
     )
 
@@ -98,7 +98,7 @@ def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     if there and not same_type(there, expected):
         return _wrong_type(config, facts, there, bridge)
     if facts.wanted.large and not facts.subscribed:
-        return _finding(facts, Verdict.OK, f"{expected}, one is enough: not listened to", type=there)
+        return _finding(facts, Verdict.OK, f"{expected}, not subscribed: one source is enough", type=there)
     if bridge.lost and not facts.count:
         return _finding(facts, Verdict.SKIPPED, f"the link was lost: {bridge.lost}")
     return _what_came(config, facts, bridge)
@@ -110,19 +110,17 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     floor = next((floor for floor in config.floors if floor.name == wanted.floor), None)
     measured = f"{facts.topic} is not on the bridge"
     if facts.topic in bridge.rosapi.topics:
-        measured = f"nobody publishes {facts.topic}, it is only listened to"
+        measured = f"{facts.topic} has subscribers but no publisher"
     if key == "map" and floor is not None and floor.map:
-        return _finding(facts, Verdict.OK, f"{measured}, nor needed: {floor.name} has a map file")
+        return _finding(facts, Verdict.OK, f"{measured}, not needed: {floor.name} has a map file")
     if key == "map":
-        remedy = (
-            remedy or f"publish it, or give floors.map of {wanted.floor}: without either the ground is empty"
-        )
+        remedy = remedy or f"publish it, or set floors.map of {wanted.floor}: until then the floor is blank"
         return _finding(facts, Verdict.WARN, measured, remedy)
     if key == "map_metadata" and (floor is None or not floor.map or floor.map.endswith((".yaml", ".yml"))):
         return _finding(facts, Verdict.WARN, measured, remedy)
     table = bridge.adapters[wanted.robot].names.table
     if wanted.silent:
-        none = f'start the node that publishes it, or [{table}.topics] {key} = "" where there is none'
+        none = f'start the node that publishes it, or set [{table}.topics] {key} = "" if not used'
         return _finding(facts, Verdict.WARN, measured, remedy or none)
     start = f"start the node that publishes it, or correct [{table}.topics] {key}"
     return _finding(facts, Verdict.FAIL, measured, remedy or start)
@@ -132,11 +130,11 @@ def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFac
     key, expected = facts.wanted.key, facts.wanted.type
     other = near_topic(config, facts, bridge)
     table = bridge.table(facts.wanted.robot)
-    same = f'if its fields are the same: [{table}.types] {key} = "{there}"'
+    same = f'if the fields match, set [{table}.types] {key} = "{there}"'
     return _finding(
         facts,
         Verdict.FAIL,
-        f"{facts.topic} has type {there}, not {expected}: it is not subscribed",
+        f"{facts.topic} has type {there}, not {expected}: not subscribed",
         f"{same}; else {other}" if other else f"{same}; else correct [{table}.topics] {key}",
         type=there,
         expected_type=expected,
@@ -165,12 +163,12 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
         verdict, measured, remedy = _nothing_came(facts, rosapi)
     if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
         table = bridge.table(facts.wanted.robot)
-        remedy += f" ({UNSEEN}: are [{table}.topics] {facts.wanted.key} and its type right?)"
+        remedy += f" ({UNSEEN}: check [{table}.topics] {facts.wanted.key} and its type)"
     if verdict is Verdict.OK:
         measured = f"{measured}, {facts.wanted.type}"
     by = f", by {listed(nodes)}" if nodes and verdict is not Verdict.SKIPPED else ""
     if verdict is Verdict.OK and nodes and len(nodes) > 1:
-        verdict, remedy = Verdict.WARN, f"{len(nodes)} nodes speak for one robot: stop all but one"
+        verdict, remedy = Verdict.WARN, f"stop all but one of the {len(nodes)} publishing nodes"
     return _finding(facts, verdict, f"{measured}{by}", remedy, **values)
 
 
@@ -180,15 +178,15 @@ def _asked_again(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, 
         binary = "never as cbor, " if facts.wanted.large else ""
         return (
             Verdict.WARN,
-            f"comes {binary}only in pieces of JSON ({facts.fragmented / 1e6:.1f} MB): it is larger than the"
+            f"received {binary}only as JSON fragments ({facts.fragmented / 1e6:.1f} MB): larger than the"
             " bridge's max_message_size",
             "start rosbridge with a larger max_message_size (10 MB in its launch file, 1 MB with ros2 run)",
         )
     asked = "cbor, or quality of service" if facts.wanted.large else "quality of service"
     return (
         Verdict.WARN,
-        f"came only when it was asked for without {asked}: its publisher is volatile",
-        f"who subscribes late must get it at once: publish it {named(LATCHED, rosapi.ros)}",
+        f"received only without {asked}: its publisher is volatile",
+        f"publish it {named(LATCHED, rosapi.ros)}, for late subscribers",
     )
 
 
@@ -196,52 +194,56 @@ def _nothing_came(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str,
     key = facts.wanted.key
     had_time = facts.waited >= LONG_ENOUGH and not facts.complaint
     if had_time and rosapi.lists_action_of(facts.topic):
-        return Verdict.OK, "its action server is there; nothing comes before the first goal", ""
+        return Verdict.OK, "action server available; no messages before the first goal", ""
     if had_time and is_hidden(facts.topic):
-        return Verdict.SKIPPED, "an action's: it is in no list, and nothing comes before the first goal", ""
+        return Verdict.SKIPPED, "action topic: not listed, no messages before the first goal", ""
     if had_time and facts.wanted.silent:
-        return Verdict.OK, f"nothing came in {facts.waited:.1f} s: it comes only when it changes", ""
+        return Verdict.OK, f"no messages in {facts.waited:.1f} s: sent only on change", ""
     if not facts.is_silent:
-        return Verdict.SKIPPED, "no time was left to listen to it", "a longer --timeout"
+        return Verdict.SKIPPED, "not checked: out of time", "use a longer --timeout"
     nodes = rosapi.publishers.get(facts.topic)
-    nothing = f"nothing came on {facts.topic} in {facts.waited:.1f} s"
+    nothing = f"no messages on {facts.topic} in {facts.waited:.1f} s"
     if facts.complaint:
-        nothing += f", rosbridge says: {facts.complaint}"
+        nothing += f", rosbridge: {facts.complaint}"
     if not facts.wanted.latched:
         look = named(LOOK_FOR_NODE, rosapi.ros, nodes[0] if nodes else "")
-        return Verdict.FAIL, nothing, f"does the node that publishes it run ({look})?"
+        return Verdict.FAIL, nothing, f"check that its publisher runs ({look})"
     if facts.held_by and nodes:
         return (
             Verdict.FAIL,
-            f"{nothing}: another client of the bridge took it before its publisher was found, and so nobody"
-            " gets the last value; that is no fault of its publisher",
-            "restart rosbridge, or let all its clients go for a second",
+            f"{nothing}: another client subscribed before the publisher was found, so no client"
+            " gets the last value; the publisher is fine",
+            "restart rosbridge, or disconnect all its clients for a second",
         )
     optional = key in ("map", "map_metadata") and nodes is None
-    late = f"who subscribes late must get it: publish it {named(LATCHED, rosapi.ros)}"
+    late = f"publish it {named(LATCHED, rosapi.ros)}, for late subscribers"
     return (Verdict.WARN if optional else Verdict.FAIL), nothing, late
 
 
 def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Verdict, str, str]:
-    fields = f"correct [{bridge.table(facts.wanted.robot)}.fields], or the node that publishes it"
+    fields = f"correct [{bridge.table(facts.wanted.robot)}.fields] or the publishing node"
     if facts.event is None and facts.faults:
-        return Verdict.FAIL, f"{facts.topic} can't be read: {facts.problem}", fields
+        return Verdict.FAIL, f"{facts.topic} unreadable: {facts.problem}", fields
     if facts.faults:
-        return Verdict.FAIL, f"{facts.faults} parts can't be read: {facts.problem}", fields
+        return Verdict.FAIL, f"{facts.faults} parts unreadable: {facts.problem}", fields
     if facts.wanted.latched:
-        return Verdict.OK, f"came {facts.first_after or 0.0:.2f} s after a late subscribe", ""
+        return Verdict.OK, f"received {facts.first_after or 0.0:.2f} s after a late subscription", ""
     age = f"last {facts.age or 0.0:.1f} s ago"
     measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
     if facts.wanted.fast and (facts.rate or 0.0) < SLOWEST_POSES:
         if falls_behind(bridge):
-            return Verdict.SKIPPED, f"{measured}: the bridge falls behind, see its load above", ""
-        slow = f"{measured}: poses should come with about 10 Hz"
-        return Verdict.WARN, slow, "is the network or the robot's computer overloaded?"
+            return Verdict.SKIPPED, f"{measured}: bridge overloaded, see its load above", ""
+        slow = f"{measured}: poses should arrive at about 10 Hz"
+        return Verdict.WARN, slow, "check the load of the network and the robot's computer"
     adapter, usual = bridge.adapters[facts.wanted.robot], config.alarms.offline_after
     silence = adapter.kind.silence_of(facts.wanted.key, usual)
     if facts.rate is not None and 1 / facts.rate > silence:
         if silence == usual:
-            return Verdict.WARN, f"{measured}: rarer than offline_after", "raise alarms.offline_after"
+            return Verdict.WARN, f"{measured}: slower than offline_after", "raise alarms.offline_after"
         table = f"{adapter.names.table}.silence"
-        return Verdict.WARN, f"{measured}: it is old after {silence:g} s", f"raise {table}.{facts.wanted.key}"
+        return (
+            Verdict.WARN,
+            f"{measured}: counts as old after {silence:g} s",
+            f"raise {table}.{facts.wanted.key}",
+        )
     return Verdict.OK, measured, ""

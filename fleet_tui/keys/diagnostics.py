@@ -18,14 +18,14 @@ class DiagnosticsPage(Struct, frozen=True):
 
 
 PAGES = {
-    "Link": DiagnosticsPage("is it there, round trip, rates, reconnects, drops", "topics"),
+    "Link": DiagnosticsPage("state, round trip, rates, reconnects, drops", "topics"),
     "Topics": DiagnosticsPage(
-        "rate, age, errors of each; Enter shows its last message", "its message", ("filter", "copy")
+        "rate, age and errors; Enter shows the last message", "message", ("filter", "copy")
     ),
     "Raw": DiagnosticsPage("the last message of a topic", keys=("freeze", "bad", "copy")),
-    "Log": DiagnosticsPage("what the robots log (/rosout)", keys=("filter", "level", "freeze", "copy")),
-    "Health": DiagnosticsPage("what they report of themselves (/diagnostics)", "values", ("filter", "copy")),
-    "Console": DiagnosticsPage("what its pictures cost, and its own log", keys=("filter", "copy")),
+    "Log": DiagnosticsPage("robot log (/rosout)", keys=("filter", "level", "freeze", "copy")),
+    "Health": DiagnosticsPage("robot diagnostics (/diagnostics)", "values", ("filter", "copy")),
+    "Console": DiagnosticsPage("rendering cost and log of this console", keys=("filter", "copy")),
 }
 """The pages of the diagnostics screen, by their names."""
 
@@ -54,7 +54,7 @@ DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
         "filter",
         ("/",),
         lambda do: do.filter(),
-        "Filter the rows by text; Enter or Esc leaves it",
+        "Filter the rows by text; Enter or Esc leaves the field",
         pane=Pane.DIAGNOSTICS,
         eager="opens",
     ),
@@ -62,29 +62,29 @@ DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
         "freeze",
         ("space", "f"),
         lambda do: do.freeze(),
-        "Freeze the message or the robots' log, or go on",
+        "Freeze or resume the message or the robot log",
         pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "copy",
         ("y",),
         lambda do: do.copy(),
-        "Copy the message, or the row, to the clipboard (OSC 52)",
+        "Copy the message or the row to the clipboard (OSC 52)",
         pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "level",
         ("v",),
         lambda do: do.next_level(),
-        "Robots' log: all levels, or only the worse ones",
+        "Change the lowest level shown in the robot log",
         pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "bad",
         ("b",),
         lambda do: do.show_bad(),
-        "Raw: the last message, or the last bad one",
+        "Toggle the raw message: last or last bad",
         pane=Pane.DIAGNOSTICS,
     ),
-    Key("leave", ("escape", "q"), lambda do: do.leave(), "One level back", pane=Pane.DIAGNOSTICS),
+    Key("leave", ("escape", "q"), lambda do: do.leave(), "Go back one level", pane=Pane.DIAGNOSTICS),
 )

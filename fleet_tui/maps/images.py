@@ -86,7 +86,7 @@ class _WithoutAliases(yaml.SafeLoader):
     def compose_node(self, parent: Any, index: Any) -> Any:
         """Compose anything else."""
         if self.check_event(yaml.AliasEvent):
-            raise yaml.YAMLError("aliases are not read")
+            raise yaml.YAMLError("aliases not supported")
         return super().compose_node(parent, index)
 
 
@@ -104,9 +104,9 @@ def _table(path: Path) -> dict[str, Any]:
         yaml.YAMLError,
         RecursionError,
     ) as problem:
-        raise MapError(f"can't be read: {' '.join(str(problem).split())}") from None
+        raise MapError(f"unreadable: {' '.join(str(problem).split())}") from None
     if not isinstance(table, dict) or not isinstance(table.get("image"), str):
-        raise MapError("is no map_server file: it names no image")
+        raise MapError("not a map_server file: no image")
     return table
 
 
@@ -114,7 +114,7 @@ def _reading(table: dict[str, Any]) -> OccupancyThresholds:
     usual = OccupancyThresholds()
     mode, negate = str(table.get("mode", usual.mode)).lower(), table.get("negate", 0)
     if mode not in MODES:
-        raise MapError(f"mode {mode[:20]!r} is none of {', '.join(MODES)}")
+        raise MapError(f"mode {mode[:20]!r} is not one of {', '.join(MODES)}")
     if not isinstance(negate, int):
         raise MapError("negate must be 0 or 1")
     occupied = _number(table, "occupied_thresh", usual.occupied_above)
@@ -129,16 +129,16 @@ def _classes(path: Path, reading: OccupancyThresholds) -> Classes:
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             with open_file(path) as file, Image.open(file, formats=FORMATS) as image:
                 if image.width * image.height > MAX_PIXELS:
-                    raise MapError(f"{image.width} x {image.height} px is over {MAX_PIXELS:,} px")
+                    raise MapError(f"{image.width} x {image.height} px exceeds {MAX_PIXELS:,} px")
                 return _classified(image, reading)
     except FileNotFoundError:
         raise MapError(f"no image {path.name}") from None
     except UnidentifiedImageError:
-        raise MapError(f"{path.name} is no image that is known here: {', '.join(FORMATS)}") from None
+        raise MapError(f"{path.name} is not a supported image: {', '.join(FORMATS)}") from None
     except Image.DecompressionBombError:
-        raise MapError(f"{path.name} is over {MAX_PIXELS:,} px") from None
+        raise MapError(f"{path.name} exceeds {MAX_PIXELS:,} px") from None
     except (OSError, ValueError, SyntaxError, MemoryError) as problem:
-        raise MapError(f"{path.name} can't be read: {problem}") from None
+        raise MapError(f"{path.name} unreadable: {problem}") from None
 
 
 def _classified(image: Image.Image, reading: OccupancyThresholds) -> Classes:

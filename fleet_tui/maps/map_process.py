@@ -41,7 +41,7 @@ def decode_apart(profile: Profile, feed: Feed, payload: bytes) -> GridReceived:
     except (OSError, subprocess.TimeoutExpired) as problem:
         raise WireError(f"map of {len(payload):,} bytes: {problem}") from None
     if done.returncode != 0:
-        raise WireError(done.stdout.decode(errors="replace") or "the decoding process ended early")
+        raise WireError(done.stdout.decode(errors="replace") or "decoding process ended early")
     # From our own child, and nobody else writes to that pipe.
     grid = pickle.loads(done.stdout)
     assert isinstance(grid, GridReceived)

@@ -76,14 +76,14 @@ def _read(floor: str, path: Path) -> FloorGraphLoaded:
     vertices, labels = _vertices((one for one in features if one.geometry.type == "Point"), faults)
     if not vertices:
         reason = f": {faults[0]}" if faults else ""
-        raise GraphError(f"has no vertex{reason}: each is a feature with an id and a Point")
+        raise GraphError(f"has no vertices{reason}: expected features with an id and a Point")
     graph = _graph(vertices, (one for one in features if one.geometry.type in LINES), faults)
     problem = f"graph {path.name}: {_summary(faults)}" if faults else ""
     return FloorGraphLoaded(floor, graph, labels, problem)
 
 
 def _summary(faults: list[str]) -> str:
-    more = f", and {len(faults) - 1} more faults" if len(faults) > 1 else ""
+    more = f", {len(faults) - 1} more faults" if len(faults) > 1 else ""
     return f"{truncate(faults[0])}{more}"
 
 
@@ -94,21 +94,21 @@ def _features(path: Path) -> list[msgspec.Raw]:
     except FileNotFoundError:
         raise GraphError("no such file") from None
     except (OSError, ValueError) as problem:
-        raise GraphError(f"can't be read: {problem}") from None
+        raise GraphError(f"unreadable: {problem}") from None
     try:
         found = msgspec.json.decode(text, type=_Collection)
     except msgspec.ValidationError:
         found = _Collection()
     except (msgspec.DecodeError, ValueError) as problem:
-        raise GraphError(f"is not JSON: {_in_line(str(problem), text)}; {_FORMATS}") from None
+        raise GraphError(f"not JSON: {_in_line(str(problem), text)}; {_FORMATS}") from None
     except RecursionError:
-        raise GraphError("is nested too deep") from None
+        raise GraphError("nested too deep") from None
     if found.type != "FeatureCollection" or found.features is None:
-        raise GraphError(f"is no FeatureCollection of GeoJSON; {_FORMATS}")
+        raise GraphError(f"not a GeoJSON FeatureCollection; {_FORMATS}")
     return found.features
 
 
-_FORMATS = "only route graphs of Nav2 (GeoJSON) can be read for now"
+_FORMATS = "only Nav2 route graphs (GeoJSON) are supported"
 
 
 def _in_line(problem: str, text: str) -> str:
@@ -145,7 +145,7 @@ def _vertices(points: Iterable[_Feature], faults: list[str]) -> tuple[dict[str, 
             faults.append(f"vertex {id_}: {problem}: left out")
             continue
         if id_ in vertices:
-            faults.append(f"vertex {id_} is there twice: the later one counts")
+            faults.append(f"vertex {id_} duplicated: the last one is used")
             labels.pop(id_, None)
         type_ = _text(metadata.class_)
         vertices[id_] = Vertex(id_, x, y, ROLES.get(type_, Role.PLAIN), type_)
@@ -161,7 +161,7 @@ def _place(coordinates: msgspec.Raw) -> tuple[float, float]:
     except (msgspec.MsgspecError, ValueError) as problem:
         raise WireError(f"coordinates must be [x, y]: {problem}") from None
     if not is_place(x, y):
-        raise WireError(f"no floor reaches to ({x:g}, {y:g}) m")
+        raise WireError(f"({x:g}, {y:g}) m is out of range")
     return x, y
 
 
@@ -188,7 +188,7 @@ def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: li
             faults.append(f"edge {id_} names unknown vertex {unknown[0]}: left out")
         else:
             if way in ways:
-                faults.append(f"two edges lead from {way[0]} to {way[1]}: the later one counts")
+                faults.append(f"duplicate edge from {way[0]} to {way[1]}: the last one is used")
             ways[way] = Edge(id_, *way)
     if any((end, start) not in ways for start, end in ways):
         return RouteGraph(vertices, tuple(ways.values()), directed=True)

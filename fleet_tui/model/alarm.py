@@ -144,7 +144,7 @@ def _off_the_shelf(alarm: Alarm) -> Alarm:
     return _stepped(alarm, AlarmStep.UNSHELVE if alarm.holds else AlarmStep.RETURN)
 
 
-def ripen(
+def advance(
     alarms: Sequence[Alarm],
     conditions: Iterable[Condition],
     at: float,

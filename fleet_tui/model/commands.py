@@ -74,7 +74,7 @@ class Stage(Enum):
     NOT_SENT = "not sent"
     CONFIRMED = "confirmed"
     NOT_CONFIRMED = "not confirmed"
-    TAKEN = "accepted, but no topic shows it"
+    UNVERIFIABLE = "accepted, but no topic shows it"
     LATE = "carried out late"
     DONE = "done"
     CANCELLED = "cancelled"
@@ -84,7 +84,7 @@ class Stage(Enum):
     REPLACED = "replaced"
 
 
-_SEEN = frozenset({Stage.CONFIRMED, Stage.NOT_CONFIRMED, Stage.TAKEN})
+_SEEN = frozenset({Stage.CONFIRMED, Stage.NOT_CONFIRMED, Stage.UNVERIFIABLE})
 ORDER_ENDS = frozenset(
     {
         Stage.DONE,
@@ -113,7 +113,7 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     # A robot that was frozen obeys when it wakes.
     Stage.NOT_CONFIRMED: frozenset({Stage.LATE}),
     Stage.LATE: ORDER_ENDS | {Stage.WAITING},
-    Stage.TAKEN: frozenset({Stage.LOST}),
+    Stage.UNVERIFIABLE: frozenset({Stage.LOST}),
     Stage.DONE: frozenset(),
     Stage.CANCELLED: frozenset(),
     Stage.CANCELLED_ELSEWHERE: frozenset(),
@@ -141,7 +141,7 @@ FAILURES = frozenset(
 """The stages that need a person."""
 
 
-UNANSWERED = "nothing answers to it"
+UNANSWERED = "no reply expected"
 """Words of a command that was published: only telemetry can tell what became of it."""
 
 

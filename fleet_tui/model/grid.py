@@ -30,8 +30,8 @@ class OccupancyGrid:
 def check_frame(frame: MapFrame) -> None:
     """Raise MapError for a size or resolution that no map can have."""
     if not frame.resolution > 0.0:
-        raise MapError(f"map resolution is {frame.resolution} m/px: it must be above 0")
+        raise MapError(f"map resolution {frame.resolution} m/px: must be above 0")
     if frame.width < 1 or frame.height < 1:
-        raise MapError(f"map size is {frame.width} x {frame.height} px: both must be 1 or more")
+        raise MapError(f"map size {frame.width} x {frame.height} px: both must be at least 1")
     if frame.width * frame.height > MAX_PIXELS:
-        raise MapError(f"map of {frame.width} x {frame.height} px is over {MAX_PIXELS:,} px")
+        raise MapError(f"map of {frame.width} x {frame.height} px exceeds {MAX_PIXELS:,} px")

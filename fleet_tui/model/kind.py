@@ -42,7 +42,7 @@ class Kind(Struct, frozen=True):
     def lack(self, asked: str) -> str:
         """Say that it can't be asked for something that it does not accept."""
         if asked in self.unset:
-            return f"{self.unset[asked]} is empty: this site has no {_NOUNS.get(asked, asked)}"
+            return f"{self.unset[asked]} is empty: no {_NOUNS.get(asked, asked)}"
         noun = _NOUNS.get(asked, asked)
         if asked in _NOUNS and not self.can(ORDER):
             noun = "orders"

@@ -58,7 +58,7 @@ class LinkState(Struct, frozen=True):
         """Return what to do about messages that the bridge lacks, empty where it has all."""
         if not self.unsourced:
             return ""
-        return f"rosbridge lacks the messages of {self.unsourced}: source their workspace, then restart it"
+        return f"rosbridge lacks package {self.unsourced}: source its workspace and restart rosbridge"
 
     @property
     def is_starting(self) -> bool:

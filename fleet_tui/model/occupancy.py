@@ -52,7 +52,7 @@ def grid_from_ros(frame: MapFrame, data: bytes) -> OccupancyGrid:
     check_frame(frame)
     if len(data) != frame.width * frame.height:
         raise MapError(
-            f"map says {frame.width} x {frame.height} px but brings {len(data):,} cells"
+            f"map of {frame.width} x {frame.height} px has {len(data):,} cells"
             f" instead of {frame.width * frame.height:,}"
         )
     cells = np.frombuffer(data, dtype=np.uint8).reshape(frame.height, frame.width)

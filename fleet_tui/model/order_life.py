@@ -23,7 +23,7 @@ it was there for something else: many orders begin where they end, and fetch fro
 BLIND_AFTER = 5.0
 """Seconds without a queue after which an order may have been driven unseen."""
 
-NOT_LISTED = "its robot no longer lists it, and did not tell how it ended: it may have been driven"
+NOT_LISTED = "no longer listed, end not reported: may have been completed"
 STARTED_OVER = "the robot's order ids started over"
 
 Away = Callable[[Order], tuple[float, float] | None]
@@ -134,21 +134,21 @@ def _end_of(
 
 def _unlisted_end(trace: OrderTrace, heard: float | None, at: float, away: Away) -> tuple[Stage, str]:
     if trace.was_driven(heard):
-        return Stage.DONE, "driven to its end"
+        return Stage.DONE, "driven to the end"
     if heard is not None and at - heard > BLIND_AFTER:
-        blind = f"it left the queue while none came for {at - heard:.0f} s"
-        return Stage.LOST, f"{blind}: it may have been driven"
+        blind = f"left the queue while no queue was received for {at - heard:.0f} s"
+        return Stage.LOST, f"{blind}: may have been completed"
     if not trace.begun:
-        return Stage.LOST, "it left the queue before it was begun"
+        return Stage.LOST, "left the queue before it started"
     seen = away(trace.order)
     if seen is None:
-        return Stage.DONE, "left the queue after it was begun"
+        return Stage.DONE, "left the queue after it started"
     metres, seen_at = seen
     if at - seen_at > BLIND_AFTER:
-        blind = f"it left the queue while no pose came for {at - seen_at:.0f} s"
-        return Stage.LOST, f"{blind}: it may have been driven"
+        blind = f"left the queue while no pose was received for {at - seen_at:.0f} s"
+        return Stage.LOST, f"{blind}: may have been completed"
     where = "on another floor" if metres == math.inf else f"{metres:.0f} m from its end"
-    return Stage.LOST, f"it left the queue with the robot {where}"
+    return Stage.LOST, f"left the queue with the robot {where}"
 
 
 _ENDS = {
@@ -164,7 +164,7 @@ _ENDS = {
 def listed_end(order: Order, at: float) -> GoneOrder:
     """The end of an order that the robot lists as over."""
     assert order.state is not None
-    return GoneOrder(order, at, _ENDS[order.state], order.said or "as the robot reports")
+    return GoneOrder(order, at, _ENDS[order.state], order.said or "as reported by the robot")
 
 
 def latest(gone: Iterable[GoneOrder], order_id: str, since: float) -> GoneOrder | None:

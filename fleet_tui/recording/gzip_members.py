@@ -21,13 +21,13 @@ def open_plain(path: Path) -> BinaryIO:
     try:
         fd = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
     except FileNotFoundError:
-        made = "recordings are made with `fleet-tui record FILE`"
+        made = "record one with `fleet-tui record FILE`"
         raise RecordingError(f"{path}: no such file: {made}") from None
     except (OSError, ValueError) as problem:
-        raise RecordingError(f"{path}: can't be read: {getattr(problem, 'strerror', problem)}") from None
+        raise RecordingError(f"{path}: unreadable: {getattr(problem, 'strerror', problem)}") from None
     if not stat.S_ISREG(os.fstat(fd).st_mode):
         os.close(fd)
-        raise RecordingError(f"{path}: is no file")
+        raise RecordingError(f"{path}: not a file")
     return os.fdopen(fd, "rb")
 
 
@@ -55,9 +55,9 @@ class Lines:
                 pieces.append(rest)
                 length += len(rest)
                 if length > LONGEST_LINE:
-                    raise RecordingError(f"a line is longer than {LONGEST_LINE:,} bytes: it is no recording")
+                    raise RecordingError(f"line longer than {LONGEST_LINE:,} bytes: not a recording")
         if pieces and not self.note:
-            self.note = "its last record is not whole"
+            self.note = "last record incomplete"
 
     def _chunks(self) -> Iterator[tuple[int, bytes]]:
         offset = self.file.tell()
@@ -76,8 +76,8 @@ class Lines:
                     offset = self.file.tell() - len(packed)
                     unpack, started = zlib.decompressobj(wbits=31), False
             if started:
-                self.note = "it ends in the middle: it was cut off, or is still being written"
+                self.note = "incomplete: truncated or still being written"
         except zlib.error:
-            self.note = f"it is damaged: what follows byte {offset:,} is left out where it can't be read"
+            self.note = f"damaged: unreadable data after byte {offset:,} left out"
         except OSError as problem:
-            raise RecordingError(f"can't be read: {problem.strerror}") from None
+            raise RecordingError(f"unreadable: {problem.strerror}") from None

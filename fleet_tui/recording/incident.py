@@ -46,7 +46,7 @@ README = """\
 An incident of a robot fleet, packed by fleet-tui {version} on {host} at {time}.
 
 {contents}
-Everything is text, or text in gzip. No secret is in it; names of hosts, robots and operators are.
+All files are text or gzipped text. They contain no secrets, but names of hosts, robots and operators.
 """
 
 
@@ -68,7 +68,7 @@ class Incident:
 
     def add_recording(self, name: str, files: list[Path]) -> None:
         """Add a recording made of these files, the oldest first: together they are one, too."""
-        about = f"the last minutes that a console saw: fleet-tui replay {name}"
+        about = f"last minutes of a console: fleet-tui replay {name}"
         if files:
             # Of the last one only what it is now: it goes on, and is whole at this moment alone.
             size = 0
@@ -78,9 +78,7 @@ class Incident:
                 about += f" (up to {time.strftime('%F %T', time.localtime(last.st_mtime))})"
             self._recordings[name] = files, size
         else:
-            about = (
-                "missing: the last minutes (no console keeps any; fleet-tui record FILE records from now on)"
-            )
+            about = "missing: last minutes (no console keeps them; start one with fleet-tui record FILE)"
         self._about.append((name, about))
 
     def _contents(self) -> str:
@@ -125,20 +123,18 @@ def pack(config: Config, folder: Path, shot: str, recent: list[Path], is_over: C
     Raises OSError."""
     incident = Incident()
     incident.add_recording(RECORDING, recent)
-    incident.add("screen.svg", "what the console showed", shot.encode)
-    incident.add("doctor.txt", "what the doctor found", lambda: examined(config, DOCTOR, is_over))
+    incident.add("screen.svg", "screenshot of the console", shot.encode)
+    incident.add("doctor.txt", "doctor report", lambda: examined(config, DOCTOR, is_over))
     collect(incident, config, folder, time.time() - SPAN)
     return incident.write(folder / FOLDER)
 
 
 def collect(incident: Incident, config: Config, folder: Path, since: float) -> None:
     """Everything a state folder has from Unix time `since` on, and what the program runs on."""
-    incident.add("config.toml", "what is in effect", lambda: as_toml(without_secrets(config)).encode())
-    incident.add("versions.txt", "of the program and what it uses", lambda: versions().encode())
-    incident.add("fleet-tui.log", "the end of the log", lambda: _end_of(folder / "fleet-tui.log"))
-    incident.add(
-        FILE_NAME, "commands and alarms, the oldest first", lambda: _audit(folder / FILE_NAME, since)
-    )
+    incident.add("config.toml", "effective settings", lambda: as_toml(without_secrets(config)).encode())
+    incident.add("versions.txt", "versions of the program and its dependencies", lambda: versions().encode())
+    incident.add("fleet-tui.log", "end of the log", lambda: _end_of(folder / "fleet-tui.log"))
+    incident.add(FILE_NAME, "commands and alarms, oldest first", lambda: _audit(folder / FILE_NAME, since))
 
 
 def versions() -> str:
@@ -190,4 +186,4 @@ def examined(config: Config, within: float, is_over: Callable[[], bool]) -> byte
                 except subprocess.TimeoutExpired:
                     continue
             child.kill()
-    raise OSError("the doctor did not end")
+    raise OSError("doctor did not finish")

@@ -38,7 +38,7 @@ def _stamp(line: bytes) -> _Stamp:
     try:
         return _STAMPS.decode(line)
     except (msgspec.MsgspecError, ValueError, RecursionError):
-        raise RecordingError("a line is no record") from None
+        raise RecordingError("line is not a record") from None
 
 
 def open_recording(path: Path, progress: Callable[[float], None] = lambda _share: None) -> Recording:
@@ -53,7 +53,7 @@ def open_recording(path: Path, progress: Callable[[float], None] = lambda _share
             progress(min(1.0, (done + read) / total))
         done += size
     if not recording.keyframes:
-        raise RecordingError(f"{path}: nothing in it can be played: {recording.note or 'it has just begun'}")
+        raise RecordingError(f"{path}: nothing to play: {recording.note or 'just started'}")
     return recording
 
 
@@ -84,18 +84,18 @@ def _header(path: Path) -> tuple[RecordingHeader, int]:
             _, line = next(iter(lines), (0, b""))
             stamp = _stamp(line) if line else None
             if stamp is None or stamp.kind != "header":
-                why = lines.note or "it does not begin as one"
-                raise RecordingError(f"is no recording of fleet-tui: {why}")
+                why = lines.note or "wrong header"
+                raise RecordingError(f"is not a fleet-tui recording: {why}")
             if stamp.version > VERSION:
                 raise RecordingError(
                     f"was written by a newer fleet-tui (format {stamp.version}, this one reads {VERSION}):"
-                    " update it"
+                    " update fleet-tui"
                 )
             header = decode(line, stamp.version)
             assert isinstance(header, RecordingHeader)
             problems = checked(header.config)
             if problems:
-                raise RecordingError(f"holds a configuration that is none: {problems[0]}")
+                raise RecordingError(f"contains an invalid configuration: {problems[0]}")
         except RecordingError as problem:
             raise RecordingError(f"{path}: {problem}") from None
         return header, max(1, os.fstat(file.fileno()).st_size)
@@ -112,7 +112,7 @@ def _look_through(recording: Recording, part: Path) -> Iterator[int]:
                 recording.notes.append(f"{part.name}: {lines.note}")
     except RecordingError as problem:
         words = str(problem).removeprefix(f"{part}: ")
-        recording.notes.append(f"{part.name}: {words}: what follows in it is left out")
+        recording.notes.append(f"{part.name}: {words}: the rest is left out")
 
 
 def _take_lines(recording: Recording, part: Path, lines: Lines) -> Iterator[int]:
@@ -167,7 +167,7 @@ def _reach(recording: Recording, line: bytes) -> Instant:
     stamp = _stamp(line)
     earliest = max(0.0, recording.end.at)
     if stamp.kind != "header" and not (earliest <= stamp.at < LONGEST_UP and 0.0 <= stamp.wall < LAST_SECOND):
-        raise RecordingError("a record has a time that can't be")
+        raise RecordingError("record with an impossible time")
     moment = Instant(stamp.at, stamp.wall)
     if stamp.kind != "header":
         recording.end = moment

@@ -36,7 +36,7 @@ class PartFiles:
         """Begin. `head` gives the first lines of a part that begins at a monotonic second. Raises
         RecordingError where `first`, or another part of it, is there already, and where it can't be made."""
         if any(parts_beside(first)):
-            raise RecordingError(f"{first}: is there already: give another name, or take it away first")
+            raise RecordingError(f"{first}: exists: choose another name, or remove it")
         self.problem = ""
         self.paths: list[Path] = []
         self._first, self._limits, self._head = first, limits, head
@@ -47,7 +47,7 @@ class PartFiles:
             self._open(time.monotonic())
         except (OSError, ValueError) as problem:
             words = getattr(problem, "strerror", "") or problem
-            raise RecordingError(f"{first}: can't be written: {words}") from None
+            raise RecordingError(f"{first}: not writable: {words}") from None
 
     @property
     def is_open(self) -> bool:
@@ -90,7 +90,7 @@ class PartFiles:
 
         def flush(file: PartFile) -> None:
             if not file.is_there():
-                raise OSError(None, "the file has been taken away")
+                raise OSError(None, "file removed")
             file.begin_member() if whole else file.flush()
 
         return self._do(flush)

@@ -143,7 +143,7 @@ class PartWriter:
 
     def _tell_lost(self, at: float) -> None:
         if self._lost and self.files.is_open:
-            LOG.warning("recording: %d records are missing: %s", self._lost, self._why)
+            LOG.warning("recording: %d records missing: %s", self._lost, self._why)
             self._add(Lost(*self._times(at), self._lost, self._why))
             self._lost = 0
 
@@ -168,8 +168,8 @@ class PartWriter:
         try:
             line = encode_all([record], self._packer)
         except ENCODING as problem:
-            LOG.warning("recording: a record can't be written: %s", problem)
-            self.lose(f"a record can't be written: {problem}")
+            LOG.warning("recording: record not written: %s", problem)
+            self.lose(f"record not written: {problem}")
             return b""
         if len(line) > LONGEST_LINE:
             self.lose(f"a record of {len(line):,} bytes is too long")

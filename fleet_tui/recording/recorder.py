@@ -58,7 +58,7 @@ class Recorder:
         """Return why nothing is written now, "" while all is well."""
         if self._writer.files.problem:
             return self._writer.files.problem
-        return "too much comes at once" if self._dropped else ""
+        return "data rate too high" if self._dropped else ""
 
     @property
     def size(self) -> int:
@@ -116,7 +116,7 @@ class Recorder:
         self._begun, self._writer.wants_keyframe = True, False
         self._next_keyframe, self._since = at + KEYFRAME_EVERY, 0
         if dropped:
-            self._take(0, self._writer.missed, at, dropped, "they came faster than they could be written")
+            self._take(0, self._writer.missed, at, dropped, "received faster than written")
         self._take(0, self._writer.keyframe, at, self._store.state)
 
     def flush(self, within: float = LAST_WORDS) -> bool:

@@ -126,7 +126,9 @@ class Recording:
             and all(robot.floor in {None, *state.floors} for robot in state.robots.values())
         )
         if not fits:
-            raise RecordingError(f"{self.path}: a keyframe does not fit its configuration: record again")
+            raise RecordingError(
+                f"{self.path}: a keyframe does not match its configuration: make a new recording"
+            )
         # Recordings of version 1 know no kinds.
         adapters = adapters_of(config)
         robots = {
@@ -161,7 +163,7 @@ class _Names(NamedTuple):
             case _:
                 known = True
         if not known:
-            raise RecordingError("a record is about what its configuration does not have")
+            raise RecordingError("record of something not in its configuration")
 
     def _has(self, event: events.Event) -> bool:
         """Tell whether all that an event must find is there. Reports of other robots are passed over."""

@@ -56,7 +56,7 @@ class Recordings:
             remove_stale(folder)
             self._recent = self._record(folder / f"{_of_this_process()}-{_now()}.jsonl.gz", limits)
         except (FleetError, OSError) as problem:
-            LOG.warning("the last minutes are not kept: %s", problem)
+            LOG.warning("last minutes not kept: %s", problem)
             self._problem = getattr(problem, "strerror", "") or str(problem)
 
     def start(self) -> Path:
@@ -70,10 +70,10 @@ class Recordings:
         """End it; what it was."""
         recorder, self._recorder = self._recorder, None
         if recorder is None:
-            return "nothing is recorded"
+            return "no recording running"
         lasted = age(time.monotonic() - recorder.began)
         self.taps.detach(recorder)
-        lost = f", not whole: {recorder.problem}" if recorder.problem else ""
+        lost = f", incomplete: {recorder.problem}" if recorder.problem else ""
         return f"recorded {lasted}, {recorder.size / 1e6:.1f} MB{lost}: {recorder.path}"
 
     def notes(self) -> list[str]:

@@ -215,21 +215,21 @@ def _upgraded(line: bytes) -> bytes:
     try:
         return msgspec.json.encode(upgrade_record(msgspec.json.decode(line)))
     except _BROKEN as problem:
-        raise RecordingError(f"a record can't be read: {problem!r}") from None
+        raise RecordingError(f"unreadable record: {problem!r}") from None
 
 
 def _upgraded_state(state: bytes) -> bytes:
     try:
         return msgspec.msgpack.encode(upgrade_state(msgspec.msgpack.decode(state)))
     except _BROKEN as problem:
-        raise RecordingError(f"a record can't be read: {problem!r}") from None
+        raise RecordingError(f"unreadable record: {problem!r}") from None
 
 
 def _decoded(decoder: "msgspec.json.Decoder[T] | msgspec.msgpack.Decoder[T]", content: bytes) -> T:
     try:
         return decoder.decode(content)
     except (msgspec.MsgspecError, ValueError, RecursionError, MapError, zlib.error, MemoryError) as problem:
-        raise RecordingError(f"a record can't be read: {problem}") from None
+        raise RecordingError(f"unreadable record: {problem}") from None
 
 
 def public(config: Config) -> Config:

@@ -14,7 +14,7 @@ from fleet_tui.screens.before import RowsScreen
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrival import Line, Rows, arrival_rows
 
-KEYS = (("enter", "open"), ("up/down", "line"), ("left/right", "choose"), ("q", "leave"))
+KEYS = (("enter", "open"), ("up/down", "line"), ("left/right", "choose"), ("q", "quit"))
 NONE = {"floor": "any floor", "frame": "no floor"}
 """What an option that is empty means."""
 
@@ -24,11 +24,11 @@ class Arrival(RowsScreen):
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("enter", "open", "Open the console"),
-        ("up,k", "move(-1)", "Line up"),
-        ("down,j", "move(1)", "Line down"),
-        ("left,h", "choose(-1)", "Previous option"),
-        ("right,l,space", "choose(1)", "Next option"),
-        ("q,escape", "leave", "Leave"),
+        ("up,k", "move(-1)", "Move up one line"),
+        ("down,j", "move(1)", "Move down one line"),
+        ("left,h", "choose(-1)", "Choose the previous option"),
+        ("right,l,space", "choose(1)", "Choose the next option"),
+        ("q,escape", "leave", "Quit"),
     ]
 
     def __init__(

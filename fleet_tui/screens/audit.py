@@ -25,7 +25,7 @@ from fleet_tui.widgets.rows_pane import RowsPane
 
 SHOWN = 1000
 """Records that are listed; a narrower search reaches the older ones."""
-HOW = "type to filter, robot: by: outcome: since:2h  Enter its steps  Ctrl-S CSV"
+HOW = "type to filter, robot: by: outcome: since:2h  Enter steps  Ctrl-S CSV"
 
 
 class AuditLog(Overlay):
@@ -76,7 +76,7 @@ class AuditLog(Overlay):
         """The log and what is searched in it, unless what was typed is no search."""
         audit = self._audit()
         if audit is None:
-            self._list([], empty="this console keeps no audit log")
+            self._list([], empty="no audit log on this console")
             return None
         try:
             typed = self.query_one(Field).value
@@ -95,7 +95,7 @@ class AuditLog(Overlay):
         """In a thread: the newest that match."""
         worker = get_current_worker()
         found: list[AuditRecord] = []
-        problem = "no such record"
+        problem = "no matching record"
         try:
             for record in reading.newest_first():
                 if worker.is_cancelled:
@@ -105,8 +105,8 @@ class AuditLog(Overlay):
                     if len(found) > SHOWN:
                         break
         except OSError as failed:
-            problem = f"the log can't be read: {failed.strerror}"
-        note = f"the newest {SHOWN}" if len(found) > SHOWN else str(len(found))
+            problem = f"log not readable: {failed.strerror}"
+        note = f"newest {SHOWN}" if len(found) > SHOWN else str(len(found))
         if reading.note:
             note += f", {reading.note}"
         if not worker.is_cancelled:

@@ -18,16 +18,16 @@ class Confirm(Overlay, can_focus=True):
     """A question with what will be lost; the default is No. What it says stays true while it waits."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        ("y", "confirm", "Do it"),
-        ("n,escape,enter", "close", "Don't"),
+        ("y", "confirm", "Confirm"),
+        ("n,escape,enter", "close", "Cancel"),
     ]
 
     def compose(self) -> ComposeResult:
         """The question above its two answers."""
         yield Static(id="question", markup=False)
         with Horizontal():
-            yield MouseButton("y  yes", id="yes", compact=True)
-            yield MouseButton("n  no", id="no", compact=True)
+            yield MouseButton("y  Confirm", id="yes", compact=True)
+            yield MouseButton("n  Cancel", id="no", compact=True)
 
     def on_mount(self) -> None:
         """The question is put anew while it waits."""

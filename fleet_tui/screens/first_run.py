@@ -18,7 +18,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrival import Asked, Rows, first_run_rows
 from fleet_tui.widgets.field import Field
 
-KEYS = (("enter", "open"), ("a", "another address"), ("r", "ask again"), ("q", "leave"))
+KEYS = (("enter", "open"), ("a", "other address"), ("r", "retry"), ("q", "quit"))
 BEGUN = "ws://"
 LOCAL = "ws://127.0.0.1:9090"
 EVERY = 0.1
@@ -31,9 +31,9 @@ class FirstRun(RowsScreen):
     BINDINGS: ClassVar[list[BindingType]] = [
         ("enter", "open", "Open the console"),
         # Before all else: the next key, which may already be on its way, belongs into the field.
-        Binding("a", "address", "Another address", priority=True),
-        ("r", "ask", "Ask again"),
-        ("q,escape", "leave", "Leave"),
+        Binding("a", "address", "Enter another address", priority=True),
+        ("r", "ask", "Retry"),
+        ("q,escape", "leave", "Quit"),
     ]
 
     def __init__(
@@ -45,7 +45,7 @@ class FirstRun(RowsScreen):
     ) -> None:
         super().__init__(inks, KEYS)
         self._places, self._done = places, done
-        self._address, self._asked = address, Asked(address, "asking what is there")
+        self._address, self._asked = address, Asked(address, "discovering the fleet")
         self._site: DiscoveredSite | None = None
         self._asking: Worker[None] | None = None
         self._field = Field({"enter": self._typed, "escape": self._close}, id="address")
@@ -75,7 +75,7 @@ class FirstRun(RowsScreen):
 
     async def _ask(self) -> None:
         address = self._address
-        self._asked = Asked(address, "asking what is there")
+        self._asked = Asked(address, "discovering the fleet")
         try:
             asking = start_discovery(bridge_at(address), WITHIN, self._watch)
             site = await asyncio.wrap_future(asking)
@@ -89,7 +89,7 @@ class FirstRun(RowsScreen):
     def _watch(self, done: int, total: int, doing: str) -> None:
         """Take note of progress, on the network's thread."""
         count = f", {done} of {total}" if total else ""
-        self._asked = self._asked._replace(words=f"asking what is there: {doing}{count}")
+        self._asked = self._asked._replace(words=f"discovering the fleet: {doing}{count}")
 
     def action_open(self) -> None:
         """Open the console on what was found."""
@@ -127,7 +127,7 @@ class FirstRun(RowsScreen):
 def _found(site: DiscoveredSite) -> Asked:
     """Say what was found. Raises FleetError where no robot was."""
     names, floors = [robot.name for robot in site.config.robots], [floor.name for floor in site.config.floors]
-    more = [_listed(names), _listed(floors), "Enter opens the console. Nothing is sent before."]
+    more = [_listed(names), _listed(floors), "Enter opens the console. No commands sent before."]
     return Asked(site.bridge.shown, site.summary, tuple(more), is_found=True, is_over=True)
 
 

@@ -17,8 +17,8 @@ from fleet_tui.widgets.field import Field, Keys
 SECTIONS = (Pane.RECORDING, Pane.MAP, Pane.TABLE, Pane.DIAGNOSTICS, Pane.CONSOLE, Pane.ANYWHERE)
 
 ORDER_FORM = """\
-Order form: typing filters the labels, Enter takes the marked one and goes on; Enter in To sends; > after \
-a label adds a leg (A > B > C). Where the robot was sent last comes first in To.
+Order form: type to filter the labels, Enter selects the marked one; Enter in To sends; > after \
+a label adds a leg (A > B > C). To lists the robot's last destinations first.
 """
 TYPED = {
     "order": "robot_0 Base > Store, robot_0 A > B > C, robot_0 > B ({alone} to B), order robot_0 Base Store",
@@ -28,18 +28,18 @@ TYPED = {
     "resume": "resume robot_0, resume all",
 }
 NOTES = """\
-A robot is its name or number, a place its label or id; id=7 is always the id.
-Enter on an order: again, return trip, who gave it. The same order again within 1 s is not sent.
-Questions: y confirms; n, Esc or Enter declines.
-Mouse: wheel zooms at the pointer, drag pans, click picks; buttons click. To select text with the \
+Robots go by name or number, places by label or id; id=7 is always the id.
+Enter on an order: repeat, return trip, origin. The same order within 1 s is not sent twice.
+Confirmations: y confirms; n, Esc or Enter cancels.
+Mouse: wheel zooms at the pointer, drag pans, click selects. To select text with the \
 terminal, hold Shift.
-Pausing from here is not a safety device: use the robot's own stop where people are near."""
+Pause is not a safety device: near people, use the robot's own stop."""
 
 
 def notes(kind: Kind) -> str:
     """Return what else there is to know for robots of a kind."""
     typed = ", ".join(text for verb, text in TYPED.items() if kind.can(verb))
-    typed = typed.format(alone="cargo on board" if "cargo" in kind.reports else "it alone")
+    typed = typed.format(alone="cargo on board" if "cargo" in kind.reports else "directly")
     form = ORDER_FORM if kind.can(ORDER) else ""
     return f"{form}Typed commands (: then Tab completes, Enter sends): {typed or 'none'}. {NOTES}"
 
@@ -91,7 +91,7 @@ class Help(Overlay):
                 lines += [section.value, *found, ""]
         if not wanted:
             lines += [notes(self._kind), "", self._detail]
-        self.query_one("#keys", Static).update("\n".join(lines) or f"no key for {wanted!r}")
+        self.query_one("#keys", Static).update("\n".join(lines) or f"no key matches {wanted!r}")
         self.query_one(VerticalScroll).scroll_home(animate=False)
 
     def _line(self, key: Key[Any]) -> str:

@@ -37,7 +37,7 @@ class Palette(Overlay):
             "down": partial(self._matches.step, 1),
             "ctrl+p": self.action_close,
         }
-        yield Field(keys, id="wish", placeholder="what to do, where to go, or: robot_0 Base > Store")
+        yield Field(keys, id="wish", placeholder="action, robot, place or order: robot_0 Base > Store")
         yield self._matches
 
     def show(self, line: str = "") -> None:
@@ -77,7 +77,7 @@ class Palette(Overlay):
             lines = [one for one in command.completed if one.strip() != typed]
             found += [(sanitize(one), partial(self._go_on, one)) for one in lines[:SHOWN]]
         if not found and typed:
-            said = command.problem or f"nothing is called {sanitize(typed)}: ? lists what there is"
+            said = command.problem or f"no match for {sanitize(typed)}: press ? for all keys"
             found = [(said, partial(self._go_on, line))]
         self._found = found
         self._matches.show(text for text, _ in found)

@@ -86,8 +86,8 @@ class Simple(Vertical):
             self._chosen.clear()
             self._leave()
         only_to = destination_only(robot)
-        to = "Come here with the cargo: " if only_to and robot.has_cargo else "To: "
-        start = "from where it is" if may_skip_start(robot) else "choose ..."
+        to = "To, for the cargo on board: " if only_to and robot.has_cargo else "To: "
+        start = "current position" if may_skip_start(robot) else "choose ..."
         shown = (robot.name, only_to, self._choosing, *self._chosen.items())
         if shown == self._shown:
             return
@@ -150,7 +150,7 @@ class Simple(Vertical):
         self._choices = [] if field == "robot" else places(robot)
         names = [f"{sanitize(place.name)}  ({place.floor})" for place in self._choices]
         if field != "robot" and not names:
-            self._say(f"{robot.name} has not told its places yet")
+            self._say(f"no places of {robot.name} received yet")
             return
         self._choosing = field
         options = self.query_one(OptionList)

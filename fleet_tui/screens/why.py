@@ -65,7 +65,7 @@ class Why(Overlay, can_focus=True):
     def look(self) -> None:
         """Show what holds now."""
         state, name = self._looked_at()
-        self.border_title = Content(f"Why does {sanitize(name)} stand still?")
+        self.border_title = Content(f"Stop reasons: {sanitize(name)}")
         lines = why_lines(state, state.robots[name], self._keys)
         if lines != self._shown:
             self._shown = lines

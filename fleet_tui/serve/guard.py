@@ -61,9 +61,9 @@ def guard(host: str) -> Middleware:
     @web.middleware
     async def check(request: web.Request, handler: Handler) -> web.StreamResponse:
         if not is_ours(request.host, names):
-            raise web.HTTPForbidden(text="fleet-tui serve: not by this name; open it by its address.\n")
+            raise web.HTTPForbidden(text="fleet-tui serve: unknown host name; open it by its address.\n")
         if request.path == "/ws" and not is_same_origin(request.headers.get("Origin", ""), request.host):
-            raise web.HTTPForbidden(text="fleet-tui serve: another page may not open a console.\n")
+            raise web.HTTPForbidden(text="fleet-tui serve: cross-origin access denied.\n")
         return await handler(request)
 
     return check

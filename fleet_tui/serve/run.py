@@ -50,7 +50,7 @@ class Consoles:
             await asyncio.wait_for(self._places.acquire(), WAIT_FOR_A_PLACE)
         except TimeoutError:
             await websocket.prepare(request)
-            reason = f"{MOST_TABS} tabs are open, more are not served: close one."
+            reason = f"{MOST_TABS} tabs open, the maximum: close one."
             await websocket.close(code=WSCloseCode.TRY_AGAIN_LATER, message=reason.encode())
             return websocket
         try:
@@ -120,12 +120,12 @@ async def _listen(runner: web.AppRunner, host: str, port: int) -> None:
         # asyncio's own words have the address once more; a name that is none has an errno below 0.
         number = problem.errno or 0
         why = os.strerror(number) if number > 0 else problem.strerror or problem
-        raise FleetError(f"can't serve on {host} port {port}: {why}; --port 0 takes a free one") from None
+        raise FleetError(f"cannot serve on {host} port {port}: {why}; use --port 0 for a free one") from None
 
 
 def _warning(host: str, port: int) -> str:
     return (
-        f"warning: whoever reaches {host} port {port} has this console: no password, no encryption.\n"
-        f"Safer: leave --host out, and on the other machine\n"
+        f"warning: anyone who reaches {host} port {port} has this console: no password, no encryption.\n"
+        f"Safer: omit --host, and on the other machine\n"
         f"  ssh -L {port}:127.0.0.1:{port} THIS_MACHINE    then open http://127.0.0.1:{port}/"
     )

@@ -204,5 +204,5 @@ class RosbridgeServer(TopicDesk):
 
 def _refusal(host: str, port: int, error: OSError) -> str:
     if error.errno == errno.EADDRINUSE:
-        return f"port {port} on {host} is taken: stop what listens there, or choose another with --port"
-    return f"can't listen on {host} port {port}: {error.strerror}; choose another with --port"
+        return f"port {port} on {host} is in use: stop the other program, or choose another --port"
+    return f"cannot listen on {host} port {port}: {error.strerror}; choose another --port"

@@ -5,7 +5,7 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.alarm import Alarm, acknowledge, ripen, shelve, unshelve
+from fleet_tui.model.alarm import Alarm, acknowledge, advance, shelve, unshelve
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Navigation
@@ -41,7 +41,7 @@ def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     found = list(conditions(state, held))
     began = {one.key: state.began.get(one.key, event.at) for one in found}
     due = without_floods(state, found, held)
-    alarms = ripen(state.alarms, due, event.at, event.wall, state.limits.clear_after)
+    alarms = advance(state.alarms, due, event.at, event.wall, state.limits.clear_after)
     return replace(state, began=began, alarms=alarms)
 
 

@@ -51,8 +51,8 @@ def description(drawing: Drawing, colour: bool) -> str:
     return (
         f"Terminal: {size.columns} x {size.lines}, TERM {term}, COLORTERM {colorterm},"
         f" multiplexer {inside}, encoding {sys.stdout.encoding}.\n"
-        f"So the map starts as {drawing.value} (m or --drawing change it), colours are"
-        f" {'on' if colour else 'off: NO_COLOR, or a terminal without'}."
+        f"Map drawing: {drawing.value} (change with m or --drawing). Colours:"
+        f" {'on' if colour else 'off (NO_COLOR, or not supported)'}."
     )
 
 

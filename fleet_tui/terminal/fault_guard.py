@@ -52,4 +52,4 @@ class FaultGuard:
     def _tell(self, problem: BaseException) -> None:
         # The words of an exception may come from anywhere, and some have none.
         words = sanitize(truncate(str(problem))) or type(problem).__name__
-        self._note(f"internal error: {words} (details in the log file)")
+        self._note(f"internal error: {words} (see the log file)")

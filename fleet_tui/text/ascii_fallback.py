@@ -24,7 +24,7 @@ _SIGNS = {
 PLAIN = str.maketrans({sign: plain for signs, plain in _SIGNS.items() for sign in signs})
 
 
-def stand_in(problem: UnicodeError) -> tuple[str, int]:
+def ascii_fallback(problem: UnicodeError) -> tuple[str, int]:
     """Return what is written instead of signs that an encoding lacks: a handler of errors for `codecs`."""
     if not isinstance(problem, UnicodeEncodeError):
         raise problem

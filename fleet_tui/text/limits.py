@@ -21,7 +21,7 @@ def truncate(text: str, longest: int = LONGEST_WORDS) -> str:
 
 def too_many(count: int, most: int, what: str) -> str:
     """Return what to say of a list that is too long, empty if it isn't."""
-    return f"{count:,} {what}: only the first {most:,} are taken" if count > most else ""
+    return f"{count:,} {what}: only the first {most:,} used" if count > most else ""
 
 
 def some(names: Sequence[str]) -> str:

@@ -63,7 +63,11 @@ def test_a_command_from_the_key_to_its_end(tmp_path: Path) -> None:
     store.tell(queue(T0 + 1, (12, 1, 2, "Q")))
     store.tell(tick(T0 + 2))
     found = read(tmp_path)
-    assert [one.change for one in found] == ["checked", "sent", "accepted"]  # its queue was not known before
+    assert [one.change for one in found] == [
+        "checked",
+        "sent",
+        "accepted",
+    ]  # queue unknown before the command
     for one in found:
         assert (one.id, one.kind, one.what, one.robot, one.floor) == (7, "command", "order", R0, F0)
         assert (one.start, one.start_label, one.end, one.end_label) == ("1", "Base", "2", "")
@@ -159,7 +163,7 @@ def test_the_console_itself_and_what_it_leaves_open(tmp_path: Path) -> None:
     found = read(tmp_path)
     assert (found[0].kind, found[0].change) == ("console", "opened")
     assert [(one.id, one.change, one.words) for one in found[-2:]] == [
-        (1, "console closed", "it was: sent"),
+        (1, "console closed", "last stage: sent"),
         (None, "closed", ""),
     ]
     assert all(one.demo for one in found)
@@ -238,7 +242,7 @@ def test_what_waits_has_a_bound_and_what_is_lost_is_counted(
     assert audit.close(known_fleet()) == 0
     found = read(tmp_path)
     assert [one.change for one in found] == [*(f"n{n}" for n in range(16, 25)), "closed", "lost"]
-    assert found[-1].words == "16 records before this one could not be written"
+    assert found[-1].words == "16 records before this one were not written"
 
 
 def test_a_disk_that_does_not_answer_holds_nobody(tmp_path: Path, disk: BadDisk) -> None:
@@ -252,7 +256,7 @@ def test_a_disk_that_does_not_answer_holds_nobody(tmp_path: Path, disk: BadDisk)
         give(store, n, ORDER, Stage.SENT)
     assert time.monotonic() - began < 1.0
     assert store.state.commands[-1].stage is Stage.SENT
-    assert audit.notes == ["audit: not written: the disk does not answer"]
+    assert audit.notes == ["audit: not written: disk not responding"]
     disk.answers.set()
     becomes(lambda: audit.notes == [] and len(read(tmp_path)) == 202)
     assert [one.id for one in read(tmp_path)] == [n for n in range(1, 102) for _ in range(2)]
@@ -314,7 +318,7 @@ def test_what_is_lost_for_good_is_said_at_the_end(
     assert time.monotonic() - began < 1.0
     disk.answers.set()
     lost = 3 if hangs else 4  # who opened it was written before it hung
-    assert capsys.readouterr().err == f"audit: {lost} records could not be written: {says}\n"
+    assert capsys.readouterr().err == f"audit: {lost} records not written: {says}\n"
 
 
 def _no_folder(folder: Path) -> Path:
@@ -335,7 +339,7 @@ def _pipe(folder: Path) -> Path:
 
 @pytest.mark.parametrize(
     ("prepare", "says"),
-    [(_no_folder, "Not a directory"), (_device, "is no regular file"), (_pipe, "is no regular file")],
+    [(_no_folder, "Not a directory"), (_device, "not a regular file"), (_pipe, "not a regular file")],
 )
 def test_what_the_disk_says_stands_on_the_screen(
     tmp_path: Path, prepare: Callable[[Path], Path], says: str

@@ -103,7 +103,7 @@ def test_a_file_of_a_folder_will_do(form: str, tmp_path: Path) -> None:
 def test_it_is_said_that_it_is_a_bag_and_nothing_secret_is_kept(tmp_path: Path) -> None:
     config = msgspec.structs.replace(bag_config("ros1"), rosbridge=Link("wss://site:9090/?token=hidden"))
     report, recording = made_of(written(tmp_path, "ros1", night()), config, tmp_path / "r.jsonl.gz")
-    assert report.notes[0].startswith("made of the ROS bag night.bag: ")
+    assert report.notes[0].startswith("from ROS bag night.bag: ")
     link = played(recording).links[LINK]
     assert (link.url, link.is_bag, link.commands_connected) == ("rosbag://night.bag", True, False)
     content = b"".join(record.payload for record in recording.records() if isinstance(record, Heard))
@@ -168,7 +168,7 @@ def test_out_of_order_messages_are_taken_as_they_come(tmp_path: Path) -> None:
     (first / "metadata.yaml").write_text(both)
     report, recording = made_of(first, bag_config("sqlite3"), tmp_path / "r.jsonl.gz")
     assert report.messages == 60 and report.late == 9
-    assert "9 messages have a time before that of the message before them" in report.notes[-1]
+    assert "9 messages out of time order" in report.notes[-1]
     times = [record.at for record in recording.records()]
     assert times == sorted(times)
 
@@ -222,10 +222,10 @@ def test_what_is_missing_is_said_once_with_the_nearest_name(tmp_path: Path) -> N
     config = bag_config("ros1", robots=3)
     report, _ = made_of(written(tmp_path, "ros1", said), config, tmp_path / "r.jsonl.gz")
     assert report.notes[1:] == [
-        "nothing of robot_1, robot_2 is in the bag",
+        "not in the bag: robot_1, robot_2",
         "not in the bag: /robot_0/queue, did you mean /robot_0/action_queue?, /robot_0/obstacle,"
         " /robot_0/battery, /robot_0/cargo, /robot_0/floor_0/graph and 3 more (correct [profile.topics])",
-        "in the bag, but not asked for: /robot_0/action_queue, /tf\x1b[2J",
+        "in the bag, not used: /robot_0/action_queue, /tf\x1b[2J",
     ]
 
 
@@ -249,7 +249,7 @@ def test_of_many_live_maps_the_first_robots_stay(tmp_path: Path) -> None:
     assert [name for name, robot in robots.items() if robot.charts[F0].grid] == [
         f"robot_{n}" for n in range(4)
     ]
-    assert f"of 6 live maps 4 are read: not /robot_4/{F0}/map, /robot_5/{F0}/map" in report.notes
+    assert f"4 of 6 live maps read, not /robot_4/{F0}/map, /robot_5/{F0}/map" in report.notes
 
 
 def test_a_large_map_needs_no_process_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -286,6 +286,6 @@ def test_each_link_hears_its_own_robots(tmp_path: Path) -> None:
 def test_a_file_that_is_there_stays(tmp_path: Path) -> None:
     bag = written(tmp_path, "ros1", night())
     (tmp_path / "r.jsonl.gz").write_text("mine")
-    with pytest.raises(BagError, match="is there already"):
+    with pytest.raises(BagError, match="exists"):
         convert(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")
     assert (tmp_path / "r.jsonl.gz").read_text() == "mine"

@@ -8,7 +8,7 @@ from typing import Any, Literal
 import cbor2
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.adapters.ros import operations
@@ -78,7 +78,6 @@ def seconds(value: Any, is_ros1: bool) -> Any:
     return value
 
 
-@settings(max_examples=150, deadline=None)
 @given(st.lists(fields("Part"), min_size=1, max_size=5), st.booleans())
 def test_every_field_becomes_what_rosbridge_sends(parts: list[tuple[str, Any, Any]], is_ros1: bool) -> None:
     text = "\r\n".join(f"{line}\tfield_{n}  # {line}" for n, (line, _, _) in enumerate(parts)) + PARTS
@@ -91,7 +90,6 @@ def test_every_field_becomes_what_rosbridge_sends(parts: list[tuple[str, Any, An
     assert json.loads(frame) == {"op": "publish", "topic": "/a", "msg": expected}
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.lists(st.tuples(*[st.integers(-(2**31), 2**31 - 1)] * 3, TEXT), max_size=5), st.booleans())
 def test_our_decoders_get_back_what_was_said(orders: list[tuple[int, int, int, str]], is_ros1: bool) -> None:
     store = types("OH_ressources")

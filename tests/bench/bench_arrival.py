@@ -12,8 +12,8 @@ import time
 from pathlib import Path
 
 from fleet_tui.simulator.kinds import KINDS
-from tests.bench.in_pty import Terminal, simulator
 from tests.bench.rows import Row, row
+from tests.support.in_pty import Terminal, simulator
 
 STARTS = 7
 MANY = 100

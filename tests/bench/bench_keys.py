@@ -10,8 +10,8 @@ import time
 from bisect import bisect_left, bisect_right
 from pathlib import Path
 
-from tests.bench.in_pty import console, simulator
 from tests.bench.rows import Row, p95, row
+from tests.support.in_pty import console, simulator
 
 KEYS, REPEATS = 200, 3
 SETTLE = 4.0

@@ -12,8 +12,8 @@ import time
 from contextlib import ExitStack
 from pathlib import Path
 
-from tests.bench.in_pty import Terminal, serving
 from tests.bench.rows import Row, p95, row
+from tests.support.in_pty import Terminal, serving
 
 FLEETS = (167, 167, 166)
 SETTLE, SECONDS, KEYS = 10.0, 20.0, 60

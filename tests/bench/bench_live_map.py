@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from tests.bench.big_map_server import SIDE
-from tests.bench.in_pty import Terminal, console, serving, shows_racks
 from tests.bench.rows import Row, row
+from tests.support.in_pty import Terminal, console, serving, shows_racks
 
 ROBOTS = 10
 QUIET = 5.0  # seconds with nothing special, to compare with

@@ -5,8 +5,8 @@ Run: python -m tests.bench.bench_nav2
 
 import time
 
-from tests.bench.in_pty import console, simulator
 from tests.bench.rows import Row, row
+from tests.support.in_pty import console, simulator
 
 ROBOTS = 50
 SETTLE, SECONDS = 6.0, 20.0

@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from tests.bench.in_pty import Terminal, console, shows_racks, simulator
 from tests.bench.rows import Row, row
+from tests.support.in_pty import Terminal, console, shows_racks, simulator
 
 STARTS = 9
 SIDE = 4000

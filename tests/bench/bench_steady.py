@@ -7,8 +7,8 @@ Run: python -m tests.bench.bench_steady
 import os
 import time
 
-from tests.bench.in_pty import console, simulator
 from tests.bench.rows import Row, row
+from tests.support.in_pty import console, simulator
 
 ROBOTS = 100
 SETTLE, SECONDS = 6.0, 24.0

@@ -17,8 +17,8 @@ from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.widgets.ink_view import InkView
 from tests.bench.bench_bytes import CountingDriver
 from tests.bench.driven_fleet import DrivenFleet
-from tests.bench.in_pty import HEIGHT, WIDTH
 from tests.bench.rows import Row, row
+from tests.support.in_pty import HEIGHT, WIDTH
 from tests.support.terminal import paint
 
 TICKS, WARM, REPEATS = 300, 30, 3

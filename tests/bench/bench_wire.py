@@ -10,8 +10,8 @@ from bisect import bisect_left
 from pathlib import Path
 from typing import Any
 
-from tests.bench.in_pty import console, simulator
 from tests.bench.rows import Row, p95, row
+from tests.support.in_pty import console, simulator
 
 ROBOTS = 10
 RATE = 9.9

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from itertools import cycle
 from pathlib import Path
 
-from tests.bench.in_pty import Terminal, console, simulator
+from tests.support.in_pty import Terminal, console, simulator
 
 ROBOTS = 100
 BETWEEN = 0.1

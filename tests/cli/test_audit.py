@@ -37,14 +37,14 @@ def test_the_newest_first_and_nothing_that_acts_on_the_terminal(log: Path) -> No
     assert done.returncode == 0
     one, two = done.stdout.splitlines()
     assert one.endswith("ana robot_1 pause: refused (=␛[2Jx)") and two.endswith("robot_0 pause: sent (ok)")
-    assert done.stderr == f"{log}: 1 line that can't be read\n"
+    assert done.stderr == f"{log}: 1 unreadable line\n"
 
 
 def test_by_robot_word_and_time(log: Path) -> None:
     assert "robot_1" not in audit(log, "--robot", "robot_0").stdout
     assert audit(log, "outcome:refused").stdout.count("\n") == 1
-    assert "no such record" in audit(log, "--since", "1h").stderr
-    assert "no such record" in audit(log, "--demo").stderr
+    assert "no matching record" in audit(log, "--since", "1h").stderr
+    assert "no matching record" in audit(log, "--demo").stderr
 
 
 def test_as_csv(log: Path) -> None:
@@ -54,7 +54,7 @@ def test_as_csv(log: Path) -> None:
 
 def test_a_time_that_is_none(log: Path) -> None:
     done = audit(log, "--since", "2x")
-    assert done.returncode == 2 and "'2x' is no time: give 30m" in done.stderr
+    assert done.returncode == 2 and "'2x' is not a time: use 30m" in done.stderr
 
 
 def test_a_log_that_can_not_be_read(tmp_path: Path) -> None:

@@ -104,5 +104,5 @@ async def test_doctor_measures_a_value_by_the_silence_of_its_kind(
     strict = msgspec.structs.replace(config, profile=profile)
     await asyncio.to_thread(doctor, strict, 15.0, False, lines.append, "robot_0")
     (battery,) = [line for line in lines if "robot_0 battery:" in line]
-    assert "it is old after 0.05 s" in battery
+    assert "counts as old after 0.05 s" in battery
     assert any("raise profile.silence.battery" in line for line in lines)

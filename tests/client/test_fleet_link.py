@@ -14,13 +14,11 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
-from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import at_vertices
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import place_order
-from tests.support.links import finished, linked, path, phase, ready
+from tests.support.links import finished, linked, path, ready
 from tests.support.watched_store import config_of
 
 BAD_POSE = {"header": {"frame_id": "floor_0"}, "pose": {"position": {"x": None, "y": 1.0}}}
@@ -43,19 +41,6 @@ async def test_garbage_is_looked_for_while_it_runs(
     looks = gc.get_stats()[2]["collections"]
     async with linked(config_of(server.url)) as (_, store):
         await store.until(lambda _: gc.get_stats()[2]["collections"] > looks + 1)
-
-
-async def test_poses_are_subscribed_first_and_always_with_a_queue(server: RosbridgeServer) -> None:
-    async with linked(config_of(server.url, 2, 2)) as (link, store):
-        await store.until(ready)
-        link.show_map("robot_0", "floor_0")
-        await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
-        asked = [operation for operation in server.received if operation["op"] == "subscribe"]
-    assert [operation["topic"] for operation in asked[:2]] == ["/robot_0/pose", "/robot_1/pose"]
-    assert all(operation["queue_length"] >= 1 for operation in asked)
-    assert all(type(operation["throttle_rate"]) is int for operation in asked)
-    maps = [operation["topic"] for operation in asked if operation["topic"].endswith("/map")]
-    assert maps == ["/robot_0/floor_0/map"]
 
 
 async def test_a_map_arrives_as_binary_when_its_floor_is_shown(server: RosbridgeServer) -> None:
@@ -98,98 +83,16 @@ async def test_pause_and_resume_are_told_by_the_robot(server: RosbridgeServer) -
         assert not store.state.is_paused(store.state.robots["robot_0"])
 
 
-async def test_a_refusal_in_an_answer_that_went_well(server: RosbridgeServer) -> None:
-    async with linked(config_of(server.url, 1)) as (link, store):
-        await store.until(ready)
-        record = await finished(link, store, place_order("robot_0", 0, 9999))
-    assert record.stage is Stage.REFUSED
-    assert "no vertex 9999" in record.words
-
-
-@pytest.mark.parametrize("order_id", [0, -1])
-async def test_a_cancel_that_would_mean_all_never_leaves(server: RosbridgeServer, order_id: int) -> None:
-    async with linked(config_of(server.url, 1)) as (link, store):
-        await store.until(ready)
-        record = await finished(link, store, CancelOrder("robot_0", str(order_id)))
-    assert record.stage is Stage.NOT_SENT
-    assert not server.calls
-
-
-async def test_a_command_without_a_link_is_refused_at_once_and_never_sent_later() -> None:
-    server = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True))
-    await server.start()
-    url, port = server.url, int(server.url.rpartition(":")[2])
-    await server.stop()
-    async with linked(config_of(url, 1)) as (link, store):
-        state = await store.until(phase(Phase.WAITING))
-        assert state.links["rosbridge"].reason == "nothing listens there"
-        record = await finished(link, store, PauseRobot("robot_0"))
-        assert record.stage is Stage.NOT_SENT
-        late = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True), port=port)
-        await late.start()
-        await store.until(ready)
-        assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.CONFIRMED
-        await late.stop()
-    assert [service.rpartition("/")[2] for service, _ in late.calls] == ["Resume"]
-
-
-async def test_a_drop_is_shown_and_heals_with_every_subscription(server: RosbridgeServer) -> None:
-    async with linked(config_of(server.url, 2, 2)) as (link, store):
-        await store.until(ready)
-        link.show_map("robot_0", "floor_0")
-        await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
-        topics = {operation["topic"] for operation in server.received if operation["op"] == "subscribe"}
-        await server.drop_clients()
-        await store.until(phase(Phase.WAITING))
-        server.received.clear()
-        heard = store.state.robots["robot_0"].heard or 0.0
-        await store.until(
-            lambda state: phase(Phase.UP)(state) and (state.robots["robot_0"].heard or 0) > heard
-        )
-        await store.until(lambda _: server.subscribers("/robot_0/floor_0/map") == 1)
-        again = {operation["topic"] for operation in server.received if operation["op"] == "subscribe"}
-    assert again == topics
-
-
-async def test_a_command_under_way_ends_when_the_link_goes(server: RosbridgeServer) -> None:
-    server.silent_services.add("/robot_0/Application_layout/Pause")
-    async with linked(config_of(server.url, 1)) as (link, store):
-        await store.until(ready)
-        command_id = link.submit(PauseRobot("robot_0"))
-        await store.until(lambda _: server.calls)
-        await server.drop_clients()
-        await store.until(lambda state: state.commands[-1].stage is Stage.UNKNOWN)
-        # What became of it is seen after the return of the link, in the telemetry: it was not carried out.
-        state = await store.until(lambda state: state.commands[-1].is_decided)
-        record = state.commands[-1]
-        steps = [event for event in store.events if isinstance(event, CommandAdvanced)]
-    assert (record.id, record.stage) == (command_id, Stage.NOT_CONFIRMED)
-    assert "outcome unknown" in record.words and "it reported no pause" in record.words
-    assert [step.stage for step in steps] == [Stage.SENT, Stage.UNKNOWN]
-    assert len(server.calls) == 1
-
-
-async def test_a_call_never_answered_is_no_answer_and_then_not_confirmed(server: RosbridgeServer) -> None:
-    server.silent_services.add("/robot_0/Application_layout/Pause")
-    config = config_of(server.url, 1)
-    alarms = msgspec.structs.replace(config.alarms, no_answer_after=0.3, not_confirmed_after=0.5)
-    async with linked(msgspec.structs.replace(config, alarms=alarms)) as (link, store):
-        await store.until(ready)
-        record = await finished(link, store, PauseRobot("robot_0"))
-    assert [step.stage for step in record.steps[-2:]] == [Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
-    assert "no answer" in record.words and "0.3 s" in record.words
-
-
 async def test_telemetry_alive_and_commands_dead_is_a_state_of_its_own(server: RosbridgeServer) -> None:
     server.master_alive = False
     async with linked(config_of(server.url, 1)) as (link, store):
         state = await store.until(path(CommandPath.DEAD))
-        assert state.links["rosbridge"].command_reason == "the ROS master is gone"
+        assert state.links["rosbridge"].command_reason == "no ROS master"
         state = await store.until(lambda state: state.robots["robot_0"].pose)
         assert state.links["rosbridge"].phase is Phase.UP
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
-        assert "master is gone" in record.words
+        assert "no ROS master" in record.words
 
 
 async def test_a_bridge_without_rosapi_is_alive(server: RosbridgeServer) -> None:
@@ -197,19 +100,6 @@ async def test_a_bridge_without_rosapi_is_alive(server: RosbridgeServer) -> None
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
-
-
-async def test_a_topic_of_another_type_is_not_subscribed_and_said(server: RosbridgeServer) -> None:
-    config = config_of(server.url, 1)
-    profile = msgspec.structs.replace(config.profile, types={"battery": "std_msgs/Int8"})
-    async with linked(msgspec.structs.replace(config, profile=profile)) as (_, store):
-        state = await store.until(lambda state: state.robots["robot_0"].faults)
-        await store.until(lambda state: state.robots["robot_0"].cargo)
-        asked = [operation["topic"] for operation in server.received if operation["op"] == "subscribe"]
-    assert (
-        "/robot_0/battery has type std_msgs/Float32, not std_msgs/Int8" in state.robots["robot_0"].last_fault
-    )
-    assert "/robot_0/battery" not in asked
 
 
 async def test_bad_data_is_counted_on_the_robot_and_the_rest_goes_on(server: RosbridgeServer) -> None:
@@ -240,19 +130,6 @@ async def test_read_only_lets_nothing_leave_but_subscriptions_and_rosapi(server:
     assert all(service.startswith("/rosapi/") for service in services)
 
 
-async def test_commands_do_not_wait_behind_subscriptions() -> None:
-    """With 15 ms for each subscribe, as on a real bridge, a burst takes longer than a command may."""
-    server = RosbridgeServer(World(robots=20, floors=2, seed=1, quiet=True), subscribe_delay=0.015)
-    await server.start()
-    async with linked(config_of(server.url, 20, 2)) as (link, store):
-        await store.until(path(CommandPath.ALIVE))
-        link.submit(PauseRobot("robot_0"))
-        await store.until(lambda state: any(one.time_of(Stage.ACCEPTED) for one in state.commands))
-        asked = [operation for operation in server.received if operation["op"] == "subscribe"]
-    await server.stop()
-    assert len(asked) < 20 * 12
-
-
 async def test_two_consoles_see_one_order(server: RosbridgeServer) -> None:
     config = config_of(server.url, 1)
     async with linked(config) as (link, mine), linked(config) as (_, theirs):
@@ -280,7 +157,7 @@ async def test_nothing_is_put_into_a_connection_that_fell_silent(server: Rosbrid
         await store.until(lambda state: state.now - max(heard, state.links["rosbridge"].heard or 0.0) > 2.5)
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
-        assert "nothing has come from the bridge" in record.words
+        assert "no message from the bridge" in record.words
         # A pause is tried all the same; as nothing is heard, nothing can confirm it.
         record = await finished(link, store, PauseRobot("robot_0"))
         assert record.stage is Stage.NOT_CONFIRMED and record.words.startswith("accepted")

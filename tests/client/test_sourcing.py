@@ -26,7 +26,7 @@ async def test_a_bridge_without_the_messages_is_told_with_the_remedy(
     async with linked(config_of(server.url, 2)) as (_, store):
         state = await store.until(lambda state: state.links["rosbridge"].unsourced)
         assert state.links["rosbridge"].unsourced_text == (
-            "rosbridge lacks the messages of OH_ressources: source their workspace, then restart it"
+            "rosbridge lacks package OH_ressources: source its workspace and restart rosbridge"
         )
         state = await store.until(
             lambda state: any(alarm.condition.kind == "messages" for alarm in state.alarms)

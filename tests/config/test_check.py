@@ -1,12 +1,10 @@
 """What only the whole configuration shows: names that don't meet, topics that can't be told apart."""
 
-import math
 from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.check import checked, missing_files
 from fleet_tui.config.schema import Alarms, Config, FloorEntry, Link, RobotEntry
 from fleet_tui.errors import did_you_mean
@@ -15,10 +13,6 @@ GOOD = Config(
     floors=[FloorEntry("floor_0"), FloorEntry("floor_1")],
     robots=[RobotEntry("robot_0"), RobotEntry("robot_1", floors=["floor_1"])],
 )
-
-
-def with_profile(**changes: object) -> Config:
-    return replace(GOOD, profile=Profile(**changes))  # type: ignore[arg-type]  # the cases give the types
 
 
 def only(config: Config) -> str:
@@ -34,7 +28,7 @@ def test_a_good_one_has_nothing_to_say() -> None:
     "url", ["", "127.0.0.1:9090", "http://a", "ws://", "ws://:9090", "ws://[::1", "ws://a:70000", "ws://a:0"]
 )
 def test_an_address_that_is_none(url: str) -> None:
-    assert only(replace(GOOD, rosbridge=Link(url))).startswith(f"rosbridge.url: {url!r} is no address")
+    assert only(replace(GOOD, rosbridge=Link(url))).startswith(f"rosbridge.url: {url!r} is not an address")
     assert only(replace(GOOD, links={"b": Link(url)})).startswith("links.b.url: ")
 
 
@@ -49,24 +43,24 @@ def test_the_default_links_name_is_taken() -> None:
 
 @pytest.mark.parametrize("name", ["", "a b", "{robot}", "/a", "rob\x1bot", "ñu", "a\n"])
 def test_names_that_ros_would_not_take(name: str) -> None:
-    assert f"robots[0].name: {name!r} is no ROS name" in only(replace(GOOD, robots=[RobotEntry(name)]))
+    assert f"robots[0].name: {name!r} is not a ROS name" in only(replace(GOOD, robots=[RobotEntry(name)]))
     assert any(
         "floors[0].name" in line for line in checked(replace(GOOD, floors=[FloorEntry(name)], robots=[]))
     )
 
 
 def test_none_and_twice() -> None:
-    assert only(replace(GOOD, robots=[])) == "robots: there is none: add [[robots]] with a name"
-    assert "floors: there is none: add [[floors]] with a name" in checked(Config(robots=GOOD.robots[:1]))
+    assert only(replace(GOOD, robots=[])) == "robots: empty: add [[robots]] with a name"
+    assert "floors: empty: add [[floors]] with a name" in checked(Config(robots=GOOD.robots[:1]))
     twice = replace(GOOD, robots=[RobotEntry("r"), RobotEntry("r")])
-    assert only(twice) == "robots: the name r is given 2 times"
+    assert only(twice) == "robots: name r used 2 times"
     floors = replace(GOOD, floors=[FloorEntry("floor_1"), FloorEntry("floor_1")])
-    assert only(floors) == "floors: the name floor_1 is given 2 times"
+    assert only(floors) == "floors: name floor_1 used 2 times"
 
 
 def test_two_floors_in_one_frame() -> None:
     config = replace(GOOD, floors=[FloorEntry("floor_0", frame_id="/floor_1"), FloorEntry("floor_1")])
-    assert "frame_id floor_1 stands for floor_0 and floor_1" in only(config)
+    assert "frame_id floor_1 used by floor_0 and floor_1" in only(config)
 
 
 def test_references_that_lead_nowhere_name_the_nearest() -> None:
@@ -74,51 +68,13 @@ def test_references_that_lead_nowhere_name_the_nearest() -> None:
         GOOD, robots=[RobotEntry("r", floors=["flor_1"], link="sit_b")], links={"site_b": Link()}
     )
     assert checked(config) == [
-        "robots[0].floors: no floor 'flor_1', did you mean floor_1?",
-        "robots[0].link: no link 'sit_b', did you mean site_b?",
+        "robots[0].floors: unknown floor 'flor_1', did you mean floor_1?",
+        "robots[0].link: unknown link 'sit_b', did you mean site_b?",
     ]
 
 
-@pytest.mark.parametrize(
-    ("changes", "says"),
-    [
-        ({"name": "oh_resources"}, "profile.name: no kind 'oh_resources', did you mean oh_ressources?"),
-        ({"topics": {"poes": "/p"}}, "profile.topics.poes: unknown key, did you mean pose?"),
-        ({"types": {"grap": "a/B"}}, "profile.types.grap: unknown key, did you mean graph?"),
-        ({"services": {"pauze": "/p"}}, "profile.services.pauze: unknown key, did you mean pause?"),
-        ({"fields": {"vertex.ide": "i"}}, "profile.fields.vertex.ide: unknown key, did you mean vertex.id?"),
-        ({"topics": {"pose": "/{robot}/{floor}/p"}}, "profile.topics.pose: {floor} can't be filled in here"),
-        (
-            {"topics": {"map": "/{robt}/{floor}/{robot}"}},
-            "profile.topics.map: {robt} can't be filled in here",
-        ),
-        ({"services": {"pause": "/{}/{robot}"}}, "profile.services.pause: {} can't be filled in here"),
-        ({"refusals": ("ok", "(")}, "profile.refusals[1]: '(' is no regular expression"),
-        ({"refusals": ("a{99999999999}",)}, "profile.refusals[0]: 'a{99999999999}' is no regular expression"),
-        ({"topics": {"pose": "/pose"}}, "profile.topics.pose: /pose is pose of robot_0 and pose of robot_1"),
-        ({"topics": {"graph": "/{robot}/graph"}}, "graph of robot_0 floor_0 and graph of robot_0 floor_1"),
-        ({"scales": {"pose": math.nan}}, "profile.scales.pose: nan is no factor: give a number above 0"),
-        ({"scales": {"pose": 0.0}}, "profile.scales.pose: 0 is no factor: give a number above 0"),
-        ({"silence": {"pose": -5.0}}, "profile.silence.pose: -5 is no time: give seconds above 0"),
-        ({"topics": {"cargo": "/{robot}/pose"}}, "/robot_0/pose is pose of robot_0 and cargo of robot_0"),
-    ],
-)
-def test_a_profile_that_cannot_work(changes: dict[str, object], says: str) -> None:
-    assert any(says in line for line in checked(with_profile(**changes)))
-
-
-def test_one_topic_on_two_bridges_is_two_topics() -> None:
-    robots = [RobotEntry("robot_0"), RobotEntry("robot_1", link="b")]
-    profile = Profile(topics={"pose": "/pose"})
-    assert checked(Config(floors=GOOD.floors, robots=robots, links={"b": Link()}, profile=profile)) == []
-
-
-def test_a_topic_may_be_left_out() -> None:
-    assert checked(with_profile(topics={"cargo": "", "battery": ""})) == []
-
-
 def test_keys_and_limits_are_checked_too() -> None:
-    assert only(replace(GOOD, keys={"ordr": "o"})) == "keys.ordr: no such key id, did you mean order?"
+    assert only(replace(GOOD, keys={"ordr": "o"})) == "keys.ordr: unknown key id, did you mean order?"
     assert "battery_critical" in only(replace(GOOD, alarms=Alarms(battery_low=5.0)))
 
 
@@ -126,8 +82,8 @@ def test_keys_and_limits_are_checked_too() -> None:
     ("alarms", "says"),
     [
         (Alarms(battery_low=99.0), "alarms.battery_band: battery_low and battery_band together must not be"),
-        (Alarms(bell=["hihg"]), "alarms.bell: no priority 'hihg', did you mean high?"),
-        (Alarms(notify=["all"]), "alarms.notify: no priority 'all', there are high, medium, low"),
+        (Alarms(bell=["hihg"]), "alarms.bell: unknown priority 'hihg', did you mean high?"),
+        (Alarms(notify=["all"]), "alarms.notify: unknown priority 'all', use high, medium, low"),
     ],
 )
 def test_alarms_that_cannot_work(alarms: Alarms, says: str) -> None:
@@ -147,9 +103,9 @@ def test_a_file_of_a_floor_that_is_not_there_is_named(tmp_path: Path) -> None:
     ]
     config = replace(GOOD, floors=floors, path=tmp_path / "config.toml")
     assert missing_files(config) == [
-        "floors[1].map: no such file gone.yaml",
-        "floors[1].graph: no such file gone.json",
-        "floors[2].map: no such file ~no-such-user-x/y",
+        "floors[1].map: file not found: gone.yaml",
+        "floors[1].graph: file not found: gone.json",
+        "floors[2].map: file not found: ~no-such-user-x/y",
     ]
     assert config.beside("there.yaml") == tmp_path / "there.yaml"
     assert config.beside(str(tmp_path / "abs.png")) == tmp_path / "abs.png"

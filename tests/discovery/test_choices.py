@@ -37,7 +37,7 @@ def test_two_kinds_that_fit_one_robot() -> None:
     found = site(Listed(topics, {}, DRIVES))
     choice = found.choices[0]
     assert (choice.options, choice.chosen) == (("oh_ressources", "nav2"), "oh_ressources")
-    assert "kind of amr: oh_ressources, could be nav2" in found.unclear[0]
+    assert "kind of amr: oh_ressources, possibly nav2" in found.unclear[0]
     config = chosen(found, {choice.id: "nav2"})
     assert config["profile"]["kind"] == "nav2" and config["robots"] == [{"name": "amr"}]
     assert "profile" not in chosen(found, {choice.id: "oh_ressources"}).get("profile", {})
@@ -59,9 +59,9 @@ def test_several_pose_topics() -> None:
 def test_no_pose_topic_is_said() -> None:
     topics = {name: type_ for name, type_ in NAV2.items() if type_ != AMCL}
     found = site(Listed(topics, {}, DRIVES))
-    assert found.choices == [] and "no topic tells the pose of nav2 robots" in found.lacks[0]
+    assert found.choices == [] and "no pose topic for nav2 robots" in found.lacks[0]
     queue = site(Listed({"/r/queue": QUEUE, "/r/ground/graph": GRAPH}, {}))
-    assert "no topic tells the pose of oh_ressources robots" in queue.lacks[0]
+    assert "no pose topic for oh_ressources robots" in queue.lacks[0]
 
 
 def test_floors_that_nothing_tells() -> None:

@@ -54,4 +54,4 @@ def test_names_that_mean_two_things_are_said_with_the_address_and_a_remedy() -> 
         assert site.config
     words = str(said.value)
     assert words.startswith("ws://robot:9090: ") and words.endswith("--from-live ws://robot:9090")
-    assert "/a/move_base/feedback is feedback of a and battery of a" in words
+    assert "/a/move_base/feedback is used by feedback of a and battery of a" in words

@@ -97,14 +97,14 @@ async def test_a_bridge_with_two_thousand_topics_is_neither_flooded_nor_asked_fo
     assert asked["/rosapi/publishers"] <= 300 and asked["/rosapi/service_type"] <= 100
     assert most <= AT_ONCE
     assert found.summary == "2 robots (oh_ressources), 2 floors"
-    counted = [(done, total) for done, total, doing in progress if doing == "asking who publishes"]
+    counted = [(done, total) for done, total, doing in progress if doing == "looking up publishers"]
     assert counted[-1][0] == counted[-1][1] <= 300
 
 
 @pytest.mark.parametrize(
     ("plant", "error", "words"),
     [
-        ("a web server", LinkError, "that is a web server, not rosbridge"),
+        ("a web server", LinkError, "a web server, not rosbridge"),
         ("no rosapi", FleetError, "start rosapi beside rosbridge"),
         ("a frozen rosapi", FleetError, "restart rosapi"),
     ],
@@ -142,9 +142,7 @@ def _remove(server: RosbridgeServer, names: Iterable[str]) -> None:
 async def test_a_bridge_without_a_robot_invents_none(server: RosbridgeServer) -> None:
     _remove(server, [name for name in server.types if name.startswith("/robot_")])
     found = await discovered(server.url)
-    with pytest.raises(
-        FleetError, match=r"no robot found among \d+ topics: start the robots' nodes, or name"
-    ):
+    with pytest.raises(FleetError, match=r"no robot found among \d+ topics: start the robot nodes, or name"):
         _ = found.config
 
 

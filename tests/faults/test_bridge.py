@@ -14,15 +14,15 @@ from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.report import report
 from tests.support.bridge_faults import all_online, raised
+from tests.support.fault_report import report
 from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, path, ready
 from tests.support.proxied_link import Stopwatch, fresh, lost, usual
 from tests.support.shown_text import shown
 
-UNREGISTERED = "the robots' nodes are not registered: restart them"
+UNREGISTERED = "robot nodes not registered: restart them"
 
 
 @pytest.mark.parametrize(
@@ -73,7 +73,7 @@ async def test_a_bridge_without_the_robots_messages(server: RosbridgeServer) -> 
         await store.until(path(CommandPath.ALIVE))
         watch = Stopwatch(store)
         noticed = await watch.until(raised("messages"))
-        remedy = "rosbridge lacks the messages of OH_ressources: source their workspace, then restart it"
+        remedy = "rosbridge lacks package OH_ressources: source its workspace and restart rosbridge"
         assert remedy in shown(store.state)
         asked = problems(store.state, Request((place_order("robot_0", 19, 0),)), Permissions())
         assert "queue unheard" in [problem.check for problem in asked]

@@ -11,8 +11,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.report import report
 from tests.support.fault_proxy import before, mute
+from tests.support.fault_report import report
 from tests.support.invariants import linked
 from tests.support.links import finished
 from tests.support.proxied_link import Stopwatch

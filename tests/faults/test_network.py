@@ -17,8 +17,8 @@ from fleet_tui.model.events import LinkChanged, MessageRejected
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.transports.rosbridge import connection as transport
-from tests.faults.report import report
 from tests.support.fault_proxy import UPGRADE, Attend, answer, before, drop, goodbye, mute
+from tests.support.fault_report import report
 from tests.support.invariants import linked
 from tests.support.links import finished
 from tests.support.proxied_link import Stopwatch, fresh, lost, through
@@ -29,20 +29,20 @@ async def test_a_refused_port(server: RosbridgeServer) -> None:
     async with through(server) as (proxy, link, store, watch):
         watch.start()
         await proxy.refuse()
-        noticed = await watch.until(lost("nothing listens there"))
+        noticed = await watch.until(lost("connection refused"))
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
         await proxy.listen()
         watch.start()
         healed = await watch.until(fresh())
-    report("refused port", "the listener closes", "nothing listens there", noticed, healed)
+    report("refused port", "the listener closes", "connection refused", noticed, healed)
     assert noticed < 3 and healed < 8
 
 
 @pytest.mark.parametrize(
     ("error", "words"),
     [
-        (socket.gaierror(socket.EAI_NONAME, "not known"), "no such host"),
-        (socket.gaierror(socket.EAI_AGAIN, "failure"), "the name can't be looked up now (DNS)"),
+        (socket.gaierror(socket.EAI_NONAME, "not known"), "unknown host"),
+        (socket.gaierror(socket.EAI_AGAIN, "failure"), "DNS lookup failed"),
     ],
 )
 async def test_dns_fails(
@@ -69,22 +69,22 @@ async def test_dns_fails(
 @pytest.mark.parametrize(
     ("name", "attend", "words"),
     [
-        ("says nothing", mute, "the server takes the connection and says nothing"),
-        ("HTTP 200", answer("200 OK"), "that is a web server, not rosbridge (HTTP 200)"),
-        ("HTTP 401", answer("401 No"), "the server refuses us (HTTP 401): set authorization_file"),
-        ("HTTP 404", answer("404 Not Found"), "nothing is at that path, correct url (HTTP 404)"),
-        ("HTTP 502", answer("502 Bad"), "rosbridge is down behind that web server (HTTP 502)"),
+        ("says nothing", mute, "connected, but no response"),
+        ("HTTP 200", answer("200 OK"), "a web server, not rosbridge (HTTP 200)"),
+        ("HTTP 401", answer("401 No"), "access denied (HTTP 401): set authorization_file"),
+        ("HTTP 404", answer("404 Not Found"), "path not found, correct url (HTTP 404)"),
+        ("HTTP 502", answer("502 Bad"), "rosbridge down behind a web server (HTTP 502)"),
         (
             "wrong subprotocol",
             answer("101 Switching", *UPGRADE, "Sec-WebSocket-Protocol: chat"),
-            "that is no rosbridge: wrong subprotocol",
+            "not rosbridge: wrong subprotocol",
         ),
         (
             "wrong Sec-WebSocket-Accept",
             answer("101 Switching", *UPGRADE[:2], "Sec-WebSocket-Accept: AAAA"),
-            "that is no rosbridge: wrong Sec-WebSocket-Accept",
+            "not rosbridge: wrong Sec-WebSocket-Accept",
         ),
-        ("drops at once", drop, "the server drops us at once: is it rosbridge, is it wss://?"),
+        ("drops at once", drop, "connection dropped at once: not rosbridge, or wss://?"),
     ],
 )
 async def test_another_server(server: RosbridgeServer, name: str, attend: Attend, words: str) -> None:
@@ -130,11 +130,11 @@ async def test_a_goodbye_without_hanging_up(server: RosbridgeServer) -> None:
             await agreed.acquire()
         record = await finished(link, store, PauseRobot("robot_0"))
         assert (record.stage, record.words) == (Stage.NOT_SENT, "no link")
-        noticed = await watch.until(lost("the server stopped answering"))
+        noticed = await watch.until(lost("server not responding"))
         proxy.attend = proxy.relay
         watch.start()
         healed = await watch.until(fresh())
-    seen = "the server stopped answering"
+    seen = "server not responding"
     report("goodbye", "the server closes and does not hang up", seen, noticed, healed)
     assert noticed < 10 and healed < 8
 
@@ -143,7 +143,7 @@ async def test_a_half_open_connection(server: RosbridgeServer) -> None:
     async with through(server) as (proxy, link, store, watch):
         watch.start()
         proxy.swallows = True
-        is_lost = lost("the server stopped answering")
+        is_lost = lost("server not responding")
         await watch.until(
             lambda state: is_lost(state) or state.now - (state.links["rosbridge"].heard or 0) > 2.1
         )
@@ -153,7 +153,7 @@ async def test_a_half_open_connection(server: RosbridgeServer) -> None:
         watch.start()
         healed = await watch.until(fresh())
     assert noticed < 10 and healed < 12
-    seen = "age of the last message grows, then: the server stopped answering"
+    seen = "age of the last message grows, then: server not responding"
     report("half-open connection", "packets vanish both ways", seen, noticed, healed)
     assert not server.calls
 
@@ -164,7 +164,7 @@ async def test_a_slow_server(server: RosbridgeServer) -> None:
         watch.start()
         proxy.bytes_per_second = 1
         proxy.cut()
-        noticed = await watch.until(lost("the server takes the connection and says nothing"))
+        noticed = await watch.until(lost("connected, but no response"))
         proxy.bytes_per_second = 0
         watch.start()
         healed = await watch.until(fresh())
@@ -177,7 +177,7 @@ async def test_a_slow_server(server: RosbridgeServer) -> None:
 
 
 async def test_a_long_message_is_no_dead_server(server: RosbridgeServer) -> None:
-    """The answer to a ping waits behind a map: a line that still brings bytes is not given up."""
+    """The answer to a ping waiting behind a map: a line that still brings bytes is not given up."""
 
     async def slowly(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         await proxy.relay(reader, _Slow(writer))  # type: ignore[arg-type]  # a writer that takes its time
@@ -232,7 +232,9 @@ async def test_a_reconnect_storm(server: RosbridgeServer) -> None:
     assert all(later - earlier >= transport.FIRST_DELAY for earlier, later in pairwise(tries))
     gaps = {round(later - earlier, 3) for earlier, later in pairwise(tries)}
     assert len(gaps) > 1, "without chance all consoles would come at once"
-    report("reconnect storm", "accepts and drops at once", "drops us at once, retry", noticed, healed)
+    report(
+        "reconnect storm", "accepts and drops at once", "connection dropped at once, retry", noticed, healed
+    )
 
 
 async def test_a_message_over_the_limit_costs_only_itself(server: RosbridgeServer) -> None:
@@ -253,7 +255,7 @@ async def test_a_message_over_the_limit_costs_only_itself(server: RosbridgeServe
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
         assert len([change for change in _changes(store.events) if change.phase is Phase.UP]) == 1
     said = {event.text for event in store.events if isinstance(event, MessageRejected)}
-    remedy = "is over the limit of 0.05 MB: raise rosbridge.max_message_mb"
+    remedy = "exceeds the limit of 0.05 MB: raise rosbridge.max_message_mb"
     assert said == {
         f"/robot_1/cargo: a message of 0.1 MB {remedy}",
         f"/robot_0/pose: a message of 0.1 MB {remedy}",
@@ -276,14 +278,14 @@ async def test_a_command_path_of_its_own_fault(server: RosbridgeServer) -> None:
         noticed = await watch.until(
             lambda state: state.links["rosbridge"].command_path is CommandPath.DEAD, within=15
         )
-        assert "does not answer" in (await finished(link, store, ResumeRobot("robot_0"))).words
+        assert "no reply from the bridge" in (await finished(link, store, ResumeRobot("robot_0"))).words
         server.silent_services.clear()
         watch.start()
         healed = await watch.until(fresh(), within=15)
     report(
         "calls are not answered",
         "no call is answered",
-        "commands dead: the bridge does not answer calls",
+        "commands dead: no reply from the bridge to calls",
         noticed,
         healed,
     )

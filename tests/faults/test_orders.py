@@ -4,7 +4,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.report import report
+from tests.support.fault_report import report
 from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, ready
@@ -94,7 +94,7 @@ async def test_an_order_whose_handler_throws(server: RosbridgeServer) -> None:
         await store.until(lambda state: state.commands and state.commands[-1].time_of(Stage.UNKNOWN))
         noticed = await watch.until(stage(Stage.NOT_CONFIRMED))
         state = await store.until(alarms)
-        assert "no route" in alarms(state)[0] and "no such order in its queue" in alarms(state)[0]
+        assert "no route" in alarms(state)[0] and "order not in the queue" in alarms(state)[0]
     seen = "outcome unknown, then not confirmed, with the exception's words"
     report("a node throws in the call", "it does not take the order", seen, noticed, None)
 
@@ -109,7 +109,7 @@ async def test_another_console_cancels(server: RosbridgeServer) -> None:
         noticed = await watch.until(stage(Stage.CANCELLED_ELSEWHERE))
         state = await store.until(alarms)
         assert alarms(state) == [
-            "cancelled elsewhere: order Consumidores -> Base (order 1: as the robot reports)"
+            "cancelled elsewhere: order Consumidores -> Base (order 1: as reported by the robot)"
         ]
         assert ": cancelled elsewhere" in shown(state)
     seen = "cancelled elsewhere, an alarm"

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from tests.faults.monkey import DEMO, play
-from tests.faults.report import report
+from tests.support.fault_report import report
+from tests.support.monkey import DEMO, play
 from tests.support.terminal_session import exists, in_terminal
 
 BREAKS = """
@@ -40,7 +40,7 @@ def test_the_console_itself_is_broken(tmp_path: Path) -> None:
 
 
 def test_keys_at_random(tmp_path: Path) -> None:
-    """A short form of `python -m tests.faults.monkey`."""
+    """A short form of `python -m tests.support.monkey`."""
     with in_terminal(tmp_path, *DEMO) as running:
         running.shows("robot_5")
         moves = play(running, 8.0, 0)

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.faults.report import report
 from tests.support import terminal_session as in_terminal_module
+from tests.support.fault_report import report
 from tests.support.terminal_session import InTerminal, exists, in_terminal
 
 RESTORED = "the shell, its terminal as before"
@@ -136,7 +136,7 @@ def test_the_disk_is_full(tmp_path: Path) -> None:
         assert running.child.returncode == 0
         running.until(running.is_restored, 2.0, "the terminal restored")
         after = running.sent.rpartition(b"\x1b[?1049l")[2]
-        assert re.search(rb"audit: \d+ records could not be written: File too large\r\n", after)
+        assert re.search(rb"audit: \d+ records not written: File too large\r\n", after)
         assert b"Traceback" not in running.sent
     seen = "audit: not written; the rest works on; at the end on stderr how many records are lost"
     report("disk full", "no file can grow", seen, None, None)
@@ -145,10 +145,10 @@ def test_the_disk_is_full(tmp_path: Path) -> None:
 @pytest.mark.parametrize("state", ["/proc/nowhere", "/dev/null/x"])
 def test_nothing_can_be_kept(tmp_path: Path, state: str) -> None:
     with in_terminal(tmp_path, "demo", XDG_STATE_HOME=state, HOME="/proc/nowhere") as running:
-        running.shows(f"nothing is logged: {state}/fleet-tui can't be written")
+        running.shows(f"logging off: {state}/fleet-tui is not writable")
         pause(running)
         running.shows("audit: not written")
-    report("no home", "a path that can't be made", "nothing is logged: ..., audit: not written", None, None)
+    report("no home", "a path that can't be made", "logging off: ..., audit: not written", None, None)
 
 
 @pytest.mark.parametrize("was_used", [False, True])
@@ -163,10 +163,10 @@ def test_the_home_is_read_only(tmp_path: Path, was_used: bool) -> None:
     else:
         state.mkdir(0o500)
     with in_terminal(tmp_path, "demo") as running:
-        running.shows("nothing is logged: ")
+        running.shows("logging off: ")
         pause(running)
         running.shows("audit: not written: Permission denied")
-    seen = "nothing is logged: ..., audit: not written: Permission denied"
+    seen = "logging off: ..., audit: not written: Permission denied"
     report("read-only home", "permissions, no right to pass them", seen, None, None)
 
 
@@ -191,13 +191,13 @@ def test_the_state_folders_disk_hangs(tmp_path: Path) -> None:
     (tmp_path / "sitecustomize.py").write_text(HANGING)
     with in_terminal(tmp_path, "demo", PYTHONPATH=str(tmp_path)) as running:
         pause(running)
-        running.shows("audit: not written: the disk does not answer")
+        running.shows("audit: not written: disk not responding")
         running.press("q")
         took = running.ends()
         assert running.child.returncode == 0 and took < SOON
         running.until(running.is_restored, 2.0, "the terminal restored")
-        running.shows("records could not be written: the disk does not answer")
-    seen = "audit: not written: the disk does not answer; the rest works on"
+        running.shows("records not written: disk not responding")
+    seen = "audit: not written: disk not responding; the rest works on"
     report("disk hangs", "no write to the state folder returns", seen, None, None)
 
 
@@ -235,11 +235,11 @@ def test_a_name_that_is_looked_up_for_ever(tmp_path: Path, key: str) -> None:
     )
     with in_terminal(tmp_path, "--config", str(config), PYTHONPATH=str(tmp_path)) as running:
         running.shows("connecting")
-        noticed = running.until(lambda: "no answer from that address" in running.text())
+        noticed = running.until(lambda: "connection timed out" in running.text())
         if key:
             running.press(key)
         else:
             running.child.send_signal(signal.SIGTERM)
         took = running.ends()
         assert running.is_restored() and took < SOON
-    report("DNS hangs", "30 s for each look-up", "no answer from that address", noticed, took)
+    report("DNS hangs", "30 s for each look-up", "connection timed out", noticed, took)

@@ -13,7 +13,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.report import report
+from tests.support.fault_report import report
 from tests.support.invariants import linked
 from tests.support.links import finished, path, ready
 from tests.support.proxied_link import PLANTED, Holds, Stopwatch, fresh, through
@@ -158,7 +158,7 @@ async def test_the_master_is_gone(server: RosbridgeServer) -> None:
         server.master_alive = True
         watch.start()
         healed = await watch.until(path(CommandPath.ALIVE))
-    report("the ROS master is gone", "calls fail, topics flow", "commands dead: ...", noticed, healed)
+    report("no ROS master", "calls fail, topics flow", "commands dead: ...", noticed, healed)
 
 
 async def test_a_hundred_robots_fall_silent_at_once() -> None:

@@ -12,8 +12,8 @@ from fleet_tui.simulator.faults import play, wire
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.faults.report import report
 from tests.support.bridge_faults import all_online, raised
+from tests.support.fault_report import report
 from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, ready
@@ -109,12 +109,12 @@ async def test_the_bridge_is_overloaded(server: RosbridgeServer) -> None:
         server.capacity = 20.0
         watch = Stopwatch(store)
         noticed = await watch.until(raised("late"), within=60)
-        assert "late: the bridge is overloaded: fewer topics" in shown(store.state)
+        assert "late: bridge overloaded: use fewer topics" in shown(store.state)
         assert not raised("behind")(store.state) and all_online(store.state)
         server.capacity = None
         watch.start()
         healed = await watch.until(in_time)
-    seen = "messages come N s late: the bridge is overloaded: ..., one alarm; no robot is blamed"
+    seen = "messages N s late: bridge overloaded: ..., one alarm; no robot is blamed"
     report("ROS 2: an overloaded bridge", "it carries half of what comes", seen, noticed, healed)
 
 

@@ -4,132 +4,22 @@ import asyncio
 import gzip
 import hashlib
 import json
-import os
 import zipfile
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 
 import pytest
-from msgspec.structs import replace
 from websockets.asyncio.server import ServerConnection, serve
 from websockets.http11 import Request, Response
 
-from fleet_tui.config.access import access_problems, secret, unsafe_places
-from fleet_tui.config.check import checked
-from fleet_tui.config.load import load
-from fleet_tui.config.schema import Config, Link
-from fleet_tui.errors import ConfigError
+from fleet_tui.config.schema import Link
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.records import Keyframe
 from tests.support.invariants import linked
 from tests.support.proxied_link import lost
+from tests.support.secrets import SHARED, WORD, bridged, kept
 from tests.support.terminal_session import in_terminal
-from tests.support.watched_store import config_of
-
-WORD = "Bearer s3same-0pen"
-SHARED = "0123456789abcdef"
-
-
-def kept(path: Path, text: str, mode: int = 0o600) -> str:
-    """A file with a secret in it."""
-    path.write_text(text)
-    path.chmod(mode)
-    return str(path)
-
-
-def bridged(link: Link) -> Config:
-    return replace(config_of(link.url, 1), rosbridge=link)
-
-
-@pytest.mark.parametrize(
-    ("text", "mode", "words"),
-    [
-        (WORD, 0o640, "rosbridge.authorization_file: others can read it (mode 640): chmod 600 it"),
-        (WORD, 0o604, "rosbridge.authorization_file: others can read it (mode 604): chmod 600 it"),
-        ("", 0o600, "rosbridge.authorization_file: is empty"),
-        (f"{WORD}\nX: y", 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),
-        (f"{WORD}\xe9", 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),
-        ("x" * 20_000, 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),
-    ],
-)
-def test_a_file_that_is_not_taken(tmp_path: Path, text: str, mode: int, words: str) -> None:
-    link = Link(authorization_file=kept(tmp_path / "a", text, mode))
-    assert access_problems(bridged(link)) == [words]
-
-
-def test_a_file_that_is_taken(tmp_path: Path) -> None:
-    link = Link(authorization_file=kept(tmp_path / "a", WORD + "\n"))
-    assert access_problems(bridged(link)) == []
-    assert secret(link, "authorization") == WORD
-    os.mkfifo(tmp_path / "pipe", 0o600)
-    for name, words in (("gone", "No such file"), ("pipe", "is no file"), ("a\0b", "no path")):
-        (line,) = access_problems(bridged(Link(rosauth_file=str(tmp_path / name))))
-        assert line.startswith("rosbridge.rosauth_file: ") and words in line
-
-
-def test_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("FLEET_WORD", WORD)
-    assert secret(Link(authorization_env="FLEET_WORD"), "authorization") == WORD
-    # Somebody may put the secret itself where the variable's name belongs.
-    with pytest.raises(ConfigError) as caught:
-        secret(Link(authorization_env=SHARED), "authorization")
-    assert SHARED not in str(caught.value) and "authorization_env" in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    ("link", "words"),
-    [
-        (Link("ws://ana:hush@a:1"), "url: no user and password here"),
-        (Link("http://ana:hush@a:1/?token=hush"), "url: 'http://***@a:1/?***' is no address"),
-        (Link("ana:hu/sh@a:1"), "url: '***@a:1' is no address"),
-        (Link("ws://a", ca_file="x"), "ca_file: there is no TLS with ws://"),
-        (Link("wss://a", client_key="x"), "client_key: is of no use without client_cert"),
-        (Link("ws://a", rosauth_env="A", rosauth_file="b"), "rosauth_file: give the file or rosauth_env"),
-    ],
-)
-def test_what_does_not_go_together(link: Link, words: str) -> None:
-    for where, config in (
-        ("rosbridge", bridged(link)),
-        ("links.b", replace(config_of("ws://a"), links={"b": link})),
-    ):
-        (line,) = checked(config)
-        assert line.startswith(f"{where}.{words}") and "hush" not in line
-
-
-def test_files_of_a_link_lie_beside_the_config(tmp_path: Path) -> None:
-    kept(tmp_path / "word", WORD)
-    (tmp_path / "config.toml").write_text(
-        '[links.b]\nurl = "wss://a"\nauthorization_file = "word"\nmax_message_mb = 7\n'
-        '[[floors]]\nname = "f"\n[[robots]]\nname = "r"\nlink = "b"\n'
-    )
-    config = load(tmp_path / "config.toml")
-    assert access_problems(config) == []
-    assert secret(config.bridge("b"), "authorization") == WORD
-    assert config.bridge("b").max_message_mb == 7
-
-
-def test_a_config_that_anybody_can_change_is_reported(tmp_path: Path) -> None:
-    config = replace(config_of("ws://a"), path=tmp_path / "in" / "config.toml")
-    (tmp_path / "in").mkdir()
-    config.path.touch(0o644)
-    assert not [line for line in unsafe_places(config) if str(tmp_path) in line]
-    config.path.chmod(0o646)
-    (tmp_path / "in").chmod(0o777)
-    found = list(unsafe_places(config))
-    assert f"any user of this machine can change {config.path}: chmod o-w {config.path}" in found
-    assert any(f"change {tmp_path / 'in'}:" in line for line in found)
-    (tmp_path / "safe").mkdir()
-    config.path.rename(tmp_path / "safe" / "config.toml")
-    config.path.symlink_to(tmp_path / "safe" / "config.toml")
-    config.path.chmod(0o644)
-    found = list(unsafe_places(config))
-    assert [line for line in found if str(tmp_path) in line] == [
-        f"any user of this machine can change {tmp_path / 'in'}: chmod o-w {tmp_path / 'in'}"
-    ]
-    (tmp_path / "in").chmod(0o1777)
-    assert not any(f"change {tmp_path / 'in'}:" in line for line in unsafe_places(config))
-
 
 Attend = Callable[[ServerConnection], object]
 
@@ -156,7 +46,7 @@ async def test_the_authorization_header_is_sent_and_renewed(tmp_path: Path) -> N
     async with guarded(_stay, WORD) as url:
         link = Link(url, authorization_file=kept(tmp_path / "word", "Bearer old"))
         async with linked(bridged(link)) as (_, store):
-            await store.until(lost("the server refuses us (HTTP 401): our authorization is not accepted"))
+            await store.until(lost("access denied (HTTP 401): authorization not accepted"))
             kept(tmp_path / "word", WORD)
             await store.until(lambda state: state.links["rosbridge"].phase.value == "up")
             (tmp_path / "word").chmod(0o644)
@@ -191,9 +81,9 @@ async def test_a_wrong_rosauth_secret_is_named(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setenv("ROSAUTH", SHARED)
     async with guarded(attend) as url:
         async with linked(bridged(Link(url, rosauth_env="ROSAUTH"))) as (_, store):
-            await store.until(lost("is the rosauth secret wrong, or a clock?"))
+            await store.until(lost("check the rosauth secret and the clocks"))
         async with linked(bridged(Link(url))) as (_, store):
-            await store.until(lost("does it want rosauth (rosauth_file)?"))
+            await store.until(lost("rosauth required (rosauth_file)?"))
 
 
 async def _says_back(connection: ServerConnection) -> None:
@@ -252,7 +142,7 @@ async def test_no_output_holds_a_secret(tmp_path: Path, mode: int) -> None:
         elif zipfile.is_zipfile(path):
             with zipfile.ZipFile(path) as archive:
                 content = b"".join(map(archive.read, archive.namelist()))
-            assert b"Bearer" not in content and b"what is in effect" in content
+            assert b"Bearer" not in content and b"effective settings" in content
         for hidden in (WORD, "s3same", SHARED, "hush-hush"):
             assert hidden.encode() not in content
     recorded = {path.name for path in written if path.suffix == ".gz" or path.name == "x"}
@@ -273,7 +163,7 @@ def _seen(home: Path, arguments: tuple[str, ...], is_taken: bool) -> str:
     config = ("--debug", "--config", str(home / "config.toml"))
     with in_terminal(home, *arguments, *config, MINE=SHARED) as running:
         if not arguments and is_taken:
-            running.shows("our authorization is not accepted")
+            running.shows("authorization not accepted")
             running.press("q")
         running.ends()
         if not arguments and not is_taken:

@@ -83,11 +83,11 @@ def test_edges_may_share_an_id_and_none_is_lost(read: Any) -> None:
 @pytest.mark.parametrize(
     ("feature", "problem"),
     [
-        (node(0, 5.0, name="Other"), "vertex 0 is there twice: the later one counts"),
-        (edge(7, 1, 0), "two edges lead from 1 to 0: the later one counts"),
+        (node(0, 5.0, name="Other"), "vertex 0 duplicated: the last one is used"),
+        (edge(7, 1, 0), "duplicate edge from 1 to 0: the last one is used"),
         (edge(7, 0, 42), "edge 7 names unknown vertex 42: left out"),
         (edge(7, 0, None), "edge 7 has no startid or no endid: left out"),
-        (node(7, 1e12), "vertex 7: no floor reaches to (1e+12, 0) m: left out"),
+        (node(7, 1e12), "vertex 7: (1e+12, 0) m is out of range: left out"),
         (node(7, None), "vertex 7: coordinates must be [x, y]: Expected `float`, got `null`"),
         (node(7, [1]), "vertex 7: coordinates must be [x, y]: Expected `float`, got `array`"),
         (node("a"), "features[4]: Expected `int`, got `str` - at `$.properties.id`"),
@@ -114,28 +114,28 @@ def test_what_is_wrong_costs_no_other(read: Any, feature: object, problem: str) 
 
 def test_many_faults_are_counted(read: Any) -> None:
     loaded = read(collection(node(0), *(edge(n, 0, 9) for n in range(5))))
-    assert loaded.problem == "graph g.geojson: edge 0 names unknown vertex 9: left out, and 4 more faults"
+    assert loaded.problem == "graph g.geojson: edge 0 names unknown vertex 9: left out, 4 more faults"
 
 
 @pytest.mark.parametrize(
     ("content", "problem"),
     [
-        ("", "is not JSON: "),
-        ("levels:\n  L1: {}\n", "is not JSON: invalid character in line 1; only route graphs of Nav2"),
+        ("", "not JSON: "),
+        ("levels:\n  L1: {}\n", "not JSON: invalid character in line 1; only Nav2 route graphs"),
         (
             '{"type":\n\n"FeatureCollection",\n "features": [NaN]}',
-            "is not JSON: invalid character in line 4;",
+            "not JSON: invalid character in line 4;",
         ),
-        ("<model/>", "is not JSON"),
-        ("[]", "is no FeatureCollection of GeoJSON; only route graphs of Nav2 (GeoJSON) can be read for now"),
-        ('{"layouts": []}', "is no FeatureCollection"),
-        ('{"type": "FeatureCollection"}', "is no FeatureCollection"),
-        ('{"type": "FeatureCollection", "features": {}}', "is no FeatureCollection"),
-        ('{"type": "FeatureCollection", "features": []}', "has no vertex: each is a feature with"),
-        ('{"type": "FeatureCollection", "features": [{}]}', "has no vertex: features[0]: Object missing"),
-        (b'{"type": "\xff"}', "can't be read: 'utf-8'"),
-        ("[" * 200_000, "is no"),
-        ('{"type": "FeatureCollection", "features": [' + '{"a":' * 200_000, "is nested too deep"),
+        ("<model/>", "not JSON"),
+        ("[]", "not a GeoJSON FeatureCollection; only Nav2 route graphs (GeoJSON) are supported"),
+        ('{"layouts": []}', "not a GeoJSON FeatureCollection"),
+        ('{"type": "FeatureCollection"}', "not a GeoJSON FeatureCollection"),
+        ('{"type": "FeatureCollection", "features": {}}', "not a GeoJSON FeatureCollection"),
+        ('{"type": "FeatureCollection", "features": []}', "has no vertices: expected features with"),
+        ('{"type": "FeatureCollection", "features": [{}]}', "has no vertices: features[0]: Object missing"),
+        (b'{"type": "\xff"}', "unreadable: 'utf-8'"),
+        ("[" * 200_000, "no"),
+        ('{"type": "FeatureCollection", "features": [' + '{"a":' * 200_000, "nested too deep"),
     ],
 )
 def test_a_file_that_is_no_graph(read: Any, content: str | bytes, problem: str) -> None:
@@ -146,21 +146,21 @@ def test_a_file_that_is_no_graph(read: Any, content: str | bytes, problem: str) 
 
 def test_files_that_are_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert load_floor_graph("f", tmp_path / "gone.json").problem == "graph gone.json: no such file"
-    assert "no regular file" in load_floor_graph("f", Path("/dev/zero")).problem
-    assert "can't be read" in load_floor_graph("f", tmp_path).problem
+    assert "not a regular file" in load_floor_graph("f", Path("/dev/zero")).problem
+    assert "unreadable" in load_floor_graph("f", tmp_path).problem
     monkeypatch.setattr(route_graphs, "MAX_FILE", 10)
     (tmp_path / "large").write_text(collection(node(0)))
-    assert load_floor_graph("f", tmp_path / "large").problem == "graph large: can't be read: over 10 bytes"
+    assert load_floor_graph("f", tmp_path / "large").problem == "graph large: unreadable: over 10 bytes"
 
 
 def test_more_than_is_taken_is_said(read: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(route_graphs, "MOST_VERTICES", 3)
     monkeypatch.setattr(route_graphs, "MOST_EDGES", 2)
     loaded = read(collection(*map(node, range(4))))
-    assert loaded.problem == "graph g.geojson: 4 vertices: only the first 3 are taken"
+    assert loaded.problem == "graph g.geojson: 4 vertices: only the first 3 used"
     assert list(loaded.graph.vertices) == ["0", "1", "2"]
     loaded = read(collection(node(0), node(1), edge(3, 0, 1), edge(4, 1, 0), edge(5, 0, 0)))
-    assert "3 edges: only the first 2 are taken" in loaded.problem and len(loaded.graph.edges) == 1
+    assert "3 edges: only the first 2 used" in loaded.problem and len(loaded.graph.edges) == 1
 
 
 def test_long_labels_are_cut(read: Any) -> None:
@@ -214,4 +214,4 @@ def test_files_of_real_sites(name: str) -> None:
 )
 def test_other_formats_are_told_what_can_be_read(name: str) -> None:
     problem = load_floor_graph("f", SHARED / "graphs" / name).problem
-    assert problem.startswith(f"graph {name}: is no") and "only route graphs of Nav2" in problem
+    assert problem.startswith(f"graph {name}: not ") and "only Nav2 route graphs" in problem

@@ -17,7 +17,7 @@ from fleet_tui.model.alarm import (
     Key,
     Priority,
     acknowledge,
-    ripen,
+    advance,
     shelve,
     transitions,
     unshelve,
@@ -30,7 +30,7 @@ KEY = ("robot_0", "obstacle")
 def condition(
     source: str = "robot_0", kind: str = "obstacle", text: str = "obstacle 3.2 s", parts: str = ""
 ) -> Condition:
-    return Condition(source, kind, Priority.HIGH, text, "obstacle cleared", parts=frozenset(parts))
+    return Condition(source, kind, Priority.HIGH, text, "cleared: obstacle", parts=frozenset(parts))
 
 
 def one(alarms: tuple[Alarm, ...]) -> Alarm:
@@ -39,78 +39,78 @@ def one(alarms: tuple[Alarm, ...]) -> Alarm:
 
 
 def test_raised_with_the_wall_time_of_the_first_moment() -> None:
-    alarm = one(ripen((), [condition()], at=10.0, wall=1_700_000_010.0))
+    alarm = one(advance((), [condition()], at=10.0, wall=1_700_000_010.0))
     assert (alarm.stage, alarm.count) == (AlarmStage.UNACKNOWLEDGED, 1)
     assert (alarm.first_wall, alarm.last_wall) == (1_700_000_010.0, 1_700_000_010.0)
-    later = one(ripen((alarm,), [condition(text="obstacle 9.9 s")], at=17.0, wall=1_700_000_017.0))
+    later = one(advance((alarm,), [condition(text="obstacle 9.9 s")], at=17.0, wall=1_700_000_017.0))
     assert (later.first_wall, later.last_wall, later.count) == (1_700_000_010.0, 1_700_000_017.0, 1)
     assert later.text == "obstacle 9.9 s"
 
 
 def test_over_but_unseen_it_stays_in_other_words() -> None:
-    alarms = ripen((), [condition()], 1.0, 1.0)
-    over = one(ripen(alarms, [], 2.0, 2.0))
-    assert (over.stage, over.text) == (AlarmStage.RETURNED, "obstacle cleared")
+    alarms = advance((), [condition()], 1.0, 1.0)
+    over = one(advance(alarms, [], 2.0, 2.0))
+    assert (over.stage, over.text) == (AlarmStage.RETURNED, "cleared: obstacle")
     assert acknowledge((over,), *KEY) == ()
 
 
 def test_where_nothing_changes_they_are_the_same_object() -> None:
-    over = ripen(ripen((), [condition()], 1.0, 1.0), [], 2.0, 2.0)
-    assert ripen(over, [], 3.0, 3.0) is over
-    assert ripen(over, [condition(kind="battery")], 3.0, 3.0)[:-1] == over
-    assert ripen((), [], 3.0, 3.0) == ()
+    over = advance(advance((), [condition()], 1.0, 1.0), [], 2.0, 2.0)
+    assert advance(over, [], 3.0, 3.0) is over
+    assert advance(over, [condition(kind="battery")], 3.0, 3.0)[:-1] == over
+    assert advance((), [], 3.0, 3.0) == ()
 
 
 def test_seen_while_it_holds_it_goes_with_its_condition() -> None:
-    seen = acknowledge(ripen((), [condition()], 1.0, 1.0), *KEY)
+    seen = acknowledge(advance((), [condition()], 1.0, 1.0), *KEY)
     assert one(seen).stage is AlarmStage.ACKNOWLEDGED
-    assert one(ripen(seen, [condition()], 2.0, 2.0)).stage is AlarmStage.ACKNOWLEDGED
-    assert ripen(seen, [], 3.0, 3.0) == ()
+    assert one(advance(seen, [condition()], 2.0, 2.0)).stage is AlarmStage.ACKNOWLEDGED
+    assert advance(seen, [], 3.0, 3.0) == ()
 
 
 def test_come_again_it_counts() -> None:
-    alarms = ripen((), [condition()], 1.0, 100.0)
-    alarms = ripen(ripen(alarms, [], 2.0, 101.0), [condition()], 3.0, 102.0)
+    alarms = advance((), [condition()], 1.0, 100.0)
+    alarms = advance(advance(alarms, [], 2.0, 101.0), [condition()], 3.0, 102.0)
     again = one(alarms)
     assert (again.count, again.stage, again.first_wall) == (2, AlarmStage.UNACKNOWLEDGED, 100.0)
 
 
 def test_what_comes_back_within_the_delay_is_the_same_alarm_and_counts() -> None:
-    alarms = acknowledge(ripen((), [condition()], 1.0, 1.0), *KEY)
+    alarms = acknowledge(advance((), [condition()], 1.0, 1.0), *KEY)
     for n in range(1, 50):
-        alarms = ripen(alarms, [condition()] if n % 2 else [], 1.0 + n, 1.0 + n, clear_after=3.0)
+        alarms = advance(alarms, [condition()] if n % 2 else [], 1.0 + n, 1.0 + n, clear_after=3.0)
         assert one(alarms).stage is AlarmStage.ACKNOWLEDGED
-        assert one(alarms).text == ("obstacle 3.2 s" if n % 2 else "obstacle cleared")
+        assert one(alarms).text == ("obstacle 3.2 s" if n % 2 else "cleared: obstacle")
     assert one(alarms).count == 25
 
 
 def test_the_delay_counts_from_when_it_held_last() -> None:
-    alarms = ripen((), [condition()], 1.0, 1.0)
-    alarms = ripen(alarms, [condition()], 5.0, 5.0, clear_after=3.0)
-    assert one(ripen(alarms, [], 7.9, 7.9, clear_after=3.0)).stage is AlarmStage.UNACKNOWLEDGED
-    assert one(ripen(alarms, [], 8.0, 8.0, clear_after=3.0)).stage is AlarmStage.RETURNED
+    alarms = advance((), [condition()], 1.0, 1.0)
+    alarms = advance(alarms, [condition()], 5.0, 5.0, clear_after=3.0)
+    assert one(advance(alarms, [], 7.9, 7.9, clear_after=3.0)).stage is AlarmStage.UNACKNOWLEDGED
+    assert one(advance(alarms, [], 8.0, 8.0, clear_after=3.0)).stage is AlarmStage.RETURNED
 
 
 def test_what_gets_worse_needs_another_look() -> None:
     low = structs.replace(condition(), priority=Priority.LOW)
-    seen = acknowledge(ripen((), [low], 1.0, 1.0), *KEY)
-    worse = ripen(seen, [structs.replace(low, priority=Priority.MEDIUM)], 2.0, 2.0)
+    seen = acknowledge(advance((), [low], 1.0, 1.0), *KEY)
+    worse = advance(seen, [structs.replace(low, priority=Priority.MEDIUM)], 2.0, 2.0)
     assert (one(worse).stage, one(worse).count) == (AlarmStage.UNACKNOWLEDGED, 1)
     seen = acknowledge(worse, *KEY)
-    assert one(ripen(seen, [low], 3.0, 3.0)).stage is AlarmStage.ACKNOWLEDGED
+    assert one(advance(seen, [low], 3.0, 3.0)).stage is AlarmStage.ACKNOWLEDGED
 
 
 def test_new_parts_count_and_need_another_look() -> None:
-    seen = acknowledge(ripen((), [condition(parts="ab")], 1.0, 1.0), *KEY)
+    seen = acknowledge(advance((), [condition(parts="ab")], 1.0, 1.0), *KEY)
     assert one(seen).count == 2
-    fewer = ripen(seen, [condition(parts="a")], 2.0, 2.0)
+    fewer = advance(seen, [condition(parts="a")], 2.0, 2.0)
     assert (one(fewer).stage, one(fewer).count) == (AlarmStage.ACKNOWLEDGED, 2)
-    more = ripen(fewer, [condition(parts="acde")], 3.0, 3.0)
+    more = advance(fewer, [condition(parts="acde")], 3.0, 3.0)
     assert (one(more).stage, one(more).count) == (AlarmStage.UNACKNOWLEDGED, 5)
 
 
 def test_acknowledging_one_leaves_the_others() -> None:
-    alarms = ripen((), [condition(), condition(kind="battery"), condition("robot_1")], 1.0, 1.0)
+    alarms = advance((), [condition(), condition(kind="battery"), condition("robot_1")], 1.0, 1.0)
     after = acknowledge(alarms, *KEY)
     assert [alarm.needs_acknowledgement for alarm in after] == [False, True, True]
     assert acknowledge(alarms, "robot_7", "obstacle") == alarms
@@ -118,33 +118,35 @@ def test_acknowledging_one_leaves_the_others() -> None:
 
 
 def test_the_oldest_stands_first() -> None:
-    alarms = ripen((), [condition("robot_1")], 1.0, 1.0)
-    alarms = ripen(alarms, [condition("robot_0"), condition("robot_1")], 2.0, 2.0)
+    alarms = advance((), [condition("robot_1")], 1.0, 1.0)
+    alarms = advance(alarms, [condition("robot_0"), condition("robot_1")], 2.0, 2.0)
     assert [alarm.condition.source for alarm in alarms] == ["robot_1", "robot_0"]
 
 
 def test_on_the_shelf_it_is_quiet_until_the_time_is_over() -> None:
-    alarms = shelve(ripen((), [condition()], 1.0, 1.0), KEY, until=10.0)
+    alarms = shelve(advance((), [condition()], 1.0, 1.0), KEY, until=10.0)
     for at, holding in ((2.0, True), (3.0, False), (9.9, True)):
-        alarms = ripen(alarms, [condition()] if holding else [], at, at)
+        alarms = advance(alarms, [condition()] if holding else [], at, at)
         assert one(alarms).stage is AlarmStage.SHELVED
         assert acknowledge(alarms, "", "") == alarms
     assert one(alarms).count == 2
-    assert one(ripen(alarms, [condition()], 10.0, 10.0)).stage is AlarmStage.UNACKNOWLEDGED
-    assert ripen(alarms, [], 10.0, 10.0) == ()
+    assert one(advance(alarms, [condition()], 10.0, 10.0)).stage is AlarmStage.UNACKNOWLEDGED
+    assert advance(alarms, [], 10.0, 10.0) == ()
 
 
 @pytest.mark.parametrize("holding", [True, False])
 def test_taken_off_the_shelf_it_is_what_it_would_be(holding: bool) -> None:
-    alarms = ripen(shelve(ripen((), [condition()], 1.0, 1.0), KEY, 99.0), [condition()] * holding, 2.0, 2.0)
+    alarms = advance(
+        shelve(advance((), [condition()], 1.0, 1.0), KEY, 99.0), [condition()] * holding, 2.0, 2.0
+    )
     after = unshelve(alarms, KEY)
     assert [alarm.stage for alarm in after] == [AlarmStage.UNACKNOWLEDGED] * holding
     assert unshelve(after, KEY) == after
 
 
 def test_a_later_word_moves_the_end_of_the_shelf() -> None:
-    alarms = shelve(shelve(ripen((), [condition()], 1.0, 1.0), KEY, 5.0), KEY, 50.0)
-    assert one(ripen(alarms, [condition()], 49.0, 49.0)).stage is AlarmStage.SHELVED
+    alarms = shelve(shelve(advance((), [condition()], 1.0, 1.0), KEY, 5.0), KEY, 50.0)
+    assert one(advance(alarms, [condition()], 49.0, 49.0)).stage is AlarmStage.SHELVED
 
 
 def test_history_tells_each_step_with_its_wall_time() -> None:
@@ -156,15 +158,15 @@ def test_history_tells_each_step_with_its_wall_time() -> None:
         told.extend((step.word, step.now.value, step.wall) for step in transitions(alarms, after, wall))
         alarms = after
 
-    then(ripen(alarms, [condition()], 1.0, 101.0), 101.0)
-    then(ripen(alarms, [condition()], 2.0, 102.0), 102.0)
-    then(ripen(alarms, [], 3.0, 103.0), 103.0)
-    then(ripen(alarms, [condition()], 4.0, 104.0), 104.0)
+    then(advance(alarms, [condition()], 1.0, 101.0), 101.0)
+    then(advance(alarms, [condition()], 2.0, 102.0), 102.0)
+    then(advance(alarms, [], 3.0, 103.0), 103.0)
+    then(advance(alarms, [condition()], 4.0, 104.0), 104.0)
     then(acknowledge(alarms, *KEY), 104.5)
-    then(ripen(alarms, [condition(parts="a")], 5.0, 105.0), 105.0)
+    then(advance(alarms, [condition(parts="a")], 5.0, 105.0), 105.0)
     then(shelve(alarms, KEY, 9.0), 105.5)
     then(unshelve(alarms, KEY), 106.0)
-    then(ripen(alarms, [], 7.0, 107.0), 107.0)
+    then(advance(alarms, [], 7.0, 107.0), 107.0)
     then(acknowledge(alarms, *KEY), 108.0)
     assert told == [
         ("raised", "unacknowledged", 101.0),
@@ -191,7 +193,7 @@ def test_it_counts_how_often_its_condition_began(looks: list[set[Key]]) -> None:
     began = dict.fromkeys(KINDS, 0)
     before: set[Key] = set()
     for n, holding in enumerate(looks):
-        alarms = ripen(alarms, [condition(*key) for key in sorted(holding)], float(n), float(n), 1.5)
+        alarms = advance(alarms, [condition(*key) for key in sorted(holding)], float(n), float(n), 1.5)
         for key in holding - before:
             began[key] += 1
         before = holding
@@ -232,7 +234,7 @@ class Alarms(RuleBasedStateMachine):
         conditions = [condition(*key) for key in sorted(holding)]
         known = {alarm.key for alarm in self.alarms}
         returned = {alarm.key for alarm in self.alarms if alarm.stage is AlarmStage.RETURNED}
-        self._then(lambda: ripen(self.alarms, conditions, self.at, self.at, self.CLEAR_AFTER))
+        self._then(lambda: advance(self.alarms, conditions, self.at, self.at, self.CLEAR_AFTER))
         for key in holding:
             if key not in self.holding or key not in known:
                 self.count[key] = self.count[key] + 1 if key in known else 1
@@ -290,6 +292,6 @@ TestAlarms = Alarms.TestCase
 
 
 def test_a_step_that_the_table_lacks_changes_nothing() -> None:
-    shelved = shelve(ripen((), [condition()], 1.0, 1.0), KEY, 9.0)
+    shelved = shelve(advance((), [condition()], 1.0, 1.0), KEY, 9.0)
     assert (AlarmStage.SHELVED, AlarmStep.ACKNOWLEDGE) not in TRANSITIONS
     assert acknowledge(shelved, *KEY) == shelved

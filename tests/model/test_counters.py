@@ -107,11 +107,11 @@ def test_jitter_is_how_much_two_in_a_row_differ() -> None:
 
 def test_tries_that_fail_are_no_losses() -> None:
     link = LinkCounter("site", [])
-    link.lost("nothing listens there", T0)
+    link.lost("connection refused", T0)
     assert (link.connections, link.lost_at) == (0, None)
     link.opened()
     link.lost("the bridge went away", T0 + 1.0)
-    link.lost("nothing listens there", T0 + 2.0)
+    link.lost("connection refused", T0 + 2.0)
     assert (link.connections, link.lost_at, link.lost_why) == (1, T0 + 1.0, "the bridge went away")
 
 

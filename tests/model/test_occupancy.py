@@ -61,7 +61,7 @@ def test_the_first_cell_of_the_message_is_the_lower_left_one() -> None:
 
 @pytest.mark.parametrize("cells", [0, 5, 7])
 def test_a_map_that_lies_about_its_size_is_refused(cells: int) -> None:
-    with pytest.raises(MapError, match=r"3 x 2 px but brings \d cells"):
+    with pytest.raises(MapError, match=r"3 x 2 px has \d cells"):
         grid_from_ros(MapFrame(1.0, 3, 2), bytes(cells))
 
 
@@ -74,8 +74,8 @@ def test_a_map_that_lies_about_its_size_is_refused(cells: int) -> None:
         (MapFrame(1.0, 0, 1), "size"),
         (MapFrame(1.0, 1, -1), "size"),
         (MapFrame(1.0, -1, -1), "size"),
-        (MapFrame(1.0, MAX_PIXELS, 2), "over"),
-        (MapFrame(1.0, 10**30, 10**30), "over"),
+        (MapFrame(1.0, MAX_PIXELS, 2), "exceeds"),
+        (MapFrame(1.0, 10**30, 10**30), "exceeds"),
     ],
 )
 def test_impossible_maps_are_refused_before_any_memory_is_taken(frame: MapFrame, says: str) -> None:

@@ -140,7 +140,7 @@ def test_an_order_that_is_listed_as_over_ended_so(state: OrderState, stage: Stag
     alarms = [alarm.text for alarm in ended.alarms if alarm.condition.kind == "command"]
     assert bool(alarms) == (stage in FAILURES)
     if stage in (Stage.FAILED, Stage.REPLACED):
-        assert alarms == [f"{stage.value}: order dock A -> 7b (order {GOAL}: as the robot reports)"]
+        assert alarms == [f"{stage.value}: order dock A -> 7b (order {GOAL}: as reported by the robot)"]
 
 
 def test_what_the_robot_says_of_its_end_counts_more_than_our_cancel() -> None:

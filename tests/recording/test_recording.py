@@ -91,7 +91,7 @@ def test_parts_are_one_recording(tmp_path: Path) -> None:
     for opened in (path, part_path(path, 7)):
         recording = open_recording(opened)
         assert recording.parts == [part_path(path, part) for part in range(12)]
-        assert "night.0014.jsonl.gz: is no recording" in recording.note
+        assert "night.0014.jsonl.gz: is not a fleet-tui recording" in recording.note
         assert recording.end.at == T0 + 719.5
         assert [type(record) for record in recording.records()].count(Keyframe) == 12
     path.unlink()
@@ -142,7 +142,7 @@ def test_cut_off_anywhere_it_is_read_up_to_the_last_whole_record(tmp_path: Path)
             continue
         ats = [record.at for record in recording.records()]
         assert ats[1:] == [1000.0 + n for n in range(len(ats) - 1)]
-        assert "cut off" in recording.note
+        assert "truncated" in recording.note
         seen.add(len(ats))
     assert max(seen) >= 198 and len(seen) > 150
 
@@ -154,7 +154,7 @@ def test_a_damaged_part_ends_early_and_the_next_one_goes_on(tmp_path: Path) -> N
     path.write_bytes(content)
     night(part_path(path, 1), 1, 1, T0 + 180)
     recording = open_recording(path)
-    assert "night.jsonl.gz: it is damaged" in recording.note
+    assert "night.jsonl.gz: damaged" in recording.note
     assert recording.keyframes[-1].at == T0 + 180
     ats = [record.at for record in recording.records()]
     assert ats[0] == T0 and ats[-1] == T0 + 239.5 and len(ats) < 4 * 62
@@ -169,16 +169,16 @@ def test_what_was_lost_is_known(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (b"", "is no recording of fleet-tui"),
-        (b"\x1f\x8b", "is no recording of fleet-tui: it ends in the middle"),
-        (b'{"kind":"header"}', "is no recording of fleet-tui: it is damaged"),
-        (gzip.compress(b"hello\n"), "a line is no record"),
-        (gzip.compress(b'{"kind":"lost","at":1,"wall":2}\n'), "it does not begin as one"),
+        (b"", "is not a fleet-tui recording"),
+        (b"\x1f\x8b", "is not a fleet-tui recording: incomplete"),
+        (b'{"kind":"header"}', "is not a fleet-tui recording: damaged"),
+        (gzip.compress(b"hello\n"), "line is not a record"),
+        (gzip.compress(b'{"kind":"lost","at":1,"wall":2}\n'), "wrong header"),
         (gzip.compress(b'{"kind":"header","version":99}\n'), "was written by a newer fleet-tui"),
-        (gzip.compress(b'{"kind":"header","version":1}\n'), "a record can't be read"),
-        (packed(header()), "nothing in it can be played"),
-        (packed(header(), keyframe(), keyframe(T0 - 1))[:60], "is no recording"),
-        (gzip.compress(b"[" * 1_000_000), "is no recording"),
+        (gzip.compress(b'{"kind":"header","version":1}\n'), "unreadable record"),
+        (packed(header()), "nothing to play"),
+        (packed(header(), keyframe(), keyframe(T0 - 1))[:60], "is not a fleet-tui recording"),
+        (gzip.compress(b"[" * 1_000_000), "is not a fleet-tui recording"),
     ],
     ids=itertools.count(),
 )
@@ -192,7 +192,7 @@ def test_what_is_no_recording(tmp_path: Path, content: bytes, words: str) -> Non
 
 def test_no_file(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
-    for name, words in (("gone", "no such file"), ("pipe", "is no file"), (".", "is no file")):
+    for name, words in (("gone", "no such file"), ("pipe", "not a file"), (".", "not a file")):
         with pytest.raises(RecordingError, match=words):
             open_recording(tmp_path / name)
 
@@ -200,7 +200,7 @@ def test_no_file(tmp_path: Path) -> None:
 def test_a_config_that_is_none_is_refused(tmp_path: Path) -> None:
     config = msgspec.structs.replace(header().config, robots=[])
     hostile = msgspec.structs.replace(header(), config=config)
-    with pytest.raises(RecordingError, match="holds a configuration that is none: robots: there is none"):
+    with pytest.raises(RecordingError, match="contains an invalid configuration: robots: empty"):
         open_recording(written(tmp_path / "x", [hostile, keyframe()]))
 
 
@@ -238,7 +238,7 @@ def test_a_keyframe_that_does_not_fit_the_config(tmp_path: Path) -> None:
     recording = open_recording(path)
     (record,) = recording.records()
     assert isinstance(record, Keyframe) and LINK in recording.config.bridges
-    with pytest.raises(RecordingError, match="does not fit"):
+    with pytest.raises(RecordingError, match="does not match"):
         recording.state(record)
 
 

@@ -90,7 +90,7 @@ def test_where_they_cannot_be_kept_that_is_said(tmp_path: Path) -> None:
     kept = Recordings(CONFIG, Store(fleet()), tmp_path)
     kept.keep_recent()
     (note,) = kept.notes()
-    assert note.startswith("last minutes not kept: ") and "can't be written" in note
+    assert note.startswith("last minutes not kept: ") and "not writable" in note
     tick(kept)
     kept.close()
 
@@ -118,7 +118,7 @@ def test_what_ended_processes_left_goes_but_for_the_last(tmp_path: Path) -> None
 
 
 def test_a_recording_is_begun_and_ended(kept: Recordings, tmp_path: Path) -> None:
-    assert kept.stop() == "nothing is recorded"
+    assert kept.stop() == "no recording running"
     path = kept.start()
     assert path.parent == tmp_path / "recordings"
     assert kept.notes() == ["rec 0 s"] and kept.recorder is not None
@@ -136,12 +136,12 @@ def test_a_recording_that_is_not_written_is_not_called_one(
     path.unlink()
     recorder = kept.recorder
     assert recorder is not None and recorder.flush()
-    assert kept.notes() == ["rec: not written: the file has been taken away"]
+    assert kept.notes() == ["rec: not written: file removed"]
     with pytest.raises(RecordingError):
         monkeypatch.setattr(module, "_now", lambda: "no/where\0")
         kept.start()
     assert kept.recorder is recorder
-    assert "not whole: the file has been taken away" in kept.stop()
+    assert "incomplete: file removed" in kept.stop()
 
 
 def test_a_demo_does_not_push_out_what_a_site_left(tmp_path: Path) -> None:

@@ -27,7 +27,7 @@ def test_what_comes_late_while_this_console_keeps_up_is_the_bridges_doing() -> N
     state = driving(late=3.0, unread=0.0)
     assert (round(state.links[LINK].late, 1), state.behind) == (3.0, 0.0)
     (alarm,) = [alarm for alarm in state.alarms if alarm.condition.kind == "late"]
-    assert alarm.text.startswith("messages come 3.0 s late: the bridge is overloaded: fewer topics")
+    assert alarm.text.startswith("messages 3.0 s late: bridge overloaded: use fewer topics")
 
 
 def test_what_waits_here_to_be_read_is_this_consoles_doing() -> None:

@@ -6,13 +6,13 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.simulator.faults import wire
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
+from tests.support.ordering import place
 from tests.support.scenario import (
     NO_ANSWER_AFTER,
     R0,
     calls,
     ended,
     hasty,
-    order,
     patient,
     plant,
     requests,
@@ -25,7 +25,7 @@ SENT = [Stage.CHECKED, Stage.SENT]
 async def test_refused(server: RosbridgeServer) -> None:
     plant(server, "refuse")
     async with console(patient(server.url)) as it:
-        await order(it)
+        await place(it)
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.REFUSED]
         assert record.words == "REJECTED: the simulator was asked to refuse"
@@ -41,7 +41,7 @@ async def test_late_and_seen_before(server: RosbridgeServer, monkeypatch: pytest
     monkeypatch.setattr(wire, "LATE", 4 * NO_ANSWER_AFTER)
     plant(server, "late")
     async with console(hasty(server.url)) as it:
-        await order(it)
+        await place(it)
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.NO_ANSWER, Stage.CONFIRMED]
         await it.shows("Base -> Consumidores: confirmed (seen in the queue as order 1)", "message")
@@ -56,7 +56,7 @@ async def test_late_and_refused(server: RosbridgeServer, monkeypatch: pytest.Mon
     monkeypatch.setattr(wire, "LATE", 2 * NO_ANSWER_AFTER)
     plant(server, "refuse,late")
     async with console(hasty(server.url)) as it:
-        await order(it)
+        await place(it)
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.NO_ANSWER, Stage.REFUSED]
         await it.shows("refused (REJECTED: the simulator was asked to refuse)", "message")
@@ -67,7 +67,7 @@ async def test_late_and_refused(server: RosbridgeServer, monkeypatch: pytest.Mon
 async def test_twice(server: RosbridgeServer) -> None:
     plant(server, "twice")
     async with console(patient(server.url)) as it:
-        await order(it)
+        await place(it)
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         # The answers to the pause come behind both answers to the order.
@@ -75,7 +75,7 @@ async def test_twice(server: RosbridgeServer) -> None:
         pause = await ended(it, 2)
         assert stages(pause) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         assert it.store.state.commands[0] == record
-        await it.shows("pause: confirmed (reported by the robot)", "message")
+        await it.shows("pause: confirmed by the robot", "message")
         assert calls(server) == ["Execute_order", "Pause"]
         assert len(server.world.robots[R0].orders) == 1
 
@@ -83,17 +83,17 @@ async def test_twice(server: RosbridgeServer) -> None:
 async def test_never(server: RosbridgeServer) -> None:
     plant(server, "never")
     async with console(hasty(server.url, 1.5)) as it:
-        await order(it)
+        await place(it)
         await it.shows("Base -> Consumidores: no answer", "message")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
-        assert record.words.endswith("no such order in its queue")
+        assert record.words.endswith("order not in the queue")
         await it.shows("Base -> Consumidores: not confirmed (no answer: ", "message")
         await it.press("p")
         pause = await ended(it, 2)
         assert stages(pause) == [*SENT, Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
         # On the screen a robot is only paused where it is.
-        assert pause.words.endswith("it reported no pause")
+        assert pause.words.endswith("the robot reported no pause")
         assert calls(server) == ["Execute_order", "Pause"]
 
 
@@ -102,10 +102,10 @@ async def test_wrong_ids(server: RosbridgeServer, key: str) -> None:
     """An answer to nobody is no answer; what the robot then does is seen all the same."""
     plant(server, "wrong-id")
     async with console(hasty(server.url)) as it:
-        await (order(it) if key == "order" else it.press(key))
+        await (place(it) if key == "order" else it.press(key))
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.NO_ANSWER, Stage.CONFIRMED]
-        await it.shows("confirmed (", "message")
+        await it.shows("confirmed ", "message")
         assert len(calls(server)) == 1
 
 
@@ -114,7 +114,7 @@ async def test_three_orders_with_an_answer_each_way(server: RosbridgeServer) -> 
     plant(server, "wrong-id")
     async with console(hasty(server.url)) as it:
         for count in (1, 2, 3):
-            await order(it)
+            await place(it)
             await ended(it, count)
         records = it.store.state.commands
         assert [record.order_id for record in records] == ["1", "2", "3"]

@@ -5,7 +5,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
-from tests.support.scenario import R0, calls, ended, hasty, heard_anew, order, patient, plant, stages
+from tests.support.ordering import place
+from tests.support.scenario import R0, calls, ended, hasty, heard_anew, patient, plant, stages
 
 SENT = [Stage.CHECKED, Stage.SENT]
 
@@ -21,7 +22,7 @@ def stands_at(stage: Stage, state: FleetState) -> bool:
 async def test_carried_out_but_the_answer_was_lost(server: RosbridgeServer) -> None:
     plant(server, "drop")
     async with console(patient(server.url)) as it:
-        await order(it)
+        await place(it)
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.CONFIRMED]
         await it.shows("Base -> Consumidores: confirmed (seen in the queue as order 1)", "message")
@@ -34,13 +35,13 @@ async def test_carried_out_but_the_answer_was_lost(server: RosbridgeServer) -> N
 async def test_neither_carried_out_nor_answered(server: RosbridgeServer) -> None:
     plant(server, "never")
     async with console(hasty(server.url, 1.5)) as it:
-        await order(it)
+        await place(it)
         await it.until(lambda _: server.calls)
         await server.drop_clients()
         await it.shows("outcome unknown", "message")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.NOT_CONFIRMED]
-        assert record.words.endswith("no such order in its queue")
+        assert record.words.endswith("order not in the queue")
         await it.shows("Base -> Consumidores: not confirmed (outcome unknown", "message")
         await heard_anew(it)
         assert calls(server) == ["Execute_order"]
@@ -63,16 +64,16 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
     await first.start()
     plant(first, "never")
     async with console(hasty(first.url, 1.5)) as it:
-        await order(it)
+        await place(it)
         await it.until(lambda _: first.calls)
         await first.stop()
         await it.shows("outcome unknown", "message")
         await it.shows("no link")
         # What is wished for now is not kept for later.
-        await order(it)
-        await it.shows("not sent: robot_0 could not be reached", "missing")
+        await place(it)
+        await it.shows("not sent: robot_0 is unreachable", "missing")
         await it.press("escape", "r")
-        await it.shows("not sent: robot_0 could not be reached", "message")
+        await it.shows("not sent: robot_0 is unreachable", "message")
         assert len(it.store.state.commands) == 1
         second = RosbridgeServer(
             World(robots=1, floors=1, seed=1, quiet=True), port=int(first.url.rpartition(":")[2])
@@ -81,7 +82,7 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
         await ended(it)
         record = it.store.state.commands[0]
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.NOT_CONFIRMED]
-        assert record.words.endswith("no such order in its queue")
+        assert record.words.endswith("order not in the queue")
         await heard_anew(it)
         await it.shows("no orders", "queue")
         assert calls(first) == ["Execute_order"]
@@ -94,12 +95,12 @@ async def test_a_robot_that_starts_anew_counts_from_nothing_again(server: Rosbri
     plant(server, "restart:robot_0")
     async with console(patient(server.url)) as it:
         for count in (1, 2):
-            await order(it)
+            await place(it)
             record = await ended(it, count)
             assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
             assert record.order_id == "1"
             await it.until(lambda state: not state.robots[R0].orders.orders)
         await it.shows("no orders", "queue")
         await it.press("w")
-        await it.shows("▶ likeliest: order: lost")
+        await it.shows("▶ 1. order: lost")
         assert calls(server) == ["Execute_order", "Execute_order"]

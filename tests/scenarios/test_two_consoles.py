@@ -11,7 +11,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.fleets import place_order
-from tests.support.scenario import R0, calls, ended, order, patient, requests, stages
+from tests.support.ordering import place
+from tests.support.scenario import R0, calls, ended, patient, requests, stages
 from tests.support.watched_store import WatchedStore
 
 SENT = [Stage.CHECKED, Stage.SENT]
@@ -45,7 +46,7 @@ async def other_console(url: str) -> AsyncIterator[Other]:
 async def test_the_same_order_from_both_is_two_orders(server: RosbridgeServer) -> None:
     async with console(patient(server.url)) as it, other_console(server.url) as other:
         other.link.submit(place_order(R0, BASE, CONSUMIDORES))
-        await order(it)
+        await place(it)
         for record in (await ended(it), await other.ended()):
             assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         assert calls(server) == ["Execute_order", "Execute_order"]
@@ -63,7 +64,7 @@ async def test_an_order_of_the_other_one_is_shown_and_can_be_cancelled(server: R
         await it.press("x", "y")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
-        await it.shows("cancel order 1: confirmed (gone from the queue)", "message")
+        await it.shows("cancel order 1: confirmed (no longer in the queue)", "message")
         # All that the other console sees of it is that the order is gone.
         await other.store.until(lambda state: state.commands[0].stage is Stage.LOST)
 
@@ -71,7 +72,7 @@ async def test_an_order_of_the_other_one_is_shown_and_can_be_cancelled(server: R
 async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:
     """Only one can; the other is told so in the robot's own words."""
     async with console(patient(server.url)) as it, other_console(server.url) as other:
-        await order(it)
+        await place(it)
         await ended(it)
         await it.shows("Base -> Consumidores", "queue")
         await it.press("x")
@@ -89,12 +90,12 @@ async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:
 async def test_one_clears_while_the_other_orders(server: RosbridgeServer) -> None:
     async with console(patient(server.url)) as it, other_console(server.url) as other:
         for count in (1, 2):
-            await order(it)
+            await place(it)
             await ended(it, count)
         other.link.submit(ClearOrders(R0))
         assert stages(await other.ended()) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         await it.shows("no orders", "queue")
-        await order(it)
+        await place(it)
         assert (await ended(it, 3)).order_id == "3"
         assert len(calls(server)) == 4
 
@@ -105,10 +106,10 @@ async def test_a_pause_from_the_other_one_is_named_as_such(server: RosbridgeServ
         assert stages(await other.ended()) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         await it.shows("paused", "fleet")
         await it.press("w")
-        await it.shows("it says so; it came from elsewhere")
+        await it.shows("reported by the robot, not sent by this console")
         await it.press("r")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
-        await it.shows("▶ likeliest: no orders")
+        await it.shows("▶ 1. no orders")
         assert "paused" not in it.pane("fleet")
         assert calls(server) == ["Pause", "Resume"]

@@ -74,7 +74,7 @@ async def test_what_is_typed_right_after_the_key_belongs_to_the_field(
     """`p`, `x`, `P` in a search must not pause or cancel."""
     async with audited(server, tmp_path) as it:
         await it.press("L", "p", "x", "P")
-        await it.shows("no such record")
+        await it.shows("no matching record")
         assert field(it) == "pxP" and server.calls == []
 
 
@@ -88,7 +88,7 @@ async def test_from_the_palette_at_80_by_24_with_the_marked_record_in_full(
         await it.type("audit")
         await it.press("enter")
         await it.shows("robot_0 pause: accepted")
-        await it.shows("confirmed: reported by the robot")
+        await it.shows("confirmed by the robot")
         await it.press("down")
         await it.shows("accepted: paused")
         assert "robot_0" in it.text.splitlines()[0]
@@ -114,7 +114,7 @@ async def test_a_time_that_is_none_is_answered_in_place_of_the_list(
     async with audited(server, tmp_path) as it:
         await open_log(it, "console: opened")
         await it.type("since:2x")
-        await it.shows("'2x' is no time: give 30m, 2h")
+        await it.shows("'2x' is not a time: use 30m, 2h")
 
 
 async def test_hostile_records_and_foreign_lines_do_not_act_on_the_screen(
@@ -124,12 +124,12 @@ async def test_hostile_records_and_foreign_lines_do_not_act_on_the_screen(
     (tmp_path / FILE_NAME).write_bytes(b"rubbish\n" + odd + odd[:50])
     async with audited(server, tmp_path) as it:
         await open_log(it, "refused (␛[2J\ufffd[red]x)")
-        await it.shows("2 lines that can't be read")
+        await it.shows("2 unreadable lines")
 
 
 async def test_the_console_without_a_log_says_so(server: RosbridgeServer) -> None:
     async with console(config_of(server.url)) as it:
-        await open_log(it, "keeps no audit log")
+        await open_log(it, "no audit log")
 
 
 async def test_a_full_disk_stands_on_the_screen_and_dispatch_goes_on(

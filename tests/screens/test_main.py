@@ -78,7 +78,7 @@ async def test_help_lists_every_key_and_searches(server: RosbridgeServer) -> Non
         await it.press("question_mark")
         await it.shows("type to search")
         assert "Pan left" in it.text
-        await it.type("pause every")
+        await it.type("pause all robots")
         await it.shows("f12")
         assert "Pan left" not in it.text
         assert server.url in it.text
@@ -97,7 +97,7 @@ async def test_the_palette_goes_to_things_and_does_actions(server: RosbridgeServ
 async def test_the_palette_does_what_a_key_would(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("colon")
-        await it.type("edges on")
+        await it.type("toggle edges")
         await it.press("enter")
         await it.until(lambda _: it.app.main.rest.map.picture.options.edges)
 

@@ -7,8 +7,8 @@ from fleet_tui.model.events import LabelsReceived
 from fleet_tui.screens.simple import Simple
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.sanitize import sanitize
-from tests.screens.test_commands import sent, vertex
 from tests.support.console_pilot import Console, console
+from tests.support.ordering import sent, vertex
 from tests.support.watched_store import config_of
 
 
@@ -16,6 +16,7 @@ async def pick_by_arrows(it: Console, label: str) -> None:
     """Down to a label of the list that is open, and Enter."""
     options = it.app.main.query_one("#simple-list")
     await it.until(lambda _: it.app.main.focused is options)
+    await it.shows(label, "simple-list")
     lines = [line.strip() for line in it.pane("simple-list").splitlines()]
     at = next(n for n, line in enumerate(lines) if line.startswith(label))
     await it.press(*["down"] * at, "enter")
@@ -26,7 +27,7 @@ async def test_an_order_with_arrows_and_enter_alone(server: RosbridgeServer, siz
     async with console(config_of(server.url, 2), size) as it:
         await it.press("s")
         await it.shows("Robot: robot_0")
-        for word in ("0 alarms", "Queue robot_0", "Alarms", "robot_1", "Send"):
+        for word in ("● ws://", "Queue robot_0", "Alarms", "robot_1", "Send"):
             assert word in it.text
         await it.press("up", "enter")
         await it.shows("Which robot?")
@@ -85,7 +86,7 @@ async def test_with_cargo_on_board_there_is_only_a_destination(
         await it.press("s")
         await it.shows("From: choose")
         server.world.robots["robot_0"].cargo = True
-        await it.shows("Come here with the cargo")
+        await it.shows("To, for the cargo on board")
         await it.hides("From:")
         await it.press("down", "up", "enter")
         await it.shows("Which robot?")

@@ -6,14 +6,10 @@ import pytest
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.why import Why
-from fleet_tui.simulator.faults import parse_faults, play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
+from tests.support.scenario import plant
 from tests.support.watched_store import config_of
-
-
-def plant(server: RosbridgeServer, faults: str) -> None:
-    play(server, parse_faults(faults, server.world.robots))
 
 
 def is_open(it: Console) -> bool:
@@ -27,29 +23,29 @@ async def test_it_names_the_cause_and_its_key_does_the_fix(
     plant(server, "paused:robot_0")
     async with console(config_of(server.url, 2, 2), size) as it:
         await it.press("w")
-        await it.shows("Why does robot_0 stand still?")
-        await it.shows("▶ likeliest: paused  (certain)")
-        await it.shows("r  Resume the selected robot, at once")
+        await it.shows("Stop reasons: robot_0")
+        await it.shows("▶ 1. paused  (certain)")
+        await it.shows("r  Resume the selected robot immediately")
         await it.press("r")
-        await it.shows("▶ likeliest: no orders")
+        await it.shows("▶ 1. no orders")
         assert [service for service, _ in server.calls] == ["/robot_0/Application_layout/Resume"]
         await it.press("escape")
-        await it.hides("Why does robot_0")
+        await it.hides("Stop reasons: robot_0")
 
 
 async def test_it_is_live_and_goes_with_the_robot(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("w")
-        await it.shows("▶ likeliest: no orders")
+        await it.shows("▶ 1. no orders")
         plant(server, "obstacle:robot_0,paused:robot_1")
-        await it.shows("▶ likeliest: obstacle")
+        await it.shows("▶ 1. obstacle")
         await it.press("]")
-        await it.shows("Why does robot_1 stand still?")
-        await it.shows("▶ likeliest: paused")
+        await it.shows("Stop reasons: robot_1")
+        await it.shows("▶ 1. paused")
         await it.press("1")
-        await it.shows("Why does robot_0 stand still?")
+        await it.shows("Stop reasons: robot_0")
         await it.press("w")
-        await it.hides("Why does")
+        await it.hides("Stop reasons")
 
 
 async def test_order_and_clear_open_what_they_open_elsewhere(server: RosbridgeServer) -> None:
@@ -75,7 +71,7 @@ async def test_a_pause_reaches_through_it(server: RosbridgeServer) -> None:
         await it.until(lambda _: len(server.calls) == 2)
         await it.press("P")
         await it.until(lambda _: len(server.calls) == 4)
-        await it.shows("it says so; the pause came from here")
+        await it.shows("reported by the robot, sent by this console")
         assert is_open(it)
 
 
@@ -93,14 +89,14 @@ async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
         await it.press("W")
         await it.shows("f5  Resume")
         await it.press("f5")
-        await it.shows("▶ likeliest: no orders")
+        await it.shows("▶ 1. no orders")
         await it.press("W")
-        await it.hides("Why does")
+        await it.hides("Stop reasons")
 
 
 async def test_the_robots_menu_has_it(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("tab", "enter")
-        await it.shows("Why does it stand still?")
+        await it.shows("Explain why it")
         await it.press("j", "j", "j", "j", "j", "enter")
-        await it.shows("▶ likeliest: no orders")
+        await it.shows("▶ 1. no orders")

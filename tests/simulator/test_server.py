@@ -382,5 +382,5 @@ class TestDoors:
 
 async def test_a_taken_port_is_named_with_a_remedy(server: RosbridgeServer) -> None:
     port = int(server.url.rsplit(":", 1)[1])
-    with pytest.raises(FleetError, match=rf"port {port} .* is taken: .* --port"):
+    with pytest.raises(FleetError, match=rf"port {port} .* is in use: .* --port"):
         await RosbridgeServer(server.world, port=port).start()

@@ -7,7 +7,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from tests.support.fleets import F0, fleet, graph, labels, told
 
-FILE = FloorGraphLoaded(F0, graph(1, 2).graph, {"1": "Base"}, "graph g.json: vertex 1 is there twice")
+FILE = FloorGraphLoaded(F0, graph(1, 2).graph, {"1": "Base"}, "graph g.json: vertex 1 duplicated")
 
 
 def mute(state: FleetState, *robots: str) -> FleetState:
@@ -23,7 +23,7 @@ def test_robots_that_publish_no_graph_share_that_of_the_file() -> None:
     assert charts[0].labels == {"1": "Base"} and charts[0].name_of("1") == "Base"
     assert charts[0].name_of("2") == "2" and charts[0].name_of("3") is None
     assert charts[1].graph is None and charts[1].labels == {}
-    assert state.floors[F0].graph_problem == "graph g.json: vertex 1 is there twice"
+    assert state.floors[F0].graph_problem == "graph g.json: vertex 1 duplicated"
 
 
 def test_a_robots_own_graph_stays() -> None:

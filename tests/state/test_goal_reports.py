@@ -165,7 +165,7 @@ class TestWhose:
         assert record(state).stage is Stage.SENT
         state = told(state, tick(T0 + 6))
         assert record(state).stage is Stage.NOT_CONFIRMED
-        assert record(state).words == "no answer; not confirmed whose: several new goals"
+        assert record(state).words == "no answer; ambiguous: several new goals"
         assert {one.id for one in foreign(state, robot(state))} == {"a", "b"}
 
     def test_one_that_was_there_but_comes_late_is_not_ours_by_its_stamp(self) -> None:
@@ -210,10 +210,10 @@ class TestEnds:
         state = told(self.ours(), goals(T0 + 5, goal("a", DONE)), tick(T0 + 5.5))
         assert record(state).stage is Stage.CONFIRMED
         state = told(state, tick(T0 + 6.1))
-        assert (record(state).stage, record(state).words) == (Stage.DONE, "order a: as the robot reports")
+        assert (record(state).stage, record(state).words) == (Stage.DONE, "order a: as reported by the robot")
 
     def test_stops_that_were_missed_make_it_failed(self) -> None:
-        state = told(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "1 of its stops were missed"))
+        state = told(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "1 stops missed"))
         state = told(state, goals(T0 + 5.1, goal("a", DONE)), tick(T0 + 5.2))
         assert record(state).stage is Stage.FAILED
 

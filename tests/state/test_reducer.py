@@ -3,15 +3,14 @@
 import pytest
 
 from fleet_tui.model import events
-from fleet_tui.model.alarm import Alarm
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
-from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.state.command_events import COMMANDS_KEPT
 from fleet_tui.text.durations import age
+from tests.support.alarms import alarms
 from tests.support.fleets import (
     F0,
     LINK,
@@ -34,10 +33,6 @@ from tests.support.fleets import (
 
 FRAME = MapFrame(0.05, 2, 1, Pose(-1.0, -2.0))
 GRID = grid_from_ros(FRAME, b"\x00\x64")
-
-
-def alarms(state: FleetState) -> dict[tuple[str, str], Alarm]:
-    return {alarm.key: alarm for alarm in state.alarms}
 
 
 def test_live_maps_of_many_robots_do_not_add_up(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -119,7 +114,7 @@ def test_since_stays_the_moment_of_the_loss_while_it_is_tried_again() -> None:
         trying = events.LinkChanged(LINK, T0 + 11 + n, Phase.CONNECTING)
         state = told(state, trying)
         assert (state.links[LINK].since, bool(state.links[LINK].reason)) == (T0 + 10, True)
-        state = told(state, link_lost(T0 + 11.5 + n, "nothing listens there", T0 + 13 + n))
+        state = told(state, link_lost(T0 + 11.5 + n, "connection refused", T0 + 13 + n))
         assert (state.links[LINK].since, state.links[LINK].next_try) == (T0 + 10, T0 + 13 + n)
     state = told(state, link_up(T0 + 30))
     link = state.links[LINK]
@@ -130,12 +125,10 @@ def test_since_stays_the_moment_of_the_loss_while_it_is_tried_again() -> None:
 def test_a_link_that_is_heard_and_commands_that_are_dead() -> None:
     state = told(fleet(), link_up(T0), events.LinkHeard(LINK, T0 + 3.0))
     assert state.links[LINK].heard == T0 + 3.0
-    state = told(
-        state, events.CommandPathChanged(LINK, CommandPath.DEAD, "the ROS master is gone"), tick(T0 + 4)
-    )
-    assert alarms(state)[LINK, "commands"].text == "commands don't get through: the ROS master is gone"
+    state = told(state, events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master"), tick(T0 + 4))
+    assert alarms(state)[LINK, "commands"].text == "no command path: no ROS master"
     state = told(state, events.CommandPathChanged(LINK, CommandPath.ALIVE), tick(T0 + 5))
-    assert alarms(state)[LINK, "commands"].text == "commands get through again"
+    assert alarms(state)[LINK, "commands"].text == "command path restored"
 
 
 def test_no_link_is_one_alarm_with_its_reason_after_the_delay() -> None:
@@ -143,9 +136,9 @@ def test_no_link_is_one_alarm_with_its_reason_after_the_delay() -> None:
     assert alarms(state) == {}
     state = told(state, tick(T0 + 60))
     assert list(alarms(state)) == [(LINK, "link")]
-    assert alarms(state)[LINK, "link"].text == "no link: nothing listens there"
+    assert alarms(state)[LINK, "link"].text == "no link: connection refused"
     state = told(state, link_up(T0 + 61), tick(T0 + 61.1))
-    assert alarms(state)[LINK, "link"].text == "link is back"
+    assert alarms(state)[LINK, "link"].text == "link restored"
 
 
 def test_offline_is_an_alarm_only_while_the_link_is_up_and_had_time() -> None:
@@ -155,7 +148,7 @@ def test_offline_is_an_alarm_only_while_the_link_is_up_and_had_time() -> None:
     assert alarms(state)[R0, "offline"].text == "offline 12 s"
     assert alarms(state)["robot_1", "offline"].text == "never seen"
     state = told(state, battery(T0 + 13.0), tick(T0 + 13.0))
-    assert alarms(state)[R0, "offline"].text == "is back"
+    assert alarms(state)[R0, "offline"].text == "back online"
 
 
 def test_a_new_link_gives_the_robots_time_to_speak() -> None:
@@ -170,7 +163,7 @@ def test_obstacle_above_the_limit(seconds: float, alarmed: bool) -> None:
     assert ((R0, "obstacle") in alarms(state)) is alarmed
     assert state.is_obstructed(state.robots[R0]) is alarmed
     free = told(state, events.ObstacleReported(R0, T0 + 1, 0.0), tick(T0 + 1))
-    assert [alarm.text for alarm in free.alarms] == ["obstacle cleared"] * alarmed
+    assert [alarm.text for alarm in free.alarms] == ["cleared: obstacle"] * alarmed
 
 
 @pytest.mark.parametrize(

@@ -1,11 +1,14 @@
 """The console under Textual's pilot, on the real loopback simulator: what it shows, what it sends."""
 
 import time
+import unicodedata
 from collections.abc import AsyncIterator, Callable
 from contextlib import AsyncExitStack, asynccontextmanager
 from functools import partial
 from pathlib import Path
 
+from textual import events
+from textual.keys import REPLACED_KEYS, _character_to_key, _get_unicode_name_from_key
 from textual.pilot import Pilot
 
 from fleet_tui.app import FleetApp
@@ -40,12 +43,34 @@ class Console:
         return "\n".join(widget.render_line(y).text for y in range(widget.size.height))
 
     async def press(self, *keys: str) -> None:
-        """Press keys one after the other."""
-        await self.pilot.press(*keys)
+        """Press keys one after the other, each when all that the one before it led to is done."""
+        for key in keys:
+            self._send(key)
+            await self.settled()
 
     async def type(self, text: str) -> None:
         """Type text as a person or a paste does: every character is already there."""
-        await self.pilot.press(*("space" if letter == " " else letter for letter in text))
+        for letter in text:
+            self._send("space" if letter == " " else letter)
+        await self.settled()
+
+    def _send(self, key: str) -> None:
+        """Send it as Textual's pilot does, which waits for an idle process: with a fleet it never is."""
+        named = _character_to_key(key) if len(key) == 1 and not key.isalnum() else key
+        name = _get_unicode_name_from_key(REPLACED_KEYS.get(named, named))
+        try:
+            character: str | None = unicodedata.lookup(name)
+        except KeyError:
+            character = named if len(named) == 1 else None
+        event = events.Key(named, character)
+        event.set_sender(self.app)
+        assert self.app._driver is not None
+        self.app._driver.send_message(event)
+
+    async def settled(self) -> None:
+        """Wait until no widget has a message left, also none that came of one of those."""
+        for _ in range(3):
+            await self.pilot._wait_for_screen()
 
     async def until(self, holds: Callable[[FleetState], object]) -> FleetState:
         """Wait until the state is as wanted."""

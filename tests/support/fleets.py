@@ -44,7 +44,7 @@ WIRE = Path(__file__).parents[1] / "wire"
 
 
 def fleet(robots: int = 1, floors: int = 1) -> FleetState:
-    """Robots and floors of a config without a topic for pauses, nothing heard yet, at T0."""
+    """Robots and floors of a config without a topic for pauses, nothing received yet, at T0."""
     config = config_of("ws://site:9090", robots, floors)
     return initial_state(msgspec.structs.replace(config, profile=Profile()), T0)
 
@@ -105,7 +105,7 @@ def link_up(at: float) -> LinkChanged:
     return LinkChanged(LINK, at, Phase.UP)
 
 
-def link_lost(at: float, reason: str = "nothing listens there", next_try: float | None = None) -> LinkChanged:
+def link_lost(at: float, reason: str = "connection refused", next_try: float | None = None) -> LinkChanged:
     return LinkChanged(LINK, at, Phase.WAITING, reason, next_try)
 
 

@@ -88,7 +88,7 @@ def commands_are_kept(config: Config, state: FleetState, lines: Iterable[AuditRe
 
 
 def alarms_are_kept(state: FleetState, lines: Iterable[AuditRecord], seen: Iterable[tuple[str, str]]) -> None:
-    """Each alarm that ever was is there, or the log says that it has gone."""
+    """Each alarm that ever was there, or the log says that it has gone."""
     there = {alarm.key for alarm in state.alarms}
     for source, kind in seen:
         logged = [line for line in lines if line.what == kind and source in (line.robot, line.link)]

@@ -45,15 +45,6 @@ def requests(server: RosbridgeServer) -> list[Any]:
     return [args["request_id"] for _, args in server.calls if "request_id" in args]
 
 
-async def order(it: Console) -> None:
-    """Base -> Consumidores by the promised keys."""
-    await it.press("o")
-    await it.type("Base")
-    await it.press("enter")
-    await it.type("Consumidores")
-    await it.press("enter")
-
-
 async def ended(it: Console, count: int = 1) -> CommandRecord:
     """The last of so many commands, once all of them have ended."""
 

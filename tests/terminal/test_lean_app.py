@@ -16,8 +16,6 @@ from textual.widgets import Input, OptionList, Static
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
-from fleet_tui.terminal import display_driver
-from fleet_tui.terminal.display_driver import textual_fits
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
@@ -165,12 +163,6 @@ async def test_the_terminal_shows_what_textual_means_after_anything(seed: int) -
             await pilot.pause()
             paint(app, app.map)
             assert difference(app)[:9] == [], f"step {step}"
-
-
-def test_textual_is_as_the_lean_painting_needs_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert textual_fits(), "Textual changed: go through display_driver.py, then raise MADE_FOR"
-    monkeypatch.setattr(display_driver, "MADE_FOR", "8.2.9")
-    assert not textual_fits()
 
 
 async def test_with_another_textual_the_stock_painting_takes_over(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from fleet_tui.text.ascii_fallback import PLAIN
 from fleet_tui.text.sanitize import cell_width
-from tests.bench.in_pty import Terminal
+from tests.support.in_pty import Terminal
 
 
 def test_every_sign_takes_the_same_cells() -> None:

@@ -22,10 +22,10 @@ ALL = ""
 def order(names: Names, robot: Robot, stops: Sequence[Stop], unique: str) -> tuple[Publication]:
     """Return the goal that leads to a stop, under a name of its own. Raises CommandError."""
     if len(stops) != 1:
-        raise CommandError("a goal of move_base leads to one stop")
+        raise CommandError("a move_base goal has one stop")
     topic = names.topic("goal", robot.name)
     if not topic:
-        raise CommandError(f"this robot takes no goals: [{names.table}.topics] goal is empty")
+        raise CommandError(f"no goals for this robot: [{names.table}.topics] goal is empty")
     pose = pose_of_stop(robot, stops[0], robot.pose.value if robot.pose else None)
     name = f"fleet-tui-{UUID(hex=unique)}"
     message = {
@@ -40,7 +40,7 @@ def cancel(names: Names, robot: Robot, order_id: str) -> list[Publication]:
     """Return what cancels one goal, whoever gave it. Raises CommandError for an unknown one."""
     found = [goal.uuid for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
-        known = f"{len(found)} goals are called {order_id}" if found else f"no goal {order_id} is known"
+        known = f"{len(found)} goals match {order_id}" if found else f"unknown goal {order_id}"
         raise CommandError(f"{known}: see the queue of {robot.name}")
     return _cancel(names, robot, found)
 
@@ -67,5 +67,5 @@ def _not_listed_yet(robot: Robot) -> list[str]:
 def _cancel(names: Names, robot: Robot, ids: Sequence[str]) -> list[Publication]:
     topic, type_ = names.topic("cancel", robot.name), names.type("cancel")
     if not topic:
-        raise CommandError(f"goals of this robot can't be cancelled: [{names.table}.topics] cancel is empty")
+        raise CommandError(f"no cancel for this robot: [{names.table}.topics] cancel is empty")
     return [Publication(topic, type_, {"stamp": NO_STAMP, "id": id_}) for id_ in dict.fromkeys(ids)]

@@ -16,6 +16,6 @@ def probes(names: Names, robot: str) -> Iterator[Probe]:
 def judge_bridge(ros: int, distro: str) -> Diagnosis:
     """Judge the bridge by its ROS."""
     if ros == 2:
-        remedy = "move_base is of ROS 1: correct the url, or the kind (nav2?)"
-        return Diagnosis("fail", f"it is a bridge of ROS 2{f' ({distro})' if distro else ''}", remedy)
-    return Diagnosis("ok", distro or "a bridge that does not name it")
+        remedy = "move_base needs ROS 1: correct the url, or the kind (nav2?)"
+        return Diagnosis("fail", f"ROS 2 bridge{f' ({distro})' if distro else ''}", remedy)
+    return Diagnosis("ok", distro or "not reported by the bridge")

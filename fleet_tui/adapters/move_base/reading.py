@@ -88,7 +88,7 @@ def short_id(id_: str) -> str:
     any other. Raises WireError."""
     if not id_:
         # To cancel a goal of this id would cancel all goals.
-        raise WireError("goal_id.id is empty, which stands for all goals")
+        raise WireError("goal_id.id is empty, which means all goals")
     if len(id_) > LONGEST_ID:
         raise WireError(f"goal_id.id has {len(id_):,} characters")
     own = OWN_NAME.fullmatch(id_)

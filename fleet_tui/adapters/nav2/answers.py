@@ -9,9 +9,9 @@ from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.text.limits import truncate
 
 RETURN_CODES = {
-    1: "the robot rejected it",
-    2: "the robot knows no such goal",
-    3: "the goal had ended already",
+    1: "rejected by the robot",
+    2: "goal unknown to the robot",
+    3: "goal already ended",
 }
 """Return codes of action_msgs/CancelGoal."""
 NO_SERVER = ("does not exist", "No action server available")
@@ -23,15 +23,15 @@ def judge_cancel(command: Command, values: object, result: bool) -> tuple[Stage,
     if not result:
         stage, words = judge(command, values, result, ())
         absent = stage is Stage.REFUSED and any(text in words for text in NO_SERVER)
-        return (Stage.ACCEPTED, "no such action server") if all_meant and absent else (stage, words)
+        return (Stage.ACCEPTED, "no action server") if all_meant and absent else (stage, words)
     code = values.get("return_code") if isinstance(values, Mapping) else None
     if not isinstance(code, int):
-        return Stage.UNKNOWN, f"an answer that says nothing: {truncate(said(values))}"
+        return Stage.UNKNOWN, f"unrecognised reply: {truncate(said(values))}"
     if code == 0:
         return Stage.ACCEPTED, ""
     words = RETURN_CODES.get(code, f"return code {code}")
     well = code == 3 or (all_meant and code in (1, 2))
-    return (Stage.ACCEPTED, "no goal was under way") if well else (Stage.REFUSED, words)
+    return (Stage.ACCEPTED, "no goal active") if well else (Stage.REFUSED, words)
 
 
 def judge_goal(values: object, status: int, result: bool) -> tuple[Stage, str]:
@@ -43,5 +43,5 @@ def judge_goal(values: object, status: int, result: bool) -> tuple[Stage, str]:
     words = in_words(code, truncate(message) if isinstance(message, str) else "") if code else ""
     missed = fields.get("missed_waypoints")
     if isinstance(missed, list) and missed:
-        return Stage.FAILED, f"{len(missed)} of its stops were missed{f': {words}' if words else ''}"
+        return Stage.FAILED, f"{len(missed)} stops missed{f': {words}' if words else ''}"
     return (Stage.DONE if status == 4 else Stage.FAILED), words

@@ -24,7 +24,7 @@ def order(names: Names, robot: Robot, stops: Sequence[Stop], _unique: str) -> tu
     """Return the goal that leads to the stops one after the other. Raises CommandError."""
     poses, here = list[Pose](), robot.pose.value if robot.pose else None
     if not stops:
-        raise CommandError("an order needs a place to go to")
+        raise CommandError("an order needs a destination")
     for stop in stops:
         here = pose_of_stop(robot, stop, here)
         poses.append(here)
@@ -45,7 +45,7 @@ def cancel(names: Names, robot: Robot, order_id: str) -> tuple[ServiceCall]:
     """Return the call that cancels one goal, whoever gave it. Raises CommandError for an unknown one."""
     found = [goal for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
-        known = f"{len(found)} goals begin with {order_id}" if found else f"no goal {order_id} is known"
+        known = f"{len(found)} goals match {order_id}" if found else f"unknown goal {order_id}"
         raise CommandError(f"{known}: see the queue of {robot.name}")
     return (_cancel(names, robot, found[0].action, found[0].uuid),)
 

@@ -27,7 +27,7 @@ def probes(names: Names, robot: str) -> Iterator[Probe]:
             yield ActionProbe(f"action {key}", action, remedy)
     if service := names.service("is_active", robot):
         type_ = names.service_type("is_active")
-        missing = f"is its lifecycle manager another one? Correct [{names.table}.services] is_active"
+        missing = f"correct [{names.table}.services] is_active"
         yield QueryProbe("lifecycle", service, type_, {}, judge_lifecycle, missing)
     yield from heard_probes(names, robot)
 
@@ -35,11 +35,11 @@ def probes(names: Names, robot: str) -> Iterator[Probe]:
 def judge_bridge(ros: int, distro: str) -> Diagnosis:
     """Judge the bridge by its distribution: what it does with goals."""
     if ros == 1:
-        remedy = "the actions of Nav2 go through a bridge of ROS 2 only: correct the url, or the kind"
-        return Diagnosis("fail", "it is a bridge of ROS 1", remedy)
+        remedy = "Nav2 actions need a ROS 2 bridge: correct the url or the kind"
+        return Diagnosis("fail", "ROS 1 bridge", remedy)
     if distro == "humble":
         return Diagnosis("warn", HUMBLE, NEW_THREADS)
-    return Diagnosis("ok", distro or "a bridge that does not name it")
+    return Diagnosis("ok", distro or "not reported by the bridge")
 
 
 def judge_lifecycle(answer: object) -> Diagnosis:
@@ -48,11 +48,7 @@ def judge_lifecycle(answer: object) -> Diagnosis:
     if success is True:
         return Diagnosis("ok", "Nav2 is active")
     if success is False:
-        remedy = (
-            "see the log of its lifecycle manager; RViz's Nav2 panel or nav2_bringup (autostart) starts it"
-        )
-        return Diagnosis("fail", "Nav2 is not active: it rejects every goal", remedy)
+        remedy = "see the lifecycle manager's log; start with RViz's Nav2 panel or nav2_bringup (autostart)"
+        return Diagnosis("fail", "Nav2 not active: rejects every goal", remedy)
     said = f": {answer}" if isinstance(answer, str) else ""
-    return Diagnosis(
-        "fail", f"its lifecycle manager does not tell{said}", "does that node still run? Restart it"
-    )
+    return Diagnosis("fail", f"no status from the lifecycle manager{said}", "check that node, or restart it")

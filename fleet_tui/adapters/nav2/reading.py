@@ -94,10 +94,10 @@ def short_id(uuid: str) -> str:
     except (binascii.Error, ValueError):
         found = b""
     if len(found) != 16:
-        raise WireError(f"goal_id.uuid: {truncate(uuid, LONGEST_NAME)!r} is no id of 16 bytes")
+        raise WireError(f"goal_id.uuid: {truncate(uuid, LONGEST_NAME)!r} is not a 16-byte id")
     if not any(found):
         # To cancel a goal of this id would cancel all goals.
-        raise WireError("goal_id.uuid is all zeros, which stands for all goals")
+        raise WireError("goal_id.uuid is all zeros, which means all goals")
     return found.hex()[:8]
 
 

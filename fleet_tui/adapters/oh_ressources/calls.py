@@ -29,11 +29,11 @@ def call_of(names: Names, command: commands.Command, request_id: int) -> Service
             args = {"request_id": request_id, "initial_point": _vertex(start), "end_point": _vertex(end)}
             return call("order", _named(names, "order_call", args))
         case commands.PlaceOrder(_, stops):
-            raise CommandError(f"an order of these robots has one stop or two, not {len(stops)}")
+            raise CommandError(f"orders to these robots have one or two stops, not {len(stops)}")
         case commands.CancelOrder(robot, order_id):
             number = _int32(order_id, "order id")
             if number <= 0:
-                raise CommandError(f"order id {number} means all orders to the robot: use clear for that")
+                raise CommandError(f"order id {number} means all orders to the robot: use clear instead")
             args = {"robot": robot, "ind": number}
             return call("cancel", _named(names, "cancel_call", args))
         case commands.ClearOrders(robot):
@@ -55,7 +55,7 @@ def _vertex(stop: Stop) -> int:
 def _int32(id_: str, what: str) -> int:
     """The number that an id is on the wire. Raises CommandError where it is none."""
     if not re.fullmatch(r"-?[0-9]{1,100}", id_, re.ASCII):
-        raise CommandError(f"{what} {id_!r} is no number: these robots have no other ids")
+        raise CommandError(f"{what} {id_!r} is not a number: these robots use numeric ids")
     return int(id_)
 
 
@@ -63,6 +63,6 @@ def _named(names: Names, message: str, args: dict[str, object]) -> dict[str, obj
     found = dict[str, object]()
     for name, value in args.items():
         if isinstance(value, int) and not -INT32_MAX - 1 <= value <= INT32_MAX:
-            raise CommandError(f"{name} {value} does not fit the robot's 32 bits")
+            raise CommandError(f"{name} {value} exceeds the robot's 32 bits")
         put(found, names.path(message, name), value)
     return found

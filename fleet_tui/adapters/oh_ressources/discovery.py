@@ -131,7 +131,7 @@ def _service(site: Discovery, key: str, services: Mapping[str, str], below: Belo
     there = {services[name] for robot in site.robots if (name := usual.replace("{robot}", robot)) in services}
     if there:
         if type_ not in there and there != {""}:
-            site.note("service_types", f'{key} = "{min(there)}"   # if its fields are the same')
+            site.note("service_types", f'{key} = "{min(there)}"   # if the fields match')
         return
     found = {"/{robot}/" + rest for robot in site.robots for rest in below.get((robot, type_), ())}
     known = {template for template, _ in SERVICES.values()} | set(site.services.values())

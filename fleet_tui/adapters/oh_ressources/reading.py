@@ -66,7 +66,7 @@ def read_graph(names: Names) -> Translate:
         for vertex in read_all(read_vertex, graph.vertices, "vertices", MOST_VERTICES, faults):
             x, y = vertex.x * scale, vertex.y * scale
             if not is_place(x, y):
-                faults.append(f"vertex {vertex.id} has no finite place")
+                faults.append(f"vertex {vertex.id} has no finite position")
                 continue
             id_, role = str(vertex.id), Role(names.role(vertex.type))
             vertices[id_] = Vertex(id_, x, y, role, truncate(vertex.type, LONGEST_NAME))

@@ -18,7 +18,7 @@ _STANDS_FOR_IT = b"\x48" + b"longdata"
 
 
 def _refuse(*_: object) -> None:
-    raise ValueError("no bridge sends that")
+    raise ValueError("not sent by any bridge")
 
 
 _DECODERS: Any = dict.fromkeys(_LIVELY, _refuse)

@@ -73,7 +73,7 @@ def read_number(
     def translate(robot: str, _floor: str, msg: object, at: float) -> events.Event:
         number = read(msg).data * scale
         if not (math.isfinite(number) and low <= number <= high):
-            raise WireError(f"data is {number}, not within {low:g} and {high:g}")
+            raise WireError(f"data is {number}, not between {low:g} and {high:g}")
         return event(robot, at, number)
 
     return translate

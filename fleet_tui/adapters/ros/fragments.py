@@ -31,13 +31,13 @@ class Fragments:
         message = self._messages.setdefault(piece.id, _Message(piece.total))
         if not 0 <= piece.num < piece.total <= MOST_PIECES or piece.total != message.total:
             del self._messages[piece.id]
-            raise WireError(f"piece {piece.num} of {piece.total} belongs to no message")
+            raise WireError(f"piece {piece.num} of {piece.total} without a message")
         message.size += len(piece.data) - len(message.pieces.get(piece.num, ""))
         message.pieces[piece.num] = piece.data
         if message.size > self._limit:
             del self._messages[piece.id]
             raise WireError(
-                f"a message in {piece.total} pieces is over the limit of {self._limit:,} characters"
+                f"a message in {piece.total} pieces exceeds the limit of {self._limit:,} characters"
             )
         if len(message.pieces) < message.total:
             while len(self._messages) > MOST_MESSAGES:

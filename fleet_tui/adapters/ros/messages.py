@@ -183,7 +183,10 @@ def _renamed(struct: type[S], paths: Paths) -> type[S]:
 def _check_size(msg: msgspec.Raw) -> None:
     size = memoryview(msg).nbytes
     if size > LARGEST:
-        raise WireError(f"{size:,} bytes: a message may have {LARGEST:,}")
+        raise WireError(f"{size:,} bytes: the limit is {LARGEST:,}")
+
+
+NOT_A_NUMBER = ("Expected `float`, got `null`", "NaN (null in JSON) is not a number")
 
 
 def reader(struct: type[S], paths: Paths | None = None) -> Callable[[object], S]:
@@ -212,7 +215,6 @@ def reader(struct: type[S], paths: Paths | None = None) -> Callable[[object], S]
             return msgspec.convert(msg, struct)
         except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as problem:
             # NaN and the infinities are no JSON: a bridge writes null.
-            reason = str(problem).replace("Expected `float`, got `null`", "NaN (null in JSON) is no number")
-            raise WireError(reason) from None
+            raise WireError(str(problem).replace(*NOT_A_NUMBER)) from None
 
     return read

@@ -84,7 +84,7 @@ _encoder = msgspec.json.Encoder()
 
 def _values(raw: msgspec.Raw) -> Any:
     size = memoryview(raw).nbytes
-    return msgspec.json.decode(raw) if size <= LARGEST_ANSWER else f"{size:,} bytes, which are not read"
+    return msgspec.json.decode(raw) if size <= LARGEST_ANSWER else f"{size:,} bytes, too large to read"
 
 
 def decode(payload: bytes) -> Operation | None:
@@ -150,7 +150,7 @@ def decode_cbor(payload: bytes) -> Operation | None:
     except ValueError as problem:
         raise WireError(f"binary frame of {len(payload):,} bytes: {problem}") from None
     if not isinstance(frame, dict) or not isinstance(frame.get("topic"), str):
-        raise WireError(f"binary frame of {len(payload):,} bytes is no publish operation")
+        raise WireError(f"binary frame of {len(payload):,} bytes is not a publish operation")
     return Publish(frame["topic"], frame.get("msg")) if frame.get("op") == "publish" else None
 
 

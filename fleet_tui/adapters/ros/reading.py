@@ -79,8 +79,8 @@ class FrameReader:
                 counter.heard(payload, is_binary, at)
                 return self._translate(counter, msg, at)
             case operations.Status(level, text):
-                self._warn(f"the bridge says ({truncate(level)}): {truncate(text)}")
-                return (events.FrameRejected(self._link, f"the bridge says: {text}"),)
+                self._warn(f"bridge ({truncate(level)}): {truncate(text)}")
+                return (events.FrameRejected(self._link, f"bridge: {text}"),)
             case operations.GoalResult() | None:
                 return ()
         return operation
@@ -121,8 +121,8 @@ class FrameReader:
             line = robot_words.log_line(msg, at)
             self.counter.take_log(line)
             if (about := robot_words.complaint(line)) and about[0] in self.counter.topics:
-                self._warn(f"the bridge did not subscribe {truncate(about[0])}: {about[1]}")
-                self.counter.topics[about[0]].not_subscribed = f"the bridge says: {about[1]}"
+                self._warn(f"bridge did not subscribe {truncate(about[0])}: {about[1]}")
+                self.counter.topics[about[0]].not_subscribed = f"bridge: {about[1]}"
         else:
             self.counter.take_health(robot_words.diagnoses(msg, at))
 
@@ -131,7 +131,7 @@ class FrameReader:
         topic = _cbor_topic(head) if is_binary else topic_of(head)
         self.counter.dropped += 1
         limit, key = self._limit
-        text = f"a message of {size / 1e6:.1f} MB is over the limit of {limit:g} MB: raise {key}"
+        text = f"a message of {size / 1e6:.1f} MB exceeds the limit of {limit:g} MB: raise {key}"
         feed = self._feeds.get(topic)
         if feed is None:
             return (events.FrameRejected(self._link, text),)

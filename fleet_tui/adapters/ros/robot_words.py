@@ -91,7 +91,7 @@ def byte(value: int | str | list[int]) -> int:
         return _byte_of_text(value)
     if isinstance(value, list):
         if len(value) != 1:
-            raise WireError(f"level: a list of {len(value)} numbers is no byte")
+            raise WireError(f"level: a list of {len(value)} numbers is not a byte")
         value = value[0]
     return value
 
@@ -102,7 +102,7 @@ def _byte_of_text(value: str) -> int:
     try:
         (found,) = base64.b64decode(value, validate=True)
     except (binascii.Error, ValueError):
-        raise WireError(f"level: {truncate(value, 20)!r} is no byte") from None
+        raise WireError(f"level: {truncate(value, 20)!r} is not a byte") from None
     return found
 
 

@@ -56,7 +56,7 @@ def find_topic(
     if chosen != name:
         found.topics[key] = chosen
     if not there:
-        found.note("topics", f"{key}: nothing of type {type_} is there")
+        found.note("topics", f"{key}: no topic of type {type_}")
 
 
 def find_floors(found: Discovery, spaces: Sequence[str], listed: Listed) -> None:
@@ -83,6 +83,6 @@ def _floor_topic(found: Discovery, spaces: Sequence[str], listed: Listed) -> Non
     if len(found.floors) > 1 and told:
         found.topics["floor"] = told[0]
     elif told:
-        found.note("topics", f'floor = "{told[0]}"   # if it names the floor as [[floors]] does')
+        found.note("topics", f'floor = "{told[0]}"   # if its names match [[floors]]')
     elif len(found.floors) > 1:
-        found.note("topics", 'floor = "..."   # or give each robot its floor: nothing tells where one is')
+        found.note("topics", 'floor = "..."   # or set the floor of each robot: no topic reports it')

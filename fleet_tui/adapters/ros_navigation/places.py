@@ -16,7 +16,7 @@ def pose_of_stop(robot: Robot, stop: Stop, before: Pose | None) -> Pose:
         return stop.pose
     chart = robot.charts.get(robot.floor or "")
     if chart is None or chart.graph is None or stop.vertex not in chart.graph.vertices:
-        raise CommandError(f"where vertex {stop.vertex} lies is not known: no graph of its floor has it")
+        raise CommandError(f"position of vertex {stop.vertex} unknown: no graph of its floor contains it")
     vertex = chart.graph.vertices[stop.vertex]
     if before is None:
         return Pose(vertex.x, vertex.y)

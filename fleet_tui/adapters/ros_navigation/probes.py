@@ -26,14 +26,14 @@ def judge_localisation(count: int, event: Event | None) -> Diagnosis:
     remedy = "set its pose (RViz: 2D Pose Estimate)"
     if not count or not isinstance(event, LocalisationReported):
         return Diagnosis(
-            "fail", "it has not told where on the map it is", f"is localisation running? If so {remedy}"
+            "fail", "no pose on the map received", f"check that localisation runs, then {remedy}"
         )
     if event.variance is None:
-        return Diagnosis("ok", "it tells where it is, not how sure it is of that")
+        return Diagnosis("ok", "pose received, uncertainty not reported")
     around = f"within {math.sqrt(event.variance):.2f} m (variance {event.variance:.2f} m2)"
     if event.variance > UNSURE:
         return Diagnosis(
-            "warn", f"not sure where it is: {around}", f"{remedy}, or drive it where the map has features"
+            "warn", f"localisation uncertain: {around}", f"{remedy}, or drive to an area with features"
         )
     return Diagnosis("ok", around)
 
@@ -43,13 +43,11 @@ def judge_battery(scales: str, count: int, event: Event | None) -> Diagnosis | N
     if not count:
         return None
     if not isinstance(event, BatteryReported):
-        return Diagnosis(
-            "warn", "not measured: percentage is NaN", "does its driver know the battery's capacity?"
-        )
+        return Diagnosis("warn", "not measured: percentage is NaN", "set the battery capacity in its driver")
     if event.is_raw and event.percent > 1.0:
-        remedy = f"{scales} battery = 1 says so for good: a value up to 1 is taken for a share at first"
+        remedy = f"{scales} battery = 1 fixes the scale: values up to 1 are first read as a fraction"
         return Diagnosis(
-            "warn", f"counts to 100 instead of to 1: {event.percent:.0f} is taken for per cent", remedy
+            "warn", f"range 0 to 100 instead of 0 to 1: {event.percent:.0f} read as per cent", remedy
         )
     percent = event.percent * 100.0 if event.is_raw else event.percent
     return Diagnosis("ok", f"{percent:.0f} %")

@@ -61,7 +61,7 @@ def read_battery(names: Names) -> Read:
             return
         percent = charge if scale is None else charge * scale
         if not 0.0 <= percent <= 101.0:
-            raise WireError(f"percentage is {charge}, which is not within 0 and 100 times the scale")
+            raise WireError(f"percentage is {charge}, not between 0 and 100 times the scale")
         yield events.BatteryReported(robot, at, percent, is_raw=scale is None)
 
     return facts

@@ -12,19 +12,21 @@ from fleet_tui.text.sanitize import sanitize
 
 @click.group(cls=NearestGroup)
 def config() -> None:
-    """Make a configuration, or see the one in effect."""
+    """Create a configuration or show the effective one."""
 
 
 @config.command()
-@click.option("--from-live", "url", metavar="URL", default="", help="Ask the bridge there what it has.")
-@click.option("--output", metavar="FILE", default="", help="Write it there instead of printing it.")
-@click.option("--force", is_flag=True, help="Write over a file that is there.")
+@click.option(
+    "--from-live", "url", metavar="URL", default="", help="Discover robots and floors on this bridge."
+)
+@click.option("--output", metavar="FILE", default="", help="Write to this file instead of standard output.")
+@click.option("--force", is_flag=True, help="Overwrite an existing file.")
 @timeout(20.0)
 @common
 @merged
 def init(config_file: str | None, debug: bool, url: str, output: str, force: bool, timeout: float) -> None:
-    """A commented configuration, ready to edit: an example, or what a bridge has. With --config FILE the
-    bridge is reached as its [rosbridge] says: certificates, authorization."""
+    """Write a commented configuration to edit: an example, or one discovered on a bridge. --config FILE
+    supplies the certificates and authorization of its [rosbridge] for the connection."""
     from fleet_tui.cli.config.init import example, from_live, write
     from fleet_tui.log_file import log_to_file
 
@@ -35,14 +37,14 @@ def init(config_file: str | None, debug: bool, url: str, output: str, force: boo
 
 
 @config.command()
-@click.option("--origin", "with_origin", is_flag=True, help="And where each value comes from.")
+@click.option("--origin", "with_origin", is_flag=True, help="Also show the origin of each value.")
 @screen
 @common
 @merged
 def show(
     config_file: str | None, debug: bool, with_origin: bool, read_only: bool, drawing: str | None
 ) -> None:
-    """Every value in effect. What is secret is not shown."""
+    """Show all effective values except secrets."""
     from fleet_tui.cli.config.origins import show as lines
 
     found = load(find(config_file))

@@ -34,6 +34,6 @@ def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> No
         with Path(output).expanduser().open("w" if force else "x", encoding="utf-8") as file:
             file.write(text)
     except FileExistsError:
-        raise FleetError(f"{output} is there already: --force writes over it") from None
+        raise FleetError(f"{output} exists: overwrite with --force") from None
     except OSError as problem:
         raise FleetError(f"{output}: {problem.strerror}") from None

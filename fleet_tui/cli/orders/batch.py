@@ -44,7 +44,7 @@ def _wishes(lines: Iterable[Line], state: FleetState) -> list[tuple[int, Request
         except CommandError as problem:
             wrong.append(sanitize(f"line {number}: {problem}"))
     if wrong:
-        raise click.UsageError("nothing was sent\n" + "\n".join(wrong))
+        raise click.UsageError("nothing sent\n" + "\n".join(wrong))
     return found
 
 
@@ -54,14 +54,14 @@ def run_batch(
     """Send the commands of a file, each when the one before has ended; the exit code. All lines are read
     before the first is sent. With `dry_run` nothing is sent."""
     if (reason := forbidden(config)) and not dry_run:
-        say(f"fleet-tui: nothing was sent: {reason}", err=True)
+        say(f"fleet-tui: nothing sent: {reason}", err=True)
         return NOT_DONE
     with sending(config, how, say) as given:
         busy = [line for _, line in lines if line.split()[0].casefold() not in FREE]
         named = [name for line in busy for name in _robots(line, given.state)]
         await_reports(given, list(dict.fromkeys(named)) or list(given.state.robots), bool(named))
         if reason := unreachable(given.state, named):
-            say(f"fleet-tui: nothing was sent: {sanitize(reason)}", err=True)
+            say(f"fleet-tui: nothing sent: {sanitize(reason)}", err=True)
             return NO_LINK
         wishes = _wishes(lines, given.state)
         if dry_run:
@@ -78,7 +78,7 @@ def _give_all(
         codes.append(said(given.give(wish), as_json, say, given))
         if codes[-1] != DONE and not keep_going:
             left = len(wishes) - done
-            say(f"stopped at line {number}, {left} line{'s' * (left != 1)} left", err=True)
+            say(f"stopped at line {number}, {left} line{'s' * (left != 1)} not sent", err=True)
             break
     return exit_code(codes)
 

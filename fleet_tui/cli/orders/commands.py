@@ -54,10 +54,11 @@ def _takes_options(command: Callable[..., None]) -> Callable[..., None]:
 
 def _options(command: F) -> F:
     limits = click.FloatRange(0.1, 86400)
-    text = "Seconds to wait at most: 15, with --until-done 3600."
+    text = "Maximum seconds to wait: 15, with --until-done 3600."
+    schema = "JSON output; schema in docs/commands.md."
     command = click.option("--timeout", type=limits, help=text)(command)
-    command = click.option("--yes", is_flag=True, help="Send it in spite of warnings.")(command)
-    return click.option("--json", "as_json", is_flag=True, help="As JSON: docs/commands.md.")(command)
+    command = click.option("--yes", is_flag=True, help="Send despite warnings.")(command)
+    return click.option("--json", "as_json", is_flag=True, help=schema)(command)
 
 
 def _give(words: Sequence[str], options: OrderOptions, until_done: bool = False) -> None:
@@ -73,12 +74,12 @@ def _give(words: Sequence[str], options: OrderOptions, until_done: bool = False)
 @orders.command()
 @click.argument("robot")
 @click.argument("places", nargs=-1, required=True, metavar="FROM TO [TO ...]")
-@click.option("--until-done", is_flag=True, help="Wait until it is driven, not only in the queue.")
+@click.option("--until-done", is_flag=True, help="Wait until the order is done, not only queued.")
 @_takes_options
 def order(robot: str, places: tuple[str, ...], until_done: bool, options: OrderOptions) -> None:
-    """Place an order: A B is A -> B, TO alone is where the robot goes from where it is. A B C is A -> B and B
-    -> C, or one order with three stops where the robot takes such. Places are labels or vertex ids (id=7 is
-    always the id). Done when it is in the queue."""
+    """Place an order. A B means A -> B; TO alone starts at the robot's position. A B C means A -> B and B ->
+    C, or one order with three stops where the robot supports that. Places are labels or vertex ids (id=7 is
+    always an id). Finishes when the order is in the queue."""
     _give(["order", robot, *places], options, until_done)
 
 
@@ -101,13 +102,13 @@ def clear(robot: str, options: OrderOptions) -> None:
 
 def _which(robot: str | None, every: bool) -> str:
     if every is (robot is not None):
-        raise click.UsageError("which robot? Give its name, or --all")
+        raise click.UsageError("missing robot: give its name, or --all")
     return robot or ALL
 
 
 def _fleet(command: F) -> F:
     """A robot, or every one."""
-    command = click.option("--all", "every", is_flag=True, help="Every robot, at once.")(command)
+    command = click.option("--all", "every", is_flag=True, help="All robots.")(command)
     return click.argument("robot", required=False)(command)
 
 
@@ -115,7 +116,7 @@ def _fleet(command: F) -> F:
 @_fleet
 @_takes_options
 def pause(robot: str | None, every: bool, options: OrderOptions) -> None:
-    """Pause a robot, or with --all every one, at once. Not a safety device."""
+    """Pause a robot, or all robots with --all. Not a safety device."""
     from fleet_tui.cli.orders.giving import how
     from fleet_tui.cli.orders.giving import pause as run
 
@@ -129,14 +130,14 @@ def pause(robot: str | None, every: bool, options: OrderOptions) -> None:
 @_fleet
 @_takes_options
 def resume(robot: str | None, every: bool, options: OrderOptions) -> None:
-    """Resume a robot, or with --all every one."""
+    """Resume a robot, or all robots with --all."""
     _give(["resume", _which(robot, every)], options)
 
 
 @orders.command()
 @click.argument("file", type=FileName(allow_dash=True))
-@click.option("--dry-run", is_flag=True, help="Say what would be sent, and send nothing.")
-@click.option("--keep-going", is_flag=True, help="Go on after a command that failed.")
+@click.option("--dry-run", is_flag=True, help="Show what would be sent without sending it.")
+@click.option("--keep-going", is_flag=True, help="Continue after a failed command.")
 @_takes_options
 def run(
     file: str,
@@ -144,9 +145,9 @@ def run(
     keep_going: bool,
     options: OrderOptions,
 ) -> None:
-    """Send the commands of FILE, one a line as in the console's palette (robot_0 Base > Store, cancel
-    robot_0 12, pause all), each when the one before has ended; - is standard input, # begins a comment
-    line. Nothing is sent where a line can't be understood."""
+    """Send the commands of FILE in sequence, one per line as in the console's palette (robot_0 Base > Store,
+    cancel robot_0 12, pause all). Each waits for the previous one. - is standard input, # starts a comment
+    line. Nothing is sent if a line is invalid."""
     from fleet_tui.cli.orders.batch import lines_of, run_batch
     from fleet_tui.cli.orders.giving import how
 
@@ -163,4 +164,4 @@ def _text(file: str) -> str:
     except OSError as problem:
         raise click.UsageError(f"{file}: {problem.strerror}") from None
     except UnicodeDecodeError:
-        raise click.UsageError(f"{file}: this is no text in UTF-8") from None
+        raise click.UsageError(f"{file}: not UTF-8 text") from None

@@ -43,10 +43,10 @@ def _is_stuck(state: FleetState, record: CommandRecord) -> bool:
 def _where(state: FleetState, record: CommandRecord) -> str:
     robot = state.robots[record.command.robot]
     if record.stage is Stage.WAITING:
-        words = f"order {record.order_id} waits here"
+        words = f"order {record.order_id} waiting here"
     else:
         listed = (order.state_text for order in robot.orders.orders if order.id == record.order_id)
         words = f"order {record.order_id} is {next(listed, '') or 'in the queue'}"
-    words += f": {robot.held}" if robot.held else ", and was not driven yet when the time was up"
+    words += f": {robot.held}" if robot.held else ", not done within the time limit"
     is_left = record.stage is Stage.WAITING or record.has_further_leg(robot.kind)
-    return words + "; its other stops are not given" * is_left
+    return words + "; its remaining stops are not sent" * is_left

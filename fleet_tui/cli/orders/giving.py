@@ -31,7 +31,7 @@ LABELS_WITHIN = 1.0
 """Seconds more for labels, which a floor need not have, for the robot's word on whether it is paused, and for
 goals, of which there may be none."""
 
-LOOK = "fleet-tui status and fleet-tui audit show what became of it"
+LOOK = "check with fleet-tui status and fleet-tui audit"
 
 ENDING = (signal.SIGTERM, signal.SIGHUP)
 """`timeout` and services end a command so; a terminal that has gone does."""
@@ -94,7 +94,7 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
                 if given and given.under_way:
                     _say_what_is_open(given, say)
                 else:
-                    say("interrupted: nothing more was sent", err=True)
+                    say("interrupted: nothing else sent", err=True)
             if isinstance(end, _Ended):
                 raise SystemExit(128 + end.args[0]) from None
             raise
@@ -102,13 +102,13 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
 
 def _say_what_is_open(given: Sending, say: Say) -> None:
     for record in given.under_way:
-        known = f"order {record.order_id} is in the queue, and stays there"
+        known = f"order {record.order_id} stays in the queue"
         if record.has_further_leg(given.state.robots[record.command.robot].kind):
-            known += ", but its other stops are not given"
+            known += ", but its remaining stops are not sent"
         if record.stage is Stage.WAITING:
-            known = "it waited here, and nobody gives it any more"
+            known = "it was waiting here and will not be sent"
         elif not record.is_decided:
-            known = f"it was {record.stage.value}, and may still be carried out"
+            known = f"{record.stage.value}, may still be carried out"
         say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
 
 
@@ -176,7 +176,7 @@ def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say
         except CommandError as wrong:
             absent = unreported(state.robots[robots[0]])
             if absent:
-                return unsent(f"{wrong}; never came: {', '.join(absent)}", NOT_DONE)
+                return unsent(f"{wrong}; missing: {', '.join(absent)}", NOT_DONE)
             raise click.UsageError(sanitize(str(wrong))) from None
         if not as_json and sys.stdin.isatty():
             _ask(given, wish)

@@ -7,12 +7,13 @@ from dataclasses import asdict, dataclass
 from fleet_tui.model.commands import Command, CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.language.grammar import written
+from fleet_tui.text.details import detail_text
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 
 VERSION = 2
 DONE, NOT_DONE, USAGE, NO_LINK = 0, 1, 2, 3
-SUCCESSES = frozenset({Stage.CONFIRMED, Stage.TAKEN})
+SUCCESSES = frozenset({Stage.CONFIRMED, Stage.UNVERIFIABLE})
 NOT_SENT = Stage.NOT_SENT.value
 
 
@@ -32,7 +33,7 @@ class Outcome:
 
     def line(self) -> str:
         """The outcome in one line, harmless to a terminal."""
-        return sanitize(f"{self.text}: {self.outcome}" + (f" ({self.words})" if self.words else ""))
+        return sanitize(f"{self.text}: {self.outcome}{detail_text(self.words)}")
 
 
 def unsent(state: FleetState, command: Command, words: str, code: int, outcome: str = NOT_SENT) -> Outcome:
@@ -48,9 +49,9 @@ def ended(state: FleetState, record: CommandRecord, waited: float) -> Outcome:
     if step.stage in SUCCESSES:
         code = DONE
     elif not record.is_decided:
-        why = f"it was {outcome} {words}".strip()
+        why = f"last stage {outcome} {words}".strip()
         outcome = Stage.UNKNOWN.value
-        words = f"{why}; nothing more came within {waited:.0f} s: it may still be carried out"
+        words = f"{why}; no further report within {waited:.0f} s: may still be carried out"
     seconds = round(step.at - record.issued_at, 3) if record.is_decided else None
     return _outcome(state, record.command, outcome, words, code, record.order_id, seconds)
 

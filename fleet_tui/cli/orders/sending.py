@@ -79,8 +79,8 @@ def _unattended(state: FleetState, wish: Request) -> Iterator[Problem]:
     for command in wish.commands:
         robot = state.robots.get(command.robot)
         if isinstance(command, PlaceOrder) and robot and robot.kind.gives_stops and len(command.stops) > 1:
-            stays = f"{robot.name} takes one stop at a time: with --until-done this command stays"
-            yield Problem("unattended", f"{stays}, and gives the next one")
+            text = f"{robot.name} takes one stop at a time: use --until-done to send the others"
+            yield Problem("unattended", text)
 
 
 def divide(state: FleetState, wish: Request) -> tuple[Request, list[Outcome]]:
@@ -170,12 +170,12 @@ class Sending:
         for name in dict.fromkeys(command.robot for command in asked):
             absent = unreported(self.state.robots[name])
             if absent:
-                found.append(Problem("never came", f"{name}: never came: {', '.join(absent)}", blocks=False))
+                found.append(Problem("missing", f"{name}: missing: {', '.join(absent)}", blocks=False))
         return [problem for problem in found if problem.blocks or not self._how.yes]
 
     def _hold_back(self, commands: Sequence[Command], wrong: list[Problem]) -> Iterator[Outcome]:
         words = ", ".join(problem.text for problem in wrong)
-        words += "" if wrong[0].blocks else ": --yes sends it all the same"
+        words += "" if wrong[0].blocks else ": use --yes to send anyway"
         code = CODES.get(wrong[0].check, NOT_DONE) if wrong[0].blocks else NOT_DONE
         yield from (unsent(self.state, command, words, code) for command in commands)
 
@@ -189,7 +189,7 @@ class Sending:
             yield outcome
             if outcome.code != DONE:
                 rest = commands[number + 1 :]
-                yield from (unsent(self.state, one, "the one before went wrong", NOT_DONE) for one in rest)
+                yield from (unsent(self.state, one, "the previous command failed", NOT_DONE) for one in rest)
                 break
         while self._driven:
             command_id, outcome = next(iter(self._driven.items()))

@@ -113,9 +113,9 @@ def attention(state: FleetState) -> list[str]:
     lines = [f"{one.source}: {one.text}" for one in lagging if one is not None]
     for link in state.links.values():
         if link.phase is not Phase.UP:
-            lines.append(f"{link.name}: no link to {link.url}: {link.reason or 'nothing answers'}")
+            lines.append(f"{link.name}: no link to {link.url}: {link.reason or 'no reply'}")
         elif link.command_path in NO_WAY:
-            lines.append(f"{link.name}: commands don't get through: {link.command_reason}")
+            lines.append(f"{link.name}: no command path: {link.command_reason}")
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.kind not in ("link", "commands"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")
@@ -126,7 +126,7 @@ def attention(state: FleetState) -> list[str]:
         lines.append(
             f"{robot.name}: never seen"
             if robot.heard is None
-            else f"{robot.name}: never came: {', '.join(absent)}"
+            else f"{robot.name}: missing: {', '.join(absent)}"
         )
     # An alarm may have said it already.
     return list(dict.fromkeys(lines))

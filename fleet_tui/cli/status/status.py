@@ -83,7 +83,7 @@ def status(config: Config, timeout: float, as_json: bool, oneline: bool, watch: 
     """Print how the fleet is; the exit code."""
     with session(watching(config)) as (_, store):
         store.wait(is_known, timeout)
-        # Alarms ripen at the next tick of the clock.
+        # Alarms advance at the next tick of the clock.
         known_at = time.monotonic()
         store.wait(lambda state: state.now > known_at, RIPENS)
         state = store.state

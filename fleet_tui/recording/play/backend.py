@@ -27,7 +27,7 @@ class ReplayBackend:
 
     def tell(self, _event: Event) -> str:
         """Leave what was recorded as it is."""
-        return "nothing is acknowledged or shelved: this is a recording"
+        return "not possible in a recording"
 
     def show_map(self, _robot: str, _floor: str) -> None:
         """The maps that were looked at are in the recording."""
@@ -37,7 +37,7 @@ class ReplayBackend:
         """Return what came over each link, as far as it was played."""
         return self.player.frames.counters
 
-    def overhear(self, _on: bool) -> None:
+    def subscribe_logs(self, _on: bool) -> None:
         """Do nothing: logs are there if they were subscribed to while recording."""
 
     def close(self) -> None:

@@ -87,7 +87,7 @@ class Playback:
         self.go_on()
 
     def _mark_gap(self, until: float) -> None:
-        text = f"there is no record of the {span(until - self.head.at)} before this"
+        text = f"no records for the {span(until - self.head.at)} before this"
         if all(mark.at != until for mark in self.marks if mark.kind is MarkKind.GAP):
             self.marks = sorted([*self.marks, TimeMark(until, MarkKind.GAP, text)], key=lambda mark: mark.at)
 

@@ -6,6 +6,7 @@ from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.recording.recording import Instant, Recording
 from fleet_tui.recording.records import Mark
+from fleet_tui.text.details import detail_text
 from fleet_tui.view.lines.time import MarkKind, TimeMark, span
 
 GAP = 2.0
@@ -41,12 +42,12 @@ def _command(record: AuditRecord) -> str:
     text = " ".join(part for part in (record.robot, record.what, " -> ".join(places)) if part)
     if record.change == Stage.CHECKED.value:
         return text
-    return f"{text}: {record.change}" + (f" ({record.words})" if record.words else "")
+    return f"{text}: {record.change}{detail_text(record.words)}"
 
 
 def _gaps(recording: Recording) -> Iterator[TimeMark]:
     for lost in recording.lost:
-        yield TimeMark(lost.at, MarkKind.GAP, f"{lost.records} records are missing here: {lost.why}")
+        yield TimeMark(lost.at, MarkKind.GAP, f"{lost.records} records missing here: {lost.why}")
     before: Instant | None = None
     for moment in recording.keyframes:
         if before is not None:
@@ -58,5 +59,5 @@ def _gaps(recording: Recording) -> Iterator[TimeMark]:
 
 def _gap(missing: float) -> str:
     if missing < 0:
-        return f"the clock was set back by {span(-missing)}"
-    return f"{span(missing)} are missing before this: the recording computer slept, or its clock was set"
+        return f"clock set back by {span(-missing)}"
+    return f"{span(missing)} missing before this: recording computer suspended, or its clock changed"

@@ -111,7 +111,7 @@ class Player:
             self.seek(mark.at)
         if found:
             return ""
-        return f"no alarm, command or gap is marked {'after' if step > 0 else 'before'} this"
+        return f"no alarm, command or gap {'after' if step > 0 else 'before'} this"
 
     @property
     def _going_to(self) -> float:
@@ -148,6 +148,6 @@ class Player:
                 self._deck.fail(str(problem))
             except Exception as problem:
                 LOG.exception("replay")
-                self._deck.fail(f"it can't be played on: {problem} (see the log file)")
+                self._deck.fail(f"playback stopped: {problem} (see the log file)")
             self._deck.show()
             store.put(self.state)

@@ -51,9 +51,7 @@ class RecordingCursor:
         records = self._recording.records(wanted)
         first = next(records, None)
         if not isinstance(first, Keyframe) or first.at != wanted:
-            raise RecordingError(
-                f"{self._recording.path.name} has changed since it was opened: open it again"
-            )
+            raise RecordingError(f"{self._recording.path.name} has changed since it was opened: reopen it")
         self.frames.count_anew()
         self._records = records
         self._next: Record | None = None

@@ -8,7 +8,7 @@ from datetime import date, datetime, time, timedelta
 from fleet_tui.errors import FleetError
 from fleet_tui.recording.recording import Recording
 
-FORMS = "12:04:31, 2024-05-31T12:04:31, or from the beginning +90s or +1m30s"
+FORMS = "12:04:31, 2024-05-31T12:04:31, or from the start +90s or +1m30s"
 
 _SPAN = re.compile(r"\+\s*(?:(\d+)\s*h)?\s*(?:(\d+)\s*m(?:in)?)?\s*(?:(\d+(?:\.\d+)?)\s*s?)?", re.IGNORECASE)
 
@@ -27,7 +27,7 @@ def _wall_of(text: str, recording: Recording) -> float:
     """Unix time of a date with a time, or of the first time of day after the recording began."""
     with suppress(ValueError, OverflowError):
         return datetime.fromisoformat(text).astimezone().timestamp()
-    problem = FleetError(f"{text!r} is no time: write {FORMS}")
+    problem = FleetError(f"{text!r} is not a time: use {FORMS}")
     try:
         of_day = time.fromisoformat(text if ":" in text else "")
     except ValueError:
@@ -64,4 +64,4 @@ def _inside(at: float, text: str, recording: Recording) -> float:
         return max(begin.at, min(at, end.at))
     first, last = (f"{datetime.fromtimestamp(wall):%Y-%m-%d %H:%M:%S}" for wall in (begin.wall, end.wall))
     why = f" ({recording.note})" if recording.note else ""
-    raise FleetError(f"{text} is not in the recording: it goes from {first} to {last}{why}")
+    raise FleetError(f"{text} is not in the recording, which covers {first} to {last}{why}")

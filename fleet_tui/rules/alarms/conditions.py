@@ -21,7 +21,7 @@ BAD_AFTER, BAD_FOR = 1.0, 10.0
 counts as good."""
 BEHIND_FOR = 2.0
 """Seconds for which the console or a bridge must be behind: a map may take a moment."""
-OVERLOADED = "the bridge is overloaded: fewer topics, lower rates at the robots, or a second bridge"
+OVERLOADED = "bridge overloaded: use fewer topics, lower rates or a second bridge"
 STILL = 2.0
 """Seconds without a step after which a robot counts as standing."""
 
@@ -31,7 +31,7 @@ def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
     if robot.obstacle is None or not state.was_obstructed(robot):
         return None
     text = obstacle_text(state, robot, robot.obstacle)
-    return Condition(robot.name, "obstacle", Priority.HIGH, text, "obstacle cleared")
+    return Condition(robot.name, "obstacle", Priority.HIGH, text, "cleared: obstacle")
 
 
 def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
@@ -49,7 +49,7 @@ def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     if state.is_old(robot, "battery"):
         text += f", {age(state.now - reading.at)} ago"
     priority = Priority.MEDIUM if reading.value < critical else Priority.LOW
-    return Condition(robot.name, "battery", priority, text, "battery is charged again")
+    return Condition(robot.name, "battery", priority, text, "battery recovered")
 
 
 def pause(state: FleetState, robot: Robot, held: Held) -> Condition | None:
@@ -60,9 +60,9 @@ def pause(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     since = state.began.get((robot.name, "pause"), state.now)
     text = f"paused for {age(state.now - since)}"
     if not state.is_paused(robot) and robot.paused is not None:
-        text = f"pause, last heard of {age(state.now - robot.paused.at)} ago"
+        text = f"pause last reported {age(state.now - robot.paused.at)} ago"
     due = since + state.limits.pause_after
-    return Condition(robot.name, "pause", Priority.LOW, text, "pause is over", due)
+    return Condition(robot.name, "pause", Priority.LOW, text, "pause ended", due)
 
 
 def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
@@ -77,9 +77,9 @@ def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     explained = not known or state.was_obstructed(robot)
     if explained and not is_held(held, robot.name, robot.link, "stuck"):
         return None
-    text = f"order {order.id}, but not moved for {age(state.now - place.at)}"
+    text = f"order {order.id}: no movement for {age(state.now - place.at)}"
     if not known:
-        text = f"order {order.id}, had not moved when last heard"
+        text = f"order {order.id}: not moving at last report"
     began = state.began.get((robot.name, "stuck"), state.now)
     due = began + state.limits.stuck_after - STILL
     return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
@@ -105,7 +105,7 @@ def no_link(state: FleetState, link: LinkState, _held: Held) -> Condition | None
     if link.phase is Phase.UP or state.now - link.since <= state.limits.link_after:
         return None
     text = f"no link: {link.reason}" if link.reason else "no link"
-    return Condition(link.name, "link", Priority.HIGH, text, "link is back")
+    return Condition(link.name, "link", Priority.HIGH, text, "link restored")
 
 
 def dead_commands(state: FleetState, link: LinkState, held: Held) -> Condition | None:
@@ -113,8 +113,8 @@ def dead_commands(state: FleetState, link: LinkState, held: Held) -> Condition |
     was_dead = (link.name, "commands") in held and link.phase is not Phase.UP
     if not was_dead and not (link.phase is Phase.UP and link.command_path in NO_WAY):
         return None
-    text = f"commands don't get through: {link.command_reason}"
-    return Condition(link.name, "commands", Priority.HIGH, text, "commands get through again")
+    text = f"no command path: {link.command_reason}"
+    return Condition(link.name, "commands", Priority.HIGH, text, "command path restored")
 
 
 def offline(state: FleetState, robot: Robot, held: Held) -> Condition | None:
@@ -132,7 +132,7 @@ def offline(state: FleetState, robot: Robot, held: Held) -> Condition | None:
         return None
     due = limit + (robot.heard or 0.0 if raised else max(robot.heard or 0.0, link.since))
     text = "never seen" if robot.heard is None else f"offline {age(state.now - robot.heard)}"
-    return Condition(robot.name, "offline", Priority.MEDIUM, text, "is back", due)
+    return Condition(robot.name, "offline", Priority.MEDIUM, text, "back online", due)
 
 
 def behind(state: FleetState) -> Condition | None:
@@ -141,7 +141,7 @@ def behind(state: FleetState) -> Condition | None:
         return None
     due = state.began.get(("console", "behind"), state.now) + BEHIND_FOR
     text = behind_text(state)
-    return Condition("console", "behind", Priority.MEDIUM, text, "this console keeps up again", due)
+    return Condition("console", "behind", Priority.MEDIUM, text, "this console has caught up", due)
 
 
 def late(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
@@ -149,15 +149,15 @@ def late(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
     if link.phase is not Phase.UP or link.late < BEHIND:
         return None
     due = state.began.get((link.name, "late"), state.now) + BEHIND_FOR
-    text = f"messages come {link.late:.1f} s late: {OVERLOADED}"
-    return Condition(link.name, "late", Priority.MEDIUM, text, "messages come in time again", due)
+    text = f"messages {link.late:.1f} s late: {OVERLOADED}"
+    return Condition(link.name, "late", Priority.MEDIUM, text, "messages on time", due)
 
 
 def unsourced(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
     """Raise where the bridge can't read the robots' messages: the commonest mistake in setting it up."""
     if link.phase is not Phase.UP or not link.unsourced:
         return None
-    return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "the messages are there")
+    return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "message types available")
 
 
 ROBOT_RULES = (offline, obstacle, *NAVIGATION_RULES, battery, pause, stuck, bad_data)

@@ -25,9 +25,9 @@ class Flood(Struct, frozen=True):
 
 
 FLOODS = {
-    "offline": Flood("offline", "robots are back", Priority.HIGH),
-    "stuck": Flood("with an order, but not moved", "no longer stuck", Priority.MEDIUM),
-    "pause": Flood("in a long pause", "pauses are over", Priority.LOW),
+    "offline": Flood("offline", "robots back online", Priority.HIGH),
+    "stuck": Flood("with an order, not moving", "no longer stuck", Priority.MEDIUM),
+    "pause": Flood("in a long pause", "pauses ended", Priority.LOW),
     "data": Flood("with bad data", "no new bad data", Priority.LOW),
 }
 

@@ -19,7 +19,7 @@ def blocked(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
     held_back = robot.blocked.value
     due = held_back.since + state.limits.obstacle_after
     text = blocked_text(held_back, state.now)
-    return Condition(robot.name, "blocked", Priority.HIGH, text, "obstacle cleared", due)
+    return Condition(robot.name, "blocked", Priority.HIGH, text, "cleared: obstacle", due)
 
 
 def not_sure_where(state: FleetState, robot: Robot, held: Held) -> Condition | None:
@@ -29,8 +29,8 @@ def not_sure_where(state: FleetState, robot: Robot, held: Held) -> Condition | N
     limit = FOUND_BELOW if (robot.name, "localisation") in held else LOST_ABOVE
     if robot.variance.value <= limit:
         return None
-    text = f"not sure where it is: within {2 * robot.variance.value**0.5:.1f} m"
-    return Condition(robot.name, "localisation", Priority.MEDIUM, text, "it knows where it is again")
+    text = f"localisation uncertain: within {2 * robot.variance.value**0.5:.1f} m"
+    return Condition(robot.name, "localisation", Priority.MEDIUM, text, "localisation recovered")
 
 
 def held_orders(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
@@ -40,9 +40,9 @@ def held_orders(state: FleetState, robot: Robot, _held: Held) -> Condition | Non
     kept = sum(1 for _ in to_keep(state, robot))
     if not kept:
         return None
-    text = f"{robot.held}: {kept} order{'s wait' if kept > 1 else ' waits'} here, resume lets them go on"
+    text = f"{robot.held}: {kept} order{'s' * (kept > 1)} waiting here, resume to continue"
     priority = Priority.MEDIUM if robot.held == SOMEBODY_ELSE else Priority.LOW
-    return Condition(robot.name, "held", priority, text, "the orders go on")
+    return Condition(robot.name, "held", priority, text, "orders resumed")
 
 
 NAVIGATION_RULES = (blocked, not_sure_where, held_orders)

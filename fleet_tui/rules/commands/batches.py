@@ -14,7 +14,7 @@ TOGETHER = 0.3
 _WORDS = {
     Stage.CONFIRMED: "confirmed",
     Stage.LATE: "confirmed",
-    Stage.TAKEN: "accepted",
+    Stage.UNVERIFIABLE: "accepted",
     Stage.REFUSED: "refused",
     Stage.NOT_SENT: "not sent",
 }
@@ -69,7 +69,7 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str
     parts = [_part(word, found[word]) for word in words if word in found]
     foreign = [record.command.robot for record in batch if record.words == FOREIGN_STOPPED]
     if foreign:
-        parts.append(f"goals of others were stopped, which can't be resumed from here ({some(foreign)})")
+        parts.append(f"goals of other clients stopped, not resumable from here ({some(foreign)})")
     return batch_name(state, [record.command for record in batch]), ", ".join(parts)
 
 

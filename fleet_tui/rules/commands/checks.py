@@ -44,7 +44,7 @@ def rights(allowed: Permissions) -> Iterator[Problem]:
     if allowed.read_only:
         yield Problem("read-only", "this console is read-only")
     elif not allowed.armed:
-        yield Problem("not armed", "this console is not armed, : Arm lets commands leave")
+        yield Problem("not armed", "this console is not armed: use Arm in the palette (:)")
 
 
 def ability_for(command: Command) -> str:
@@ -74,7 +74,7 @@ def unaccepted(state: FleetState, command: Command) -> str:
 
 def unknown_robot(state: FleetState, name: str) -> Problem:
     """Check that the robot exists."""
-    return Problem("unknown robot", f"no robot is called {name}{did_you_mean(name, state.robots)}")
+    return Problem("unknown robot", f"unknown robot {name}{did_you_mean(name, state.robots)}")
 
 
 def no_link(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -82,9 +82,9 @@ def no_link(state: FleetState, robot: Robot, command: Command) -> Iterator[Probl
     link = state.links[robot.link]
     if link.phase is not Phase.UP:
         reason = link.reason or "not connected yet"
-        yield Problem("no link", f"{robot.name} could not be reached: {reason}")
+        yield Problem("no link", f"{robot.name} is unreachable: {reason}")
     elif link.command_path is CommandPath.DEAD:
-        yield Problem("no link", f"commands to {robot.name} did not get through: {link.command_reason}")
+        yield Problem("no link", f"no command path to {robot.name}: {link.command_reason}")
 
 
 def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -109,8 +109,8 @@ def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator
     if not isinstance(command, PlaceOrder) or robot.heard is None or not state.is_online(robot):
         return
     if robot.kind.expects("queue") and not state.is_fresh(robot, "queue"):
-        since = "has not come" if robot.queue is None else f"is {age(state.now - robot.queue.at)} old"
-        text = f"the queue of {robot.name} {since}: whether it takes the order can't be seen"
+        since = "was not received" if robot.queue is None else f"is {age(state.now - robot.queue.at)} old"
+        text = f"the queue of {robot.name} {since}: the order can't be confirmed"
         yield Problem("queue unheard", text, blocks=False)
 
 
@@ -120,17 +120,17 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
         return
     # Where ids are numbers: the others have their own words for all orders.
     if _NOT_POSITIVE.fullmatch(command.order_id):
-        text = f"order id {command.order_id} would mean all orders to the robot: use clear for that"
+        text = f"order id {command.order_id} means all orders to the robot: use clear instead"
         yield Problem("id means all", text)
         return
     old = not state.is_fresh(robot, "queue")
     order = next((one for one in all_orders(state, robot) if one.id == command.order_id), None)
     if order is None and robot.kind.lists_orders:
-        its = f"is none of {robot.name}" if robot.kind.keeps_goals else f"is not in the queue of {robot.name}"
-        text = f"order {command.order_id} {its}"
-        yield Problem("not in the queue", text + (" as last heard" if old else ""), blocks=not old)
+        its = "an order" if robot.kind.keeps_goals else "in the queue"
+        text = f"order {command.order_id} is not {its} of {robot.name}"
+        yield Problem("not in the queue", text + (" at last report" if old else ""), blocks=not old)
     elif order is not None and order.is_over:
-        text = f"order {command.order_id} of {robot.name} is {order.state_text} already"
+        text = f"order {command.order_id} of {robot.name} is already {order.state_text}"
         yield Problem("not in the queue", text, blocks=not old)
 
 
@@ -140,7 +140,7 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
         if clearable(state, robot):
             return
         old, ours = not state.is_fresh(robot, "queue"), " of this console" * robot.kind.keeps_goals
-        text = f"{robot.name} {f'had no orders{ours} when last heard' if old else f'has no orders{ours}'}"
+        text = f"{robot.name} {f'had no orders{ours} at last report' if old else f'has no orders{ours}'}"
         yield Problem("nothing to clear", text, blocks=not old)
 
 
@@ -151,12 +151,12 @@ def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem
     waiting = sum(order.state in PENDING for order in robot.orders.orders)
     if not command.with_cargo:
         if robot.has_cargo and not robot.orders.orders:
-            text = f"{robot.name} has cargo on board and no orders: it needs only a destination"
+            text = f"{robot.name} has cargo on board and no orders: give only a destination"
             yield Problem("cargo on board", text, blocks=False)
     elif not robot.has_cargo:
         sure = state.is_fresh(robot, "cargo")
         text = f"{robot.name} has no cargo on board: an order needs From and To"
-        yield Problem("no cargo", text if sure else f"{robot.name} does not say that it has cargo", sure)
+        yield Problem("no cargo", text if sure else f"{robot.name} does not report cargo on board", sure)
     elif waiting:
         text = f"{robot.name} has cargo on board, and {waiting} order{'s' * (waiting > 1)} pending"
         yield Problem("cargo on board", text, blocks=False)
@@ -227,4 +227,4 @@ def repeated(wish: Request, given: Mapping[tuple[Command, ...], float], now: flo
     places = any(isinstance(command, PlaceOrder) for command in wish.commands)
     if at is None or now - at >= SAME_WITHIN or not places:
         return []
-    return [Problem("repeated", f"the same order was given {now - at:.1f} s ago")]
+    return [Problem("repeated", f"same order sent {now - at:.1f} s ago")]

@@ -184,7 +184,7 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
         case CancelOrder() | ClearOrders():
             if _still_there(robot, record) != [] or _is_driven(state, record):
                 return record
-            return record.advanced(Step(Stage.CONFIRMED, state.now, "gone from the queue"))
+            return record.advanced(Step(Stage.CONFIRMED, state.now, "no longer in the queue"))
         case PauseRobot():
             found = pause_seen(state, robot, record, wanted=True)
         case ResumeRobot():
@@ -201,16 +201,16 @@ def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
         case PauseRobot() | ResumeRobot():
             return instead_of_pause(state, robot, record)
         case PlaceOrder() | CancelOrder() | ClearOrders() if unheard:
-            return "its queue has not been heard since"
+            return "no queue received since"
         case PlaceOrder() if robot.kind.tells_ends:
             new = [one for one in robot.orders.orders if one.serial > (record.before.last_serial or 0)]
             several = len(new) > 1 and not record.name
-            return "not confirmed whose: several new goals" if several else "no new goal was seen"
+            return "ambiguous: several new goals" if several else "no new goal seen"
         case PlaceOrder():
             unknown = record.before.last_serial is None
-            return "its queue was not known before" if unknown else "no such order in its queue"
+            return "queue unknown before the command" if unknown else "order not in the queue"
         case CancelOrder() | ClearOrders():
-            return ", ".join((_still_there(robot, record) or [])[:3]) or "nothing shows it"
+            return ", ".join((_still_there(robot, record) or [])[:3]) or "no evidence in telemetry"
         case _:
             assert_never(record.command)
 

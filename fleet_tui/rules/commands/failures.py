@@ -14,6 +14,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import batches
+from fleet_tui.text.details import detail_text
 
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""
@@ -74,7 +75,7 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
         # How it failed comes first: it must not be cut at the right end.
-        f"{last.stage.value}: {wish}" + (f" ({last.words})" if last.words else ""),
+        f"{last.stage.value}: {wish}{detail_text(last.words)}",
         f"{_OVER.get(last.stage, 'failed')}: {wish}",
         # A failure that turns into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),

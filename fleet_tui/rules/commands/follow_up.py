@@ -31,7 +31,7 @@ LATE_ORDER, LATE_OTHER = 600.0, 60.0
 
 _UNSEEN = Stage.LOST, Stage.DONE
 """Of a goal whose last status never came, and of which the robot told that it is done."""
-_TAKEN = frozenset({Stage.CONFIRMED, Stage.TAKEN, Stage.LATE})
+_TAKEN = frozenset({Stage.CONFIRMED, Stage.UNVERIFIABLE, Stage.LATE})
 _REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
 _MAY_HAVE_REMOVED = _REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED}
 
@@ -60,7 +60,7 @@ def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> Comma
         return record
     if last_command(state, robot, PauseRobot, ResumeRobot) is not record:
         return record
-    return record.advanced(Step(Stage.LOST, state.now, f"{STARTED_OVER}: it is not paused any more"))
+    return record.advanced(Step(Stage.LOST, state.now, f"{STARTED_OVER}: no longer paused"))
 
 
 def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
@@ -82,14 +82,14 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
                 Step(Stage.CANCELLED, state.now, f"order {record.order_id}: by this console")
             )
         record = replace(record, leg=record.leg + 1)
-        return _waiting_again(state, robot, record, "at its stop: the next goal follows")
+        return _waiting_again(state, robot, record, "stop reached, next goal follows")
     reason = "by this console" if stage is Stage.CANCELLED else gone.reason
     answer = record.answer
     if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
         # What the robot missed on the way only its answer tells.
         stage, reason = answer.stage, answer.words or reason
     elif answers and stage is Stage.DONE and _is_of_several_stops(record):
-        reason = "succeeded; whether it reached all stops only its answer tells, which never came"
+        reason = "succeeded, result missing: stops may have been missed"
     return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
 
 
@@ -211,4 +211,4 @@ def _is_repeated(state: FleetState, record: CommandRecord) -> bool:
 
 
 def _late(state: FleetState, record: CommandRecord, shown: str) -> Step:
-    return Step(Stage.LATE, state.now, f"{shown}, {age(state.now - record.issued_at)} after it was given")
+    return Step(Stage.LATE, state.now, f"{shown}, {age(state.now - record.issued_at)} after the command")

@@ -15,7 +15,7 @@ from fleet_tui.rules.commands.goals import own_ids
 
 PREFIX = "k"
 """Begins the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
-SOMEBODY_ELSE = "someone else drives"
+SOMEBODY_ELSE = "another client drives"
 
 _WELL = frozenset({Stage.DONE})
 _GOING = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
@@ -122,14 +122,14 @@ def withdrawn(state: FleetState, command_id: int, since: float) -> str:
     if record and not (is_order and state.robots[record.command.robot].kind.keeps_goals):
         return ""
     if record is None or record.stage not in (Stage.CHECKED, Stage.WAITING):
-        return "it was cancelled before it left"
+        return "cancelled before it was sent"
     for other in state.commands:
         meant = other.command.robot == record.command.robot and other.issued_at > since
         if meant and other.stage not in (Stage.REFUSED, Stage.NOT_SENT):
             if isinstance(other.command, PauseRobot):
-                return "its robot was paused before it left"
+                return "robot paused before it was sent"
             if isinstance(other.command, ClearOrders):
-                return "the orders of its robot were cleared before it left"
+                return "robot's orders cleared before it was sent"
     return ""
 
 
@@ -172,4 +172,4 @@ def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
     if before is None or not before.is_decided or before.has_open_order or before.at <= robot.released_at:
         return
     if before.stage not in _WELL:
-        yield f"order {before.order_id or 'before'} is {before.stage.value}"
+        yield f"{f'order {before.order_id}' if before.order_id else 'previous order'}: {before.stage.value}"

@@ -10,8 +10,8 @@ from fleet_tui.rules.commands.keeping import orders_of, waiting
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot stands, and with which it counted as moving."""
 
-FOREIGN_STOPPED = "stopped, and someone else's goal with it, which can't be resumed from here"
-"""Words of a pause that cancelled a goal of another client."""
+FOREIGN_STOPPED = "stopped, also another client's goal, not resumable from here"
+"""Detail of a pause that cancelled another client's goal."""
 
 WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Where telemetry decides."""
@@ -32,7 +32,7 @@ def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
         isinstance(other.command, opposite)
         and other.command.robot == record.command.robot
         and other.issued_at > record.issued_at
-        and other.stage in WAITS | {Stage.CONFIRMED, Stage.TAKEN, Stage.LATE}
+        and other.stage in WAITS | {Stage.CONFIRMED, Stage.UNVERIFIABLE, Stage.LATE}
         for other in state.commands
     )
 
@@ -47,7 +47,7 @@ def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
 
 def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
     """The words stay on the screen, and must not read as what the robot is later."""
-    taken = Step(Stage.TAKEN, state.now) if record.stage is Stage.ACCEPTED else None
+    taken = Step(Stage.UNVERIFIABLE, state.now) if record.stage is Stage.ACCEPTED else None
     if is_overtaken(state, record):
         return taken
     if robot.kind.holds:
@@ -55,11 +55,11 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
     sent = record.time_of(Stage.SENT) or record.issued_at
     if robot.paused is not None:
         if robot.paused.at > sent and robot.paused.value is wanted:
-            return Step(Stage.CONFIRMED, state.now, "reported by the robot")
+            return Step(Stage.CONFIRMED, state.now, "by the robot")
         return None
     if wanted and record.before.moving:
         stopped = _stopped(state, robot, record)
-        return Step(Stage.CONFIRMED, state.now, "it was seen to stop") if stopped else None
+        return Step(Stage.CONFIRMED, state.now, "the robot stopped") if stopped else None
     return None if robot.says_paused else taken
 
 
@@ -71,7 +71,7 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
             (one.time_of(Stage.SENT) or 0.0) >= record.issued_at for one in orders_of(state, robot)
         )
         goes_on = has_left or waiting(state, robot)
-        words = "the orders that wait here go on" if goes_on else "no order waits here"
+        words = "waiting orders continue" if goes_on else "no orders waiting here"
         return Step(Stage.CONFIRMED, state.now, words)
     if record.stage is not Stage.ACCEPTED and not any(
         one.stage is Stage.CANCELLED and one.at >= record.issued_at for one in robot.gone
@@ -104,17 +104,19 @@ def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> 
     """Return what telemetry showed where a pause or resume can't be seen to have been carried out."""
     wanted = isinstance(record.command, PauseRobot)
     if robot.kind.holds and not state.is_online(robot):
-        return "it is offline"
+        return "the robot is offline"
     if robot.kind.holds:
         going = [f"order {order.id} is {order.state_text}" for order in robot.orders.open]
         is_moving = wanted and record.before.moving and not _stopped(state, robot, record)
-        return ", ".join(going[:3]) or ("it was not seen to stop" if is_moving else "nothing shows it")
+        return ", ".join(going[:3]) or (
+            "the robot was not seen to stop" if is_moving else "no evidence in telemetry"
+        )
     if robot.paused is not None:
-        return "it reported no pause" if wanted else "it reported a pause"
+        return "the robot reported no pause" if wanted else "the robot reported a pause"
     if robot.says_paused:
-        return "the topic that tells its pauses has not been heard"
+        return "no message on the pause topic"
     if not wanted or not record.before.moving or is_overtaken(state, record):
-        return "nothing shows it"
+        return "no evidence in telemetry"
     if robot.pose is None or robot.pose.at - record.issued_at < STANDS_AFTER:
-        return "its pose has not been heard since"
-    return "it went on moving"
+        return "no pose received since"
+    return "the robot kept moving"

@@ -1,4 +1,4 @@
-"""Checks of an order against the robot's graphs and floors. A graph that has not come proves nothing."""
+"""Checks of an order against the robot's graphs and floors. A missing graph proves nothing."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
@@ -37,20 +37,20 @@ def _legs(command: commands.Command) -> Iterator[tuple[str, str]]:
 
 
 def unknown_vertex(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
-    """The robot's graphs have the vertices. A graph that has not come proves nothing."""
+    """The robot's graphs have the vertices. A missing graph proves nothing."""
     missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
     for vertex in ends_of(command):
         if robot.name_of(vertex) is not None:
             continue
         if missing and "graph" not in robot.kind.reports:
-            text = f"{robot.name} knows no vertex {vertex}: there is no graph of {', '.join(missing)}"
+            text = f"{robot.name} has no vertex {vertex}: no graph of {', '.join(missing)}"
             yield Problem("unknown vertex", text)
         elif missing:
-            waits = f"vertex {vertex} is unknown as long as the graph of {', '.join(missing)} has not come"
+            waits = f"vertex {vertex} unknown: no graph of {', '.join(missing)} received yet"
             yield Problem("unknown vertex", f"{robot.name}: {waits}", blocks=False)
         else:
             known = [id_ for graph in _graphs(robot).values() for id_ in graph.vertices]
-            text = f"{robot.name} knows no vertex {vertex}{did_you_mean(vertex, known)}"
+            text = f"{robot.name} has no vertex {vertex}{did_you_mean(vertex, known)}"
             yield Problem("unknown vertex", text)
 
 
@@ -97,7 +97,7 @@ def no_path(state: FleetState, robot: Robot, command: commands.Command) -> Itera
         unknown = not starts or not ends or (not starts & ends and _lack_lifts(robot, starts | ends))
         if not unknown and not _are_joined(_graphs(robot), start, end):
             names = f"{_name(robot, start)} to {_name(robot, end)}"
-            yield Problem("no path", f"{robot.name} knows no path from {names}")
+            yield Problem("no path", f"no path for {robot.name} from {names}")
 
 
 def no_way_there(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
@@ -112,7 +112,7 @@ def no_way_there(state: FleetState, robot: Robot, command: commands.Command) -> 
         floors = _floors(robot, vertex)
         unknown = not floors or (floor not in floors and _lack_lifts(robot, {floor, *floors}))
         if not unknown and not _are_joined(graphs, near.id, vertex):
-            text = f"{robot.name} knows no path from where it is to {_name(robot, vertex)}"
+            text = f"no path for {robot.name} from its position to {_name(robot, vertex)}"
             yield Problem("no path", text, blocks=False)
 
 
@@ -126,9 +126,9 @@ def floor_mismatch(state: FleetState, robot: Robot, command: commands.Command) -
             continue
         where = f"{one} is on {min(here)}, {other} on {min(there)}"
         if not robot.kind.changes_floors:
-            yield Problem("floor mismatch", f"{where}: an order leads to places of one floor")
+            yield Problem("floor mismatch", f"{where}: an order can't change floors")
         elif _lack_lifts(robot, here | there):
-            yield Problem("floor mismatch", f"{where}, and no elevator is known", blocks=False)
+            yield Problem("floor mismatch", f"{where}, no elevator known", blocks=False)
 
 
 def mistakable(robot: Robot, floors: Mapping[str, str]) -> Iterator[Problem]:
@@ -139,5 +139,5 @@ def mistakable(robot: Robot, floors: Mapping[str, str]) -> Iterator[Problem]:
             continue
         meant, taken = robot.charts[floor].name_of(vertex), here.name_of(vertex)
         if meant is not None and taken is not None and meant != taken:
-            text = f"{meant} of {floor} has the id of {taken} of {robot.floor}, where {robot.name} is"
+            text = f"{meant} on {floor} has the same id as {taken} on {robot.floor}, where {robot.name} is"
             yield Problem("floor mismatch", text, blocks=False)

@@ -70,7 +70,7 @@ def parse(line: str, state: FleetState, selected: str = "") -> Request:
 def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> Request:
     """The same for words that are apart already, as a shell hands them over."""
     if not words:
-        raise CommandError("a command is missing: " + "; ".join(USAGE.values()))
+        raise CommandError("missing command: " + "; ".join(USAGE.values()))
     verb, *rest = words[0].casefold(), *words[1:]
     match verb, rest:
         case "order", [name, *named] if named:
@@ -87,9 +87,9 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
         case "resume", [name]:
             return Request(tuple(map(ResumeRobot, _robots(name, state))))
     if verb in USAGE:
-        raise CommandError(f"{verb} is written: {USAGE[verb]}")
+        raise CommandError(f"usage: {USAGE[verb]}")
     name = find_robot(words[0], state, [*state.robots, *USAGE]).name
-    raise CommandError(f"what {name} is to do is written: {name} FROM > TO")
+    raise CommandError(f"usage: {name} FROM > TO")
 
 
 def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot:
@@ -101,7 +101,7 @@ def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot
         if str(robot.number) == plain_id(word):
             return robot
     near = did_you_mean(word, known or state.robots)
-    raise CommandError(f"no robot{' or command' if known else ''} is called {_said(word)}{near}")
+    raise CommandError(f"unknown robot{' or command' if known else ''} {_said(word)}{near}")
 
 
 def _robots(word: str, state: FleetState) -> list[str]:
@@ -115,7 +115,7 @@ def _order_id(state: FleetState, robot: Robot, word: str) -> str:
     if any(order.id == word for order in all_orders(state, robot)):
         return word
     if not NUMBER.fullmatch(word):
-        raise CommandError(f"{_said(word)} is no order id: write it as the queue shows it")
+        raise CommandError(f"{_said(word)} is not an order id: copy it from the queue")
     return plain_id(word)
 
 
@@ -144,10 +144,10 @@ def _vertex(robot: Robot, word: str) -> tuple[str, str]:
         found.setdefault(id_, next(iter(found.values())))
     if not found:
         near = did_you_mean(word, [place.name for place in places(robot)]) or no_graphs(robot)
-        raise CommandError(f"{robot.name} knows no place called {_said(word)}{near}")
+        raise CommandError(f"{robot.name} has no place {_said(word)}{near}")
     if len(found) > 1:
         ids = " or ".join(_id_word(vertex) for vertex in sorted(found, key=natural))
-        raise CommandError(f"{_said(word)} can mean several places of {robot.name}: write {ids}")
+        raise CommandError(f"{_said(word)} is ambiguous for {robot.name}: use {ids}")
     ((vertex, place),) = found.items()
     return vertex, place.floor
 
@@ -165,14 +165,14 @@ def _route(line: str, found: list[Token], state: FleetState) -> Request:
     if found[0].text.casefold() == "order" and not found[0].separates:
         found = found[1:]
     if not found or found[0].separates:
-        raise CommandError(f"a robot is missing before >: {USAGE['order']}")
+        raise CommandError(f"missing robot before >: {USAGE['order']}")
     robot = find_robot(found[0].text, state)
     legs = [_label(line, leg) for leg in _legs(found[1:])]
     only_to = not legs[0]
     if only_to:
         legs = legs[1:]
     if not all(legs):
-        raise CommandError(f"a place is missing beside >: {USAGE['order']}")
+        raise CommandError(f"missing place beside >: {USAGE['order']}")
     return _order(robot, legs, only_to)
 
 

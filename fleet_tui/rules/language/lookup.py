@@ -39,8 +39,8 @@ def no_graphs(robot: Robot) -> str:
     if not missing:
         return ""
     publishes = "graph" in robot.kind.reports or not robot.kind.name
-    remedy = "" if publishes else ": give [[floors]] graph = FILE in its configuration"
-    return f": there is no graph of {', '.join(missing)}{remedy}"
+    remedy = "" if publishes else ": set [[floors]] graph = FILE in the configuration"
+    return f": no graph of {', '.join(missing)}{remedy}"
 
 
 def recent_ends(state: FleetState, robot: Robot) -> list[str]:

@@ -17,7 +17,7 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
     strength = Strength.CERTAIN if fresh and found.is_stopped else Strength.POSSIBLE
     return Reason(
         blocked_text(found, state.now),
-        f"its collision monitor sees something{zone}: clear the path there",
+        f"collision monitor triggered{zone}: clear the path at the robot",
         strength,
         since=found.since,
         seen=robot.blocked.at,
@@ -26,11 +26,13 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
-    """It does not know where it is."""
+    """Its localisation is uncertain."""
     if robot.variance is None or robot.variance.value <= LOST_ABOVE:
         return None
-    evidence = f"its localisation is good to {2 * robot.variance.value**0.5:.1f} m only: set its pose"
-    return Reason("not sure where it is", evidence, Strength.LIKELY, seen=robot.variance.at, keys=("centre",))
+    evidence = f"localisation uncertainty {2 * robot.variance.value**0.5:.1f} m: set the robot's pose"
+    return Reason(
+        "localisation uncertain", evidence, Strength.LIKELY, seen=robot.variance.at, keys=("centre",)
+    )
 
 
 def recovering(state: FleetState, robot: Robot) -> Reason | None:
@@ -39,7 +41,7 @@ def recovering(state: FleetState, robot: Robot) -> Reason | None:
     if robot.progress is None or current is None or not robot.progress.value.recoveries:
         return None
     count = robot.progress.value.recoveries
-    evidence = f"{count} recover{'ies' if count > 1 else 'y'} so far on {mission(robot, current)}"
+    evidence = f"{count} recover{'ies' if count > 1 else 'y'} during {mission(robot, current)}"
     return Reason("recovering", evidence, Strength.LIKELY, seen=robot.progress.at, keys=("centre",))
 
 
@@ -48,7 +50,7 @@ def held(state: FleetState, robot: Robot) -> Reason | None:
     kept = sum(1 for _ in to_keep(state, robot))
     if not kept or not robot.held:
         return None
-    evidence = f"{kept} order{'s wait' if kept > 1 else ' waits'} here: resume lets them go on"
+    evidence = f"{kept} order{'s' * (kept > 1)} waiting here: resume to continue"
     return Reason(f"held: {robot.held}", evidence, Strength.CERTAIN, keys=("resume",))
 
 
@@ -59,8 +61,8 @@ def somebody_else(state: FleetState, robot: Robot) -> Reason | None:
     orders = foreign(state, robot)
     if not orders:
         return None
-    evidence = f"{mission(robot, orders[0])} was not given by this console"
-    return Reason("someone else drives it", evidence, Strength.POSSIBLE, keys=("cancel",))
+    evidence = f"{mission(robot, orders[0])} was not sent by this console"
+    return Reason("driven by another client", evidence, Strength.POSSIBLE, keys=("cancel",))
 
 
 NAVIGATION_REASONS = (blocked, held, not_sure_where, recovering, somebody_else)

@@ -1,5 +1,7 @@
 """Reasons to stand still that lie in what the robot is to do, and in who is in its way."""
 
+from collections.abc import Iterator
+
 from fleet_tui.model.commands import (
     FAILURES,
     CancelOrder,
@@ -26,7 +28,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     if record.is_decided and not failed:
         return None
     verb = "resume" if isinstance(record.command, ResumeRobot) else "order"
-    evidence = record.words or f"given {age(state.now - record.issued_at)} ago"
+    evidence = record.words or f"issued {age(state.now - record.issued_at)} ago"
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
     return Reason(f"{verb}: {record.stage.value}", evidence, strength, since=record.at, keys=keys)
@@ -37,7 +39,7 @@ def cargo(state: FleetState, robot: Robot) -> Reason | None:
     if not robot.has_cargo or robot.queue is None or robot.orders.open:
         return None
     strength = Strength.POSSIBLE if state.is_old(robot, "queue") else Strength.CERTAIN
-    evidence = "it carries cargo and has no order: say where to bring it"
+    evidence = "cargo on board, no orders: order a destination"
     return Reason("cargo without destination", evidence, strength, seen=robot.queue.at, keys=("order",))
 
 
@@ -47,15 +49,15 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
         return None
     if robot.queue is None:
         if robot.kind.expects("queue"):
-            return Reason("queue unknown", "its queue has not been heard", Strength.POSSIBLE)
-        return Reason("no orders", "it has told of none so far", Strength.POSSIBLE, keys=("order",))
+            return Reason("queue unknown", "no queue received", Strength.POSSIBLE)
+        return Reason("no orders", "none reported so far", Strength.POSSIBLE, keys=("order",))
     if robot.orders.open or robot.has_cargo:
         return None
     record = last_command(state, robot, PlaceOrder, ClearOrders, CancelOrder)
     taken = record is not None and isinstance(record.command, ClearOrders | CancelOrder)
-    evidence = f"{'it has no goal' if robot.kind.keeps_goals else 'its queue is empty'}: it waits for one"
+    evidence = f"{'no goal' if robot.kind.keeps_goals else 'queue empty'}: waiting for an order"
     if record is not None and taken and record.stage is Stage.CONFIRMED:
-        evidence = f"they were taken out of its queue here {age(state.now - record.at)} ago"
+        evidence = f"removed from the queue by this console {age(state.now - record.at)} ago"
     strength = Strength.POSSIBLE if state.is_old(robot, "queue") else Strength.CERTAIN
     return Reason("no orders", evidence, strength, seen=robot.queue.at, keys=("order",))
 
@@ -77,10 +79,10 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
         return None
     other = found.robot
     back = in_the_way(state, other)
-    mutual = "; each is in the other's way" if back is not None and back.robot is robot else ""
+    mutual = "; each blocks the other" if back is not None and back.robot is robot else ""
     return Reason(
-        f"waits behind {other.name}",
-        f"{other.name} is {found.ahead:.1f} m before it on the way to {name_of(robot, found.vertex)}{mutual}",
+        f"waiting behind {other.name}",
+        f"{other.name} is {found.ahead:.1f} m ahead on the way to {name_of(robot, found.vertex)}{mutual}",
         Strength.LIKELY,
         since=stands_since(other),
         seen=other.pose.at if other.pose else None,
@@ -93,18 +95,31 @@ def none_current(_state: FleetState, robot: Robot) -> Reason | None:
     waiting = robot.orders.open
     if robot.queue is None or not waiting or robot.orders.current is not None:
         return None
-    evidence = f"none of them is started; the first is {mission(robot, waiting[0])}"
-    name = f"{len(waiting)} order{'s' * (len(waiting) != 1)} waiting, none current"
+    evidence = f"first: {mission(robot, waiting[0])}"
+    name = f"{len(waiting)} orders queued but not started"
+    if len(waiting) == 1:
+        name = f"order {waiting[0].id} queued but not started"
     return Reason(name, evidence, Strength.LIKELY, seen=robot.queue.at, keys=("clear", "order"))
 
 
+def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
+    if robot.obstacle is not None and not state.was_obstructed(robot):
+        yield "no obstacle"
+    if robot.paused is not None and not state.is_paused(robot):
+        yield "no pause"
+    since = stands_since(robot)
+    yield "no cause reported" if since is None else f"no movement for {age(state.now - since)}"
+
+
 def unexplained(state: FleetState, robot: Robot) -> Reason | None:
-    """It should drive, and nothing tells why it doesn't."""
+    """An order is active, and no report explains why the robot does not move."""
     order, since = robot.orders.current, stands_since(robot)
     if order is None and not robot.kind.lists_orders:
-        return Reason("cause unknown", "such robots don't tell what they are to do", Strength.POSSIBLE, since)
+        return Reason(
+            "cause unknown", "this kind of robot does not report its orders", Strength.POSSIBLE, since
+        )
     if order is None:
         return None
-    evidence = f"nothing tells why it does not drive {mission(robot, order)}"
+    evidence = f"{mission(robot, order)} active; {', '.join(_ruled_out(state, robot))}"
     keys = ("centre", "clear")
     return Reason("cause unknown", evidence, Strength.POSSIBLE, since, keys=keys)

@@ -13,7 +13,7 @@ from fleet_tui.rules.why.traffic import graph_here, vertex_here
 from fleet_tui.text.durations import age
 
 JUMPS = 2
-"""So many leaps within JUMPS_WITHIN seconds are no correction any more."""
+"""This many jumps within JUMPS_WITHIN seconds are no correction any more."""
 
 FULL = 95.0
 """Per cent below which a robot at a charger may be charging."""
@@ -32,7 +32,8 @@ def moves(state: FleetState, robot: Robot) -> Reason | None:
         return None
     if state.now - since >= STANDS_AFTER:
         return None
-    return Reason("it moves", "its pose has just changed", seen=robot.pose.at)
+    evidence = f"pose changed {state.now - since:.1f} s ago"
+    return Reason(f"{robot.name} is moving", evidence, seen=robot.pose.at)
 
 
 def no_link(state: FleetState, robot: Robot) -> Reason | None:
@@ -41,7 +42,7 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
     if link.phase is Phase.UP:
         return None
     why = f": {link.reason}" if link.reason else ""
-    return Reason("no link", f"nothing can come from {link.url}{why}", since=link.since)
+    return Reason("no link", f"no connection to {link.url}{why}", since=link.since)
 
 
 def unheard(state: FleetState, robot: Robot) -> Reason | None:
@@ -49,9 +50,9 @@ def unheard(state: FleetState, robot: Robot) -> Reason | None:
     if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None
     if robot.heard is None:
-        return Reason("never seen", "nothing has come from it, though the link is up")
+        return Reason("never seen", "link up, no message received")
     name = f"offline {age(state.now - robot.heard)}"
-    return Reason(name, "nothing comes from it, though the link is up", since=robot.heard)
+    return Reason(name, "link up, no messages", since=robot.heard)
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
@@ -62,8 +63,12 @@ def paused(state: FleetState, robot: Robot) -> Reason | None:
     since = record.time_of(Stage.SENT) if record is not None else None
     if robot.paused is None:
         name = own_pause_text(state, robot)
-        return Reason(name, "it accepted our pause", since=since, keys=("resume",))
-    by = "it says so; the pause came from here" if since is not None else "it says so; it came from elsewhere"
+        return Reason(name, "pause accepted by the robot", since=since, keys=("resume",))
+    by = (
+        "reported by the robot, sent by this console"
+        if since is not None
+        else "reported by the robot, not sent by this console"
+    )
     return Reason("paused", by, since=since, seen=robot.paused.at, keys=("resume",))
 
 
@@ -73,8 +78,8 @@ def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
     if record is None or state.is_paused(robot) or record.stage not in _UNRESOLVED:
         return None
     return Reason(
-        f"pause from here: {record.stage.value}",
-        record.words or f"given {age(state.now - record.issued_at)} ago",
+        f"pause from this console: {record.stage.value}",
+        record.words or f"issued {age(state.now - record.issued_at)} ago",
         Strength.LIKELY,
         since=record.issued_at,
         keys=("resume",),
@@ -90,7 +95,7 @@ def obstacle(state: FleetState, robot: Robot) -> Reason | None:
     evidence = "obstacle contact: clear the path at the robot"
     return Reason(
         obstacle_text(state, robot, contact),
-        evidence if not is_old else "by its last word; none has come since",
+        evidence if not is_old else "last report, none received since",
         strength if not is_old else Strength.POSSIBLE,
         since=contact.at - contact.value,
         seen=contact.at,
@@ -103,21 +108,21 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     if not state.is_online(robot) or state.is_fresh(robot, "pose") or "pose" not in robot.kind.reports:
         return None
     if robot.pose is None:
-        return Reason("no pose", "no pose has been received, though other reports have: its place is unknown")
+        return Reason("no pose", "other reports received, no pose: position unknown")
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
     silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
     if clock is not None and state.now - clock.at <= silence:
-        return Reason(name, "poses come, but late: its stamps lag behind", seen=robot.pose.at)
-    return Reason(name, "other reports come: it may have moved since", since=robot.pose.at)
+        return Reason(name, "poses arrive late: their time stamps lag", seen=robot.pose.at)
+    return Reason(name, "other reports arrive: the robot may have moved since", since=robot.pose.at)
 
 
 def jumps(state: FleetState, robot: Robot) -> Reason | None:
-    """Its localisation leaps: most robots stop then, and the pose says nothing."""
+    """Its localisation jumps: most robots then stop, and the pose means nothing."""
     recent = [jump for jump in robot.jumps if state.now - jump.at < JUMPS_WITHIN]
     if len(recent) < JUMPS:
         return None
     last = recent[-1]
-    evidence = f"{len(recent)} leaps of its pose in {JUMPS_WITHIN:.0f} s, the last by {last.value:.1f} m"
+    evidence = f"{len(recent)} pose jumps in {JUMPS_WITHIN:.0f} s, the last {last.value:.1f} m"
     return Reason("localisation jumps", evidence, Strength.LIKELY, recent[0].at, last.at, ("centre",))
 
 
@@ -128,7 +133,7 @@ def charges(state: FleetState, robot: Robot) -> Reason | None:
         return None
     if graph.vertices[here].role is not Role.DOCKING or battery.value >= FULL:
         return None
-    evidence = f"it stands there with battery {int(battery.value)} %, and drives no order"
+    evidence = f"at the charger, battery {int(battery.value)} %, no order active"
     since = stands_since(robot)
     return Reason(f"charging at {name_of(robot, here)}", evidence, Strength.LIKELY, since, battery.at)
 
@@ -141,5 +146,5 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     critical = charge.value < limits.battery_critical and not state.is_old(robot, "battery")
     limit = limits.battery_critical if critical else limits.battery_low
     strength = Strength.LIKELY if critical else Strength.POSSIBLE
-    evidence = f"below {limit:.0f} %: it may keep what is left for the way to a charger"
+    evidence = f"below {limit:.0f} %: the robot may reserve the rest to reach a charger"
     return Reason(f"battery {int(charge.value)} %", evidence, strength, seen=charge.at)

@@ -51,7 +51,7 @@ class DiagnosticsControls:
 
     def freeze(self) -> None:
         """Keep the message or the log as it is, or go on."""
-        nothing = "only the message and the robots' log can be frozen"
+        nothing = "only the message and the robot log can be frozen"
         self.notice = "" if self._pages.freeze(self.current) else nothing
         self._view.look()
 
@@ -64,12 +64,12 @@ class DiagnosticsControls:
             self.notice = "nothing to copy"
         elif output.call(clipboard(text)):
             tmux = " (tmux: set -s set-clipboard on)" if "TMUX" in os.environ else ""
-            self.notice = f"sent to the clipboard: {what}{tmux}"
+            self.notice = f"copied to the clipboard: {what}{tmux}"
         elif tries > 1:
             self._view.set_timer(0.1, partial(self.copy, tries - 1))
             return
         else:
-            self.notice = "not copied: the terminal does not read now"
+            self.notice = "not copied: the terminal is not reading"
         self._view.look()
 
     def next_level(self) -> None:

@@ -64,7 +64,7 @@ class Diagnostics(Overlay):
             "pagedown": partial(self.rows.move, 10),
         }
         yield self._tabs
-        yield Field(keys, id="diagnostics-filter", placeholder="text in the rows; Enter keeps it, Esc clears")
+        yield Field(keys, id="diagnostics-filter", placeholder="filter text; Enter keeps it, Esc clears it")
         yield self.rows
         yield self._foot
 
@@ -84,7 +84,7 @@ class Diagnostics(Overlay):
     def _tick(self) -> None:
         if self._listens != self.is_open:
             self._listens = self.is_open
-            self._backend.overhear(self.is_open)
+            self._backend.subscribe_logs(self.is_open)
         if self.is_open:
             self.look()
         elif self._timer is not None:

@@ -89,7 +89,7 @@ class Pages:
     def _raw_table(self, state: FleetState) -> Table:
         topic = self._topic()
         if topic is None:
-            return Table((), (), "no topic is chosen: Enter on a row of Topics")
+            return Table((), (), "no topic selected: press Enter on a row of Topics")
         if Page.RAW not in self._frozen:
             bad = topic.bad
             if self.shows_bad:

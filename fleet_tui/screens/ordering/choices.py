@@ -44,19 +44,19 @@ def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Request:
 def title(robot: Robot | None, has_start: bool) -> str:
     """Return the title of the form."""
     loaded = robot is not None and robot.has_cargo
-    return "Come here: cargo is on board" if loaded and not has_start else "Order"
+    return "Destination of the cargo on board" if loaded and not has_start else "Order"
 
 
 def wanted_now(robot: Robot, only_to: bool) -> str:
     """Return what a robot needs since its cargo or its orders changed."""
-    alone = "carries cargo and has no orders now: only To" if robot.has_cargo else "takes only a To"
-    return f"{robot.name} {alone if only_to else 'needs a From now'}. Enter sends"
+    alone = "now has cargo and no orders: To only" if robot.has_cargo else "needs only To"
+    return f"{robot.name} {alone if only_to else 'now needs From'}. Enter sends"
 
 
 def missing(field: str, typed: str = "") -> str:
     """Return what a field still needs."""
     if typed.strip():
-        return f"{field.capitalize()}: Enter takes the marked place of this robot"
+        return f"{field.capitalize()}: Enter selects the marked place of this robot"
     remedy = "its name" if field == "robot" else "a label or a vertex id"
     return f"{field.capitalize()} is missing: type {remedy}"
 

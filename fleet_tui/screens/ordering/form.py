@@ -155,7 +155,7 @@ class OrderForm(Overlay):
         if field == "from" and not typed and may_skip_start(self._robot()):
             self._fields.step(1)
             return None
-        self._say(f"{field.capitalize()}: nothing is called {typed!r}" if typed else missing(field))
+        self._say(f"{field.capitalize()}: no match for {typed!r}" if typed else missing(field))
         return None
 
     def _take(self, field: str, choice: Place | str) -> None:
@@ -174,7 +174,7 @@ class OrderForm(Overlay):
         """Send what is complete; name what is missing."""
         robot = self._robot()
         if robot is None:
-            self._say(f"Robot: nothing is called {self._fields['robot'].value.strip()!r}", "robot")
+            self._say(f"Robot: no match for {self._fields['robot'].value.strip()!r}", "robot")
             return
         self._forget_other_robot()
         only_to = destination_only(robot)

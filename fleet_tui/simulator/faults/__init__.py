@@ -14,35 +14,35 @@ Faults = Mapping[str, tuple[str, wire.Play]]
 """Faults by name: the text of the help, and how each is played on one robot."""
 
 FAULTS: Faults = {
-    "refuse": ("every order is refused", wire.refuse),
-    "late": (f"answers come after {wire.LATE:g} s", wire.late),
+    "refuse": ("all orders are refused", wire.refuse),
+    "late": (f"replies after {wire.LATE:g} s", wire.late),
     "slow-answer": (
-        f"answers come after {wire.SLOW:g} s: on ROS 2 the bridge gives up before",
+        f"replies after {wire.SLOW:g} s: on ROS 2 the bridge times out first",
         wire.slow_answer,
     ),
-    "late-call": (f"a frozen node takes orders after {wire.LATE:g} s and answers then", wire.late_call),
-    "obeys-late": (f"commands are answered at once and obeyed after {wire.OBEYS:g} s", wire.obeys_late),
-    "twice": ("every answer comes twice", wire.twice),
+    "late-call": (f"a frozen node takes orders after {wire.LATE:g} s, then replies", wire.late_call),
+    "obeys-late": (f"commands are answered at once and carried out after {wire.OBEYS:g} s", wire.obeys_late),
+    "twice": ("every reply is sent twice", wire.twice),
     "never": ("commands are neither answered nor carried out", wire.never),
-    "wrong-id": ("answers come with wrong call ids", wire.wrong_id),
-    "drop": ("a command is carried out, and all connections break before the answer", wire.drop),
-    "dies": ("the node takes an order and dies before it answers", wire.dies),
-    "throws": ("orders end in an exception of the node and are not taken", wire.throws),
+    "wrong-id": ("replies with wrong call ids", wire.wrong_id),
+    "drop": ("commands are carried out, all connections drop before the reply", wire.drop),
+    "dies": ("the node takes an order and dies before replying", wire.dies),
+    "throws": ("orders raise an exception in the node and are not taken", wire.throws),
     "unregistered": (f"after {wire.GONE:g} s its services do not exist, telemetry flows", wire.unregistered),
-    "frozen-rosapi": ("rosapi never answers, everything else does", wire.frozen_rosapi),
+    "frozen-rosapi": ("rosapi never replies, everything else does", wire.frozen_rosapi),
     "overloaded": (
-        f"the bridge carries {wire.CARRIED:g} messages a second, the others wait",
+        f"the bridge carries {wire.CARRIED:g} messages/s, the rest queues up",
         wire.overloaded,
     ),
-    "dead-rosapi": ("rosapi is not there, everything else is", wire.dead_rosapi),
+    "dead-rosapi": ("no rosapi", wire.dead_rosapi),
     "volatile-maps": (
-        f"maps, graphs and labels are not latched but come every {wire.AGAIN:g} s",
+        f"maps, graphs and labels not latched, sent every {wire.AGAIN:g} s",
         wire.volatile_maps,
     ),
     "unsourced": ("the bridge lacks the package of the robots' messages", wire.unsourced),
-    "stale": ("its pose stays away, everything else comes", wire.stale),
+    "stale": ("no pose, everything else is sent", wire.stale),
     "restart": (
-        f"{world.LIVES:g} s after its first order it starts anew: no orders, ids from 0, no pause",
+        f"{world.LIVES:g} s after its first order it restarts: no orders, ids from 0, no pause",
         world.restart,
     ),
     "foreign-cancel": (
@@ -53,12 +53,12 @@ FAULTS: Faults = {
         f"another console pauses it {world.FOREIGN:g} s after its first order, for {world.FOREIGN_PAUSE:g} s",
         world.foreign_pause,
     ),
-    "obstacle": ("an obstacle that stays", world.obstacle),
-    "stuck": ("it has orders and does not move", world.stuck),
-    "silent": ("nothing is heard of it", world.silent),
-    "paused": ("it is paused from the start", world.paused),
-    "battery": (f"a battery that never holds more than {world.FLAT:g} %", world.battery),
-    "jumping": (f"its pose jumps by {world.JUMP:g} m, and it does not drive", world.jumping),
+    "obstacle": ("permanent obstacle", world.obstacle),
+    "stuck": ("has orders but does not move", world.stuck),
+    "silent": ("sends nothing", world.silent),
+    "paused": ("paused from the start", world.paused),
+    "battery": (f"battery never above {world.FLAT:g} %", world.battery),
+    "jumping": (f"pose jumps by {world.JUMP:g} m, does not drive", world.jumping),
 }
 """The faults of robots of the source's stack."""
 
@@ -82,9 +82,9 @@ def parse_faults_of(text: str, known: Mapping[str, Faults]) -> list[tuple[str, s
         if name not in faults:
             near = did_you_mean(name, faults)
             of_kind = " of this kind of robots" if name in FAULTS or name in every else ""
-            problems.append(f"--fault {part}: no such fault{of_kind}{near or ': ' + ', '.join(faults)}")
+            problems.append(f"--fault {part}: unknown fault{of_kind}{near or ': ' + ', '.join(faults)}")
         elif robot and robot not in known:
-            problems.append(f"--fault {part}: no such robot{did_you_mean(robot, known)}")
+            problems.append(f"--fault {part}: unknown robot{did_you_mean(robot, known)}")
         else:
             wanted += [(name, one) for one in ([robot] if robot else known) if name in known[one]]
     if problems:

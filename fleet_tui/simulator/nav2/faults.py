@@ -82,17 +82,17 @@ def _humble(server: "RosbridgeServer", robot: str) -> None:
 
 FAULTS: Faults = {
     **BODY,
-    "inactive": ("Nav2 is not active: every goal is rejected, and is_active says so", at_once(_inactive)),
+    "inactive": ("Nav2 not active: every goal is rejected, is_active is false", at_once(_inactive)),
     "reject": ("every goal is rejected though Nav2 is active", at_once(_reject)),
     "aborts": (f"every drive is aborted with code {ABORTS} after {AWHILE:g} s", often(_aborts)),
     "refuse-cancel": ("no goal can be cancelled", at_once(_refuse_cancel)),
     "dead-server": (f"its action servers crash {AWHILE:g} s after the first goal", _dead_server),
-    "no-feedback": ("its actions say nothing on the way", at_once(_no_feedback)),
+    "no-feedback": ("no action feedback while driving", at_once(_no_feedback)),
     "humble": (
-        "the bridge of Humble: a goal or a call blocks its connection until it is over, no time limit",
+        "the bridge of Humble: a goal or call blocks its connection until done, no time limit",
         _humble,
     ),
-    "mute-rejection": ("an old bridge: a goal that is rejected is never answered", _mute_rejection),
+    "mute-rejection": ("an old bridge: rejected goals get no reply", _mute_rejection),
     "unsourced": ("the bridge lacks the package nav2_msgs", _unsourced),
-    "never": ("its services never answer and do nothing", wire.never),
+    "never": ("services never reply and do nothing", wire.never),
 } | {name: OF_ALL[name] for name in GENERIC}

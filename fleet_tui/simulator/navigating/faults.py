@@ -100,14 +100,14 @@ def _percent(navigation: "Navigating") -> None:
 
 
 BODY: Faults = {
-    "stuck": ("its wheels stand still: recoveries, then an abort", at_once(_stuck)),
-    "foreign-goal": (f"another client gives it a goal every {EVERY:g} s", often(_foreign_goal, idle=True)),
+    "stuck": ("wheels blocked: recoveries, then an abort", at_once(_stuck)),
+    "foreign-goal": (f"another client sends a goal every {EVERY:g} s", often(_foreign_goal, idle=True)),
     "foreign-cancel": (f"another client cancels every goal after {AWHILE:g} s", often(_foreign_cancel)),
-    "no-odom": ("it has no odometry", at_once(_no_odom)),
-    "lost": ("its localisation is not sure where it is, and wrong", at_once(_lost)),
-    "obstacle": ("it stops before an obstacle that stays", at_once(_obstacle)),
-    "battery": (f"a battery that never holds more than {FLAT:g} %", often(_battery, idle=True)),
-    "unmeasured": ("its battery's percentage is not measured: NaN", at_once(_unmeasured)),
-    "percent": ("its battery's percentage is 0 to 100 instead of 0 to 1", at_once(_percent)),
-    "silent": ("nothing is heard of it", at_once(_silent)),
+    "no-odom": ("no odometry", at_once(_no_odom)),
+    "lost": ("localisation uncertain and wrong", at_once(_lost)),
+    "obstacle": ("stops at a permanent obstacle", at_once(_obstacle)),
+    "battery": (f"battery never above {FLAT:g} %", often(_battery, idle=True)),
+    "unmeasured": ("battery percentage NaN", at_once(_unmeasured)),
+    "percent": ("battery percentage 0 to 100 instead of 0 to 1", at_once(_percent)),
+    "silent": ("sends nothing", at_once(_silent)),
 }

@@ -23,7 +23,7 @@ def write_graphs(path: Path, floors: int) -> list[Path]:
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(json.dumps(route_graph(floor), indent=1) + "\n", encoding="utf-8")
     except OSError as error:
-        raise FleetError(f"can't write {file}: {error.strerror}; choose another --graph-file") from error
+        raise FleetError(f"cannot write {file}: {error.strerror}; choose another --graph-file") from error
     return files
 
 

@@ -8,15 +8,15 @@ import ssl
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import FleetError
 
-STOPPED = "the server stopped answering"
-DROPS = "the server drops us at once:"
+STOPPED = "server not responding"
+DROPS = "connection dropped at once:"
 
 _STATUSES = {
-    404: "nothing is at that path, correct url",
-    407: "a proxy is in the way",
-    502: "rosbridge is down behind that web server",
-    503: "rosbridge is down behind that web server",
-    504: "rosbridge is down behind that web server",
+    404: "path not found, correct url",
+    407: "proxy in between",
+    502: "rosbridge down behind a web server",
+    503: "rosbridge down behind a web server",
+    504: "rosbridge down behind a web server",
 }
 
 
@@ -26,19 +26,19 @@ def refusal(problem: Exception, bridge: Link) -> str:
         case FleetError():
             return str(problem)
         case ConnectionRefusedError():
-            return "nothing listens there"
+            return "connection refused"
         case TimeoutError():
-            return "no answer from that address"
+            return "connection timed out"
         case ssl.SSLCertVerificationError():
             return _untrusted(problem, bridge)
         case ssl.SSLError():
             return _tls(problem)
         case socket.gaierror(errno=socket.EAI_AGAIN):
-            return "the name can't be looked up now (DNS)"
+            return "DNS lookup failed"
         case socket.gaierror():
-            return "no such host"
+            return "unknown host"
         case ConnectionResetError():
-            return DROPS + (" is it ws://?" if bridge.is_secure else " is it rosbridge?")
+            return DROPS + (" use ws://?" if bridge.is_secure else " not rosbridge?")
         case OSError():
             return (problem.strerror or type(problem).__name__).lower()
         case _:
@@ -49,21 +49,21 @@ def _untrusted(problem: ssl.SSLCertVerificationError, bridge: Link) -> str:
     # OpenSSL's X509_V_ERR codes.
     match problem.verify_code:
         case 10:
-            return "the certificate has expired: renew it (or is a clock wrong?)"
+            return "certificate expired: renew it, or check the clocks"
         case 9:
-            return "the certificate is not valid yet: is a clock wrong?"
+            return "certificate not valid yet: check the clocks"
         case 62 | 64:
-            return "the certificate is for another name: correct url"
-    own = "ca_file does not vouch for it" if bridge.ca_file else "set ca_file to who signed it"
-    return f"the certificate is not trusted: {own}"
+            return "certificate for another name: correct url"
+    own = "not signed by ca_file" if bridge.ca_file else "set ca_file to its issuer"
+    return f"certificate not trusted: {own}"
 
 
 def _tls(problem: ssl.SSLError) -> str:
     words = f"{problem.reason} {problem}".lower()
     if "certificate" in words and "alert" in words:
-        return "the server wants a client certificate it trusts: set client_cert, client_key"
+        return "client certificate required: set client_cert, client_key"
     if "version_number" in words or "record layer" in words or "http_request" in words:
-        return "no TLS there: url with ws://?"
+        return "no TLS on this port: use ws://?"
     return f"TLS: {(problem.reason or 'error').lower().replace('_', ' ')}"
 
 
@@ -75,24 +75,24 @@ def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> str:
     if status:
         return _http(int(status.group(1)), bridge)
     if "handshake timeout" in text:
-        return "the server takes the connection and says nothing"
+        return "connected, but no response"
     if "peer dropped" in text:
-        remedy = "does it want a client_cert?" if bridge.is_secure else "is it rosbridge, is it wss://?"
+        remedy = "client_cert required?" if bridge.is_secure else "not rosbridge, or wss://?"
         return f"{DROPS} {remedy}"
     if "HTTP version" in text:
-        return "that is a web server, not rosbridge"
+        return "a web server, not rosbridge"
     for wrong in ("Sec-WebSocket-Accept", "subprotocol"):
         if wrong in text:
-            return f"that is no rosbridge: wrong {wrong}"
-    return "that is no rosbridge: no WebSocket"
+            return f"not rosbridge: wrong {wrong}"
+    return "not rosbridge: no WebSocket"
 
 
 def _http(status: int, bridge: Link) -> str:
     if status in (401, 403):
         has_one = bridge.authorization_env or bridge.authorization_file
-        remedy = "our authorization is not accepted" if has_one else "set authorization_file"
-        return f"the server refuses us (HTTP {status}): {remedy}"
-    words = _STATUSES.get(status, "that is a web server, not rosbridge")
+        remedy = "authorization not accepted" if has_one else "set authorization_file"
+        return f"access denied (HTTP {status}): {remedy}"
+    words = _STATUSES.get(status, "a web server, not rosbridge")
     return f"{words} (HTTP {status})"
 
 
@@ -101,8 +101,8 @@ def ended(code: int, text: str, bridge: Link, at_once: bool) -> str:
     if "ping timeout" in text:
         return STOPPED
     if at_once and (bridge.rosauth_env or bridge.rosauth_file):
-        return "closed at once: is the rosauth secret wrong, or a clock?"
+        return "closed at once: check the rosauth secret and the clocks"
     if at_once and code in (1000, 1005, 1008):
-        return "closed at once: does it want rosauth (rosauth_file)?"
-    closed = {1000: "closed by the server", 1001: "the server went away", 1012: "the server restarts"}
+        return "closed at once: rosauth required (rosauth_file)?"
+    closed = {1000: "closed by the server", 1001: "server shut down", 1012: "server restarting"}
     return closed.get(code, "connection lost")

@@ -43,5 +43,5 @@ def _words(problem: Exception) -> str:
     if isinstance(problem, FileNotFoundError):
         return "no such file"
     if isinstance(problem, ssl.SSLError):
-        return "no PEM file, or encrypted, or they do not belong together"
+        return "not PEM, encrypted, or cert and key do not match"
     return getattr(problem, "strerror", "") or type(problem).__name__

@@ -6,6 +6,7 @@ from typing import assert_never
 from fleet_tui.model import commands
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
+from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
@@ -24,7 +25,7 @@ _INKS = dict.fromkeys(
     (
         commands.Stage.CONFIRMED,
         commands.Stage.ACCEPTED,
-        commands.Stage.TAKEN,
+        commands.Stage.UNVERIFIABLE,
         commands.Stage.DONE,
         commands.Stage.CANCELLED,
     ),
@@ -66,10 +67,10 @@ def _group_runs(
     if brief and isinstance(first.command, commands.PlaceOrder):
         text = f"{first.command.robot} order"
     if len(records) > 1:
-        text += f" and {len(records) - 1} more like it"
+        text += f" +{len(records) - 1} more"
     ink = StyleRole.ALARM if first.stage in TROUBLE else _INKS.get(first.stage, StyleRole.DIM)
     # What a robot says on accepting ("paused") is true for that moment only.
-    words = "" if first.stage is commands.Stage.ACCEPTED or not first.words else f" ({sanitize(first.words)})"
+    words = "" if first.stage is commands.Stage.ACCEPTED else detail_text(sanitize(first.words))
     return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", ink), (words, StyleRole.DIM)
 
 

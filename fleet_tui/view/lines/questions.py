@@ -53,5 +53,5 @@ def question(state: FleetState, wish: Request, found: Sequence[Problem]) -> str:
     lost = list(losses(state, wish))
     if lost:
         return "\n".join([*lost, *against])
-    ask = [f"{', '.join(against)}: send anyway?"] if against else ["Send it?"]
+    ask = [f"{', '.join(against)}: send anyway?"] if against else ["Send?"]
     return "\n".join([*ask, wish_text(state, wish)])

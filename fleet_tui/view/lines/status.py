@@ -23,7 +23,7 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
         "read-only": read_only,
         "not armed": not armed,
         behind_text(state): state.behind >= BEHIND,
-        f"nothing is updated for {age(standstill)}: restart this console": standstill > BLIND_AFTER,
+        f"no updates for {age(standstill)}: restart this console": standstill > BLIND_AFTER,
     }
     return [note for note, holds in notes.items() if holds]
 
@@ -43,7 +43,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     yield "● ", StyleRole.GOOD
     yield f"{address} ", StyleRole.TEXT
     if link.heard is None:
-        yield "nothing heard yet", StyleRole.DIM
+        yield "nothing received yet", StyleRole.DIM
     else:
         silent = max(0.0, now - link.heard)
         yield f"{silent:.1f} s", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
@@ -54,7 +54,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.unsourced:
         yield f" {sanitize(link.unsourced_text)}", StyleRole.ALARM
     if link.late >= BEHIND:
-        yield f" {link.late:.1f} s late: the bridge is overloaded", StyleRole.WARN
+        yield f" {link.late:.1f} s late: bridge overloaded", StyleRole.WARN
     if link.faults:
         yield f" {link.faults} bad frames", StyleRole.WARN
 

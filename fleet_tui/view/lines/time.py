@@ -101,9 +101,9 @@ def factor(speed: float) -> str:
 
 def _pace(moment: ReplayPosition) -> str:
     if moment.busy is not None:
-        return f"going there: {moment.busy:.0%}"
+        return f"seeking: {moment.busy:.0%}"
     if moment.is_over:
-        return "the end of the recording"
+        return "end of recording"
     reached = f" ({factor(round(moment.reached, 1))} reached)" if moment.reached is not None else ""
     return f"{'stopped' if moment.paused else 'playing'} {factor(moment.speed)}{reached}"
 

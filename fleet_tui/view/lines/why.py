@@ -7,6 +7,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.why.reason import Reason
+from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
@@ -17,12 +18,14 @@ SHOWN = 5
 
 
 def why_lines(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]) -> list[str]:
-    """Since when it stands, then each reason: name, evidence, age and the keys that help."""
+    """The time without movement, then each reason: name, evidence, age and the keys that help."""
     found, hidden = reasons(state, robot), hidden_keys(state, robot.name)
+    if moves(state, robot) == found[0]:
+        return [f"{sanitize(found[0].name)} ({found[0].evidence})"]
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):
-        likeliest = "▶ likeliest: " if number == 1 else f"  {number}. "
-        lines += ["", f"{likeliest}{sanitize(reason.name)}  ({reason.strength.name.lower()})"]
+        mark = "▶" if number == 1 else " "
+        lines += ["", f"{mark} {number}. {sanitize(reason.name)}  ({reason.strength.name.lower()})"]
         lines.append(f"    {sanitize(reason.evidence)}")
         lines += [f"    {line}" for line in (_age(state, reason), *_helps(reason, keys, hidden)) if line]
     return lines
@@ -30,13 +33,13 @@ def why_lines(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...
 
 def _standing(state: FleetState, robot: Robot) -> str:
     if "pose" not in robot.kind.reports:
-        return "Robots of this kind don't tell where they are."
+        return "Position not reported by this kind of robot."
     if robot.pose is None or robot.standing is None:
-        return "Where it is has never been reported."
+        return "No pose received."
     if state.is_old(robot, "pose"):
-        return f"Its last known place is {age(state.now - robot.pose.at)} old."
+        return f"Last pose {age(state.now - robot.pose.at)} old."
     still = state.now - robot.standing.at
-    return f"It has not moved for {age(still)}." if still >= STANDS_AFTER else "Its pose changes."
+    return f"No movement for {age(still)}." if still >= STANDS_AFTER else "Pose changing."
 
 
 def _age(state: FleetState, reason: Reason) -> str:

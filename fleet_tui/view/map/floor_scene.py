@@ -78,13 +78,11 @@ def _with_map(floor: Floor, chart: RobotMap, scene: Scene) -> Scene:
         if (frame.width, frame.height) == (grid.frame.width, grid.frame.height):
             return replace(scene, grid=grid, frame=frame)
         image, told = grid.frame, f"{frame.width} x {frame.height}"
-        return replace(
-            scene, note=f"map image is {image.width} x {image.height} px, map_metadata says {told}"
-        )
+        return replace(scene, note=f"map image {image.width} x {image.height} px, map_metadata {told}")
     if floor.problem:
         return replace(scene, note=floor.problem)
     if grid is not None:
-        return replace(scene, note="map image waits for map_metadata")
+        return replace(scene, note="map image waiting for map_metadata")
     live = chart.grid or floor.live
     if live is not None:
         return replace(scene, grid=live, frame=live.frame)
@@ -135,7 +133,7 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
     robot = state.robots[selection.robot]
     actual = robot.floor
     if "pose" not in robot.kind.reports:
-        return f"{robot.name} does not tell where it is"
+        return f"{robot.name} reports no position"
     if robot.pose is None:
         return f"{robot.name} has no pose yet"
     if actual is None:

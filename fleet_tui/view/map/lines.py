@@ -130,7 +130,7 @@ def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     for some, ink in ((old & ~thinned, StyleRole.TRAIL_OLD), (~old, StyleRole.TRAIL)):
         mask = _mask(camera)
         _dot(mask, dots[some])
-        _stroke(cells, mask, ink, look, "%")
+        _stroke(cells, mask, ink, look, ",")
 
 
 def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:

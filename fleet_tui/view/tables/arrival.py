@@ -11,9 +11,9 @@ from fleet_tui.view.tables.table import Run, column, cut
 Rows = list[tuple[Run, ...]]
 
 COMMANDS = (
-    ("fleet-tui demo", "a simulated fleet"),
-    ("fleet-tui config init", "an example to edit"),
-    ("fleet-tui doctor --url URL", "what is wrong on the way"),
+    ("fleet-tui demo", "open a simulated fleet"),
+    ("fleet-tui config init", "write an example config"),
+    ("fleet-tui doctor --url URL", "check the connection"),
 )
 
 _COUNT = 11  # cells
@@ -42,7 +42,7 @@ class Line(NamedTuple):
 def first_run_rows(places: Sequence[tuple[str, str]], asked: Asked, width: int, height: int) -> Rows:
     """Name where a configuration was looked for, what is at an address, and what else can be done."""
     rows: Rows = [
-        ((" fleet-tui", StyleRole.TITLE_FOCUSED), ("  no configuration found. Looked for", StyleRole.TEXT))
+        ((" fleet-tui", StyleRole.TITLE_FOCUSED), ("  no configuration found. Searched:", StyleRole.TEXT))
     ]
     rows += _pairs(places, StyleRole.TEXT)
     rows += [(), *_asked(asked, width), ()]
@@ -71,7 +71,7 @@ def arrival_rows(
     head: Rows = [((f" {sanitize(summary)}", StyleRole.TITLE_FOCUSED),)]
     said = [*(sanitize(lack) for lack in lacks)]
     if lines:
-        said.append("This is not certain. Nothing is sent before the console opens.")
+        said.append("Please check. No commands sent before the console opens.")
     for text in said:
         wrapped = textwrap.wrap(text, max(20, width - 2), break_on_hyphens=False)
         head += [((f" {line}", StyleRole.WARN if text in lacks else StyleRole.TEXT),) for line in wrapped]

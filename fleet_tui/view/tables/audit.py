@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
+from fleet_tui.text.details import detail_text
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
@@ -32,7 +33,7 @@ def what_text(record: AuditRecord, with_ids: bool = False) -> str:
 
 def line_text(record: AuditRecord) -> str:
     """A record as one line; it is what a search looks through."""
-    words = f" ({record.words})" if record.words else ""
+    words = detail_text(record.words)
     return sanitize(f"{_time(record)} {record.operator} {what_text(record)}: {record.change}{words}")
 
 
@@ -50,7 +51,7 @@ def _row(place: int, record: AuditRecord, operators: int) -> Row:
         (f": {sanitize(record.change)}", ink),
     ]
     if record.words:
-        runs.append((f" ({sanitize(record.words)})", StyleRole.DIM))
+        runs.append((detail_text(sanitize(record.words)), StyleRole.DIM))
     return Row(place, tuple(runs))
 
 

@@ -35,22 +35,22 @@ def _spread(spread: Spread | None) -> str:
     if spread is None:
         return "not measured yet"
     median, most, longest = map(milliseconds, spread)
-    return f"{median}, 95 % within {most}, the longest {longest}"
+    return f"{median}, 95 % within {most}, max {longest}"
 
 
 def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
     over = facts.tick is not None and facts.tick[1] > facts.budget
-    budget = f"  budget {milliseconds(facts.budget)}" + (" is exceeded" if over else "")
+    budget = f"  budget {milliseconds(facts.budget)}" + (" exceeded" if over else "")
     yield "tick", _spread(facts.tick) + budget, StyleRole.WARN if over else StyleRole.TEXT
     yield "encoding", _spread(facts.paint), StyleRole.TEXT
-    sent = f"{facts.pictures:.1f} pictures/s, {size_text(facts.sent)}/s"
-    held = f", {facts.held:,} held back: it did not read" if facts.held else ", none held back"
+    sent = f"{facts.pictures:.1f} frames/s, {size_text(facts.sent)}/s"
+    held = f", {facts.held:,} held back: terminal not reading" if facts.held else ", none held back"
     yield "terminal", sent + held, StyleRole.TEXT
-    memory = "not told by this system"
+    memory = "not available on this system"
     if facts.memory is not None and facts.peak is not None:
-        memory = f"{size_text(facts.memory)}, at most {size_text(facts.peak)}"
+        memory = f"{size_text(facts.memory)}, peak {size_text(facts.peak)}"
     yield "memory", memory, StyleRole.TEXT
-    yield "process", f"{facts.threads} threads, up for {facts.up}", StyleRole.TEXT
+    yield "process", f"{facts.threads} threads, uptime {facts.up}", StyleRole.TEXT
 
 
 def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
@@ -58,7 +58,7 @@ def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
     above = [Row(name, ((f"{name:<10}", StyleRole.DIM), (text, ink))) for name, text, ink in _facts(facts)]
     sought = wanted.casefold()
     lines = [line for line in reversed(log) if sought in line.casefold()]
-    note = f"log, newest first: {len(lines)} of {len(log)} lines" + (f", with {wanted}" if wanted else "")
+    note = f"log, newest first: {len(lines)} of {len(log)} lines" + (f", matching {wanted}" if wanted else "")
     above.append(Row("log", ((f"── {sanitize(note)}", StyleRole.DIM),)))
 
     def row(n: int) -> Row:

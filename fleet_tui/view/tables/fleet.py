@@ -87,7 +87,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
         yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:
-        yield "not sure where", StyleRole.WARN
+        yield "pose uncertain", StyleRole.WARN
     if state.is_paused(robot):
         yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:

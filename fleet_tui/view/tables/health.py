@@ -41,12 +41,12 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
     levels = Counter(_look(one.level)[0][2:] for _, one in found if one.level != Health.OK)
     note = f" /diagnostics  {len(found)} parts"
     note += "".join(f", {count} {word}" for word, count in sorted(levels.items()))
-    note += f", with {sanitize(wanted)}" if wanted else ""
-    title = ("Diagnostics of the robots", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
+    note += f", matching {sanitize(wanted)}" if wanted else ""
+    title = ("Robot diagnostics", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     empty = (
-        "no such part"
+        "no matching part"
         if wanted
-        else "nothing came on /diagnostics, which is heard only while this screen is open"
+        else "nothing received on /diagnostics (subscribed while this screen is open)"
     )
     return Table(title, rows, empty)
 

@@ -34,7 +34,7 @@ def link_table(links: Links, now: float) -> Table:
             Row((link.name, name), ((f"  {name:<14}", StyleRole.DIM), *runs))
             for name, runs in _fields(link, counter, now)
         ]
-    return Table((("Link", StyleRole.TITLE),), rows, "the console is still starting")
+    return Table((("Link", StyleRole.TITLE),), rows, "console starting")
 
 
 def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple[str, tuple[Run, ...]]]:
@@ -42,18 +42,18 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     yield "commands", (_commands(link),)
     yield "round trip", tuple(_round_trip(counter, now))
     messages, size = counter.all.rates(now) or (0.0, 0.0)
-    total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in all"
+    total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in total"
     yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))
     heard = counter.all.at
     silent = heard is None or now - heard > 2.0
     yield "last message", ((ago(heard, now), StyleRole.WARN if silent else StyleRole.TEXT),)
     yield "connections", tuple(_connections(counter, now))
-    yield "passed over", (_count(counter.dropped, "frames that were too large, or too many to wait for"),)
+    yield "dropped", (_count(counter.dropped, "frames: too large, or queue full"),)
     yield (
-        "overtaken",
-        (_count(counter.overtaken, "frames, not read since newer ones had come"),),
+        "superseded",
+        (_count(counter.overtaken, "frames: replaced by newer ones"),),
     )
-    why = f"frames, the last {ago(counter.bad.raw.at, now)}: {counter.bad.text}" if counter.bad else "frames"
+    why = f"frames, last {ago(counter.bad.raw.at, now)}: {counter.bad.text}" if counter.bad else "frames"
     yield "unreadable", (_count(counter.unreadable, why),)
     errors = sum(topic.errors for topic in counter.topics.values())
     yield "bad data", (_count(errors, "messages: see Topics" if errors else "messages"),)
@@ -63,7 +63,7 @@ def _state(link: LinkState, now: float) -> Run:
     since = age(now - link.since)
     if link.phase is Phase.UP:
         return f"● up for {since}", StyleRole.GOOD
-    trying = "trying now"
+    trying = "connecting"
     if link.phase is Phase.WAITING and link.next_try is not None:
         trying = f"retry in {max(0.0, link.next_try - now):.0f} s"
     why = f": {sanitize(link.reason)}" if link.reason else ""
@@ -73,9 +73,9 @@ def _state(link: LinkState, now: float) -> Run:
 def _commands(link: LinkState) -> Run:
     match link.command_path:
         case CommandPath.ALIVE:
-            return "● get through", StyleRole.GOOD
+            return "● ok", StyleRole.GOOD
         case CommandPath.DEAD | CommandPath.UNREGISTERED:
-            return f"✗ don't get through: {sanitize(link.command_reason)}", StyleRole.ALARM
+            return f"✗ dead: {sanitize(link.command_reason)}", StyleRole.ALARM
         case CommandPath.UNTRIED:
             return "○ not tried yet", StyleRole.WARN
 
@@ -84,7 +84,7 @@ def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:
     trips = counter.round_trips
     took = trips.took
     if not took:
-        yield "no heartbeat has come back yet", StyleRole.WARN
+        yield "no heartbeat reply yet", StyleRole.WARN
     else:
         late = trips.at is None or now - trips.at > LATE
         newest = f"{milliseconds(took[-1])}, {ago(trips.at, now)}"
@@ -92,14 +92,14 @@ def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:
         spread = f"{milliseconds(min(took))} to {milliseconds(max(took))}"
         mean = milliseconds(sum(took) / len(took))
         jitter = f", jitter {milliseconds(trips.jitter)}" if took[1:] else ""
-        yield f"  the last {len(took)}: {spread}, mean {mean}{jitter}", StyleRole.DIM
+        yield f"  last {len(took)}: {spread}, mean {mean}{jitter}", StyleRole.DIM
     if trips.unanswered:
         yield f"  {trips.unanswered} unanswered", StyleRole.WARN
 
 
 def _connections(counter: LinkCounter, now: float) -> Iterator[Run]:
     if not counter.connections:
-        yield "none yet from here", StyleRole.DIM
+        yield "none yet", StyleRole.DIM
         return
     again = counter.connections - 1
     yield f"{again} reconnect{'s' * (again != 1)}", StyleRole.WARN if again else StyleRole.TEXT

@@ -31,8 +31,8 @@ def origin(state: FleetState, robot: str, order: Order, clock: Callable[[float],
     ours = [record for record in state.commands if record.command.robot == robot]
     for record in ours:
         if record.order_id == order.id and isinstance(record.command, PlaceOrder):
-            return f"given here at {clock(record.wall)}, {_told(record)}"
+            return f"sent here at {clock(record.wall)}, {_told(record)}"
     for record in ours:
         if _may_be(record, order):
-            return f"perhaps given here at {clock(record.wall)}, {_told(record)}"
-    return "not given by this console"
+            return f"possibly sent here at {clock(record.wall)}, {_told(record)}"
+    return "not sent by this console"

@@ -68,19 +68,17 @@ def _status(order: Order, room: int) -> str:
     return word if cell_width(text) > room >= cell_width(word) > 0 else text
 
 
-def _row(
-    state: FleetState, entry: Listed, columns: tuple[int, int, int, int], width: int, leaving: str
-) -> Row:
-    names, places, ids, missions = columns
+def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width: int, leaving: str) -> Row:
+    names, ids, missions = columns
     robot, position, order = entry
     current = robot.orders.is_current(order)
     ink = StyleRole.TEXT if current else StyleRole.DIM
     unknown = robot.knows_all_graphs() and None in map(robot.name_of, vertices_of(order.stops))
     runs: list[Run] = [
         (fit(robot.name, names) + " " if names else "", StyleRole.TEXT),
-        (f"{position:{places}d} {fit(order.id, ids, right=True)} ", StyleRole.DIM),
+        (fit(f"#{order.id}", ids) + " ", StyleRole.DIM),
         (
-            fit(whose_mission(state, robot, order), missions) + " ",
+            fit(fit(whose_mission(state, robot, order), missions).rstrip() + ",", missions + 1) + " ",
             StyleRole.WARN if unknown else StyleRole.TEXT,
         ),
     ]
@@ -88,9 +86,9 @@ def _row(
     room = width - 1 - (len(CANCEL) if has_button else 0)
     runs.append((_status(order, room - width_of(runs)), ink))
     if progress := progress_text(state, robot, order):
-        runs.append((f"  {progress}", StyleRole.DIM))
-    runs.append((f"  cancel {leaving}" if leaving else "", StyleRole.WARN))
-    runs.append(("  unknown vertex" if unknown else "", StyleRole.WARN))
+        runs.append((f", {progress}", StyleRole.DIM))
+    runs.append((f", cancel {leaving}" if leaving else "", StyleRole.WARN))
+    runs.append((", unknown vertex" if unknown else "", StyleRole.WARN))
     key = (robot.name, order.id, position)
     if not has_button:
         return Row(key, tuple(cut(runs, room)))
@@ -107,7 +105,7 @@ def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots:
     if ours and robot.held:
         runs.append((f" held: {robot.held}", StyleRole.WARN))
     if placed:
-        runs.append((f" +{placed} not seen here yet", StyleRole.WARN))
+        runs.append((f" +{placed} not in the queue yet", StyleRole.WARN))
     if not all_robots and robot.has_cargo:
         runs.append((" cargo on board", StyleRole.CARGO))
     if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
@@ -125,8 +123,7 @@ def _rows(
     leaving = _leaving(state, under_way)
     columns = (
         column((entry[0].name for entry in entries), 6, 12) if all_robots else 0,
-        column((str(entry[1]) for entry in entries), 1, 4),
-        column((entry[2].id for entry in entries), 1, 11),
+        column((f"#{entry[2].id}" for entry in entries), 2, 12),
         column((whose_mission(state, entry[0], entry[2]) for entry in entries), 10, 40),
     )
 
@@ -163,9 +160,5 @@ def _empty(robot: Robot) -> str:
     if not robot.kind.lists_orders:
         return "this kind has no queue"
     if robot.queue is not None:
-        return "no orders" + ": o places one" * robot.kind.can(kind.ORDER)
-    return (
-        "the queue has not been heard yet"
-        if robot.kind.expects("queue")
-        else "no order has been heard of yet"
-    )
+        return "no orders" + ": press o to order" * robot.kind.can(kind.ORDER)
+    return "no queue received yet" if robot.kind.expects("queue") else "no orders reported yet"

@@ -36,7 +36,7 @@ def raw_lines(raw: Raw) -> tuple[str, ...]:
     value = _published(raw)
     lines = _plain(raw) if value is _NOTHING else _value_lines(value, 0)
     shown = tuple(sanitize(line) for line in islice(lines, MOST_LINES + 1))
-    return shown if len(shown) <= MOST_LINES else (*shown[:-1], f"… only the first {MOST_LINES:,} lines")
+    return shown if len(shown) <= MOST_LINES else (*shown[:-1], f"… first {MOST_LINES:,} lines only")
 
 
 def copied(raw: Raw) -> tuple[str, str]:
@@ -52,7 +52,7 @@ def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Tab
     """The message of a topic; `why` it could not be read, empty where it could."""
     title = [("Raw ", StyleRole.TITLE), (sanitize(topic.topic), StyleRole.TEXT)]
     if raw is None:
-        return Table(tuple(title), (), "no bad message" if why else "nothing came yet")
+        return Table(tuple(title), (), "no bad message" if why else "nothing received yet")
     kind = "CBOR" if raw.is_binary else "JSON"
     title.append((f"  {ago(raw.at, now)}, {size_text(raw.size)} of {kind}", StyleRole.DIM))
     rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(raw_lines(raw))]
@@ -76,7 +76,7 @@ def _published(raw: Raw) -> Any:
 
 def _plain(raw: Raw) -> Iterator[str]:
     if not raw.is_whole:
-        yield f"… {size_text(raw.size)}, of which only the first {size_text(len(raw.payload))} are kept"
+        yield f"… {size_text(raw.size)}, only the first {size_text(len(raw.payload))} kept"
     if raw.is_binary:
         for start in range(0, len(raw.payload), BINARY_LINE):
             yield raw.payload[start : start + BINARY_LINE].hex(" ")

@@ -70,10 +70,10 @@ def robot_log_table(
     )
     note = f" /rosout  {len(found)} of {len(lines)} lines, {least.name}"
     note += "" if least is Severity.FATAL else " and worse"
-    note += f", with {sanitize(wanted)}" if wanted else ""
+    note += f", matching {sanitize(wanted)}" if wanted else ""
     note += f", last {ago(_wall(lines[-1], offset), state.wall)}" if lines else ""
-    title = ("Log of the robots", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
+    title = ("Robot log", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     empty = (
-        "no such line" if lines else "nothing came on /rosout, which is listened to while this screen is open"
+        "no matching line" if lines else "nothing received on /rosout (subscribed while this screen is open)"
     )
     return Table(title, rows, empty)

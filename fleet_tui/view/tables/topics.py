@@ -29,9 +29,9 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
         if topic.on_change:
             return "· on change", StyleRole.DIM
         waits = topic.on_demand or not topic.robot
-        return ("· on demand", StyleRole.DIM) if waits else ("○ nothing yet", StyleRole.WARN)
+        return ("· on demand", StyleRole.DIM) if waits else ("○ none yet", StyleRole.WARN)
     if topic.once or topic.on_demand or topic.on_change or not topic.robot:
-        return "● came", StyleRole.TEXT
+        return "● received", StyleRole.TEXT
     return ("○ silent", StyleRole.WARN) if now - topic.at > silent_after else ("● live", StyleRole.GOOD)
 
 
@@ -55,9 +55,9 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Tab
     keys = [(link.name, topic.topic) for link, topic in found]
     rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))
     trouble = sum(ink in (StyleRole.WARN, StyleRole.ALARM) for _, ink in states)
-    note = f" {len(found)}, {trouble} in trouble" + (f", with {sanitize(wanted)}" if wanted else "")
+    note = f" {len(found)}, {trouble} with problems" + (f", matching {sanitize(wanted)}" if wanted else "")
     title = ("Topics", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
-    return Table(title, rows, "no such topic" if wanted else "the console is still starting")
+    return Table(title, rows, "no matching topic" if wanted else "console starting")
 
 
 def _silent_after(state: FleetState, topic: TopicCounter) -> float:

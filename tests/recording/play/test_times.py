@@ -20,5 +20,5 @@ async def test_a_time_that_cannot_be_does_not_end_the_console(tmp_path: Path, wa
         made.tell(second, TimePassed(T0 + second, wall if second > 2 else 1.0 + second))
     async with replayed(made.written(tmp_path / "x.jsonl.gz").path) as it:
         await it.press("end")
-        await it.shows("the end of the recording")
+        await it.shows("end of recording")
         await it.shows("never seen")

@@ -39,7 +39,7 @@ def test_no_other_new_goal_is_taken_for_it() -> None:
     state = lived(sent(site(), T0 + 1, "our-name"), T0 + 1.2, goal("another1"))
     state = lived(state, T0 + 20, goal("another1"))
     assert record(state).stage is Stage.NOT_CONFIRMED
-    assert record(state).words == "no answer; no new goal was seen"
+    assert record(state).words == "no answer; no new goal seen"
 
 
 def test_its_rejection_ends_it_with_the_robots_words() -> None:
@@ -92,7 +92,7 @@ def test_a_pause_keeps_the_leg() -> None:
     state = lived(sent(state, T0 + 2.1, "goal---2"), T0 + 2.3, goal("goal---2"))
     pause = PauseRobot(R0)
     state = told(state, CommandIssued(8, pause, T0 + 3, T0), CommandAdvanced(8, Stage.SENT, T0 + 3))
-    state = told(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3, "nothing answers to it"))
+    state = told(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3, "no reply expected"))
     state = lived(state, T0 + 3.2, goal("goal---2", OFF))
     assert (record(state).stage, record(state).leg) == (Stage.WAITING, 1)
     assert next_to_send(state, state.robots[R0]) is None

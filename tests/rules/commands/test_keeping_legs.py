@@ -101,4 +101,4 @@ def test_a_resume_after_which_an_order_left_says_so() -> None:
     resume = [CommandAdvanced(9, stage, T0 + 5) for stage in (Stage.SENT, Stage.ACCEPTED)]
     state = sent(told(state, CommandIssued(9, ResumeRobot(R0), T0 + 5, T0), *resume), T0 + 5, "goal---2")
     state = lived(state, T0 + 5.1, goal(FIRST, OFF))
-    assert record(state, 9).words == "the orders that wait here go on"
+    assert record(state, 9).words == "waiting orders continue"

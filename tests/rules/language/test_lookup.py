@@ -5,9 +5,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.events import CargoReported
+from fleet_tui.model.kind import ORDER, ORDER_TO, Kind
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.language.lookup import Place, destination_only, matches, places, plain_id
-from tests.support.fleets import F0, R0, T0, fleet, graph, labels, pose, queue, told
+from fleet_tui.rules.language.lookup import Place, destination_only, matches, may_skip_start, places, plain_id
+from tests.support.fleets import (
+    F0,
+    R0,
+    T0,
+    fleet,
+    graph,
+    labels,
+    pose,
+    queue,
+    told,
+)
+from tests.support.kinds import FULL, GOALS, moved
 
 NAMED = {1: "Base", 2: "Consumidores", 3: "Dock 7", 7: "Lab base"}
 
@@ -84,3 +96,17 @@ def test_an_order_needs_no_start_with_cargo_and_nothing_to_do() -> None:
 def test_a_label_that_is_a_number_comes_before_the_id() -> None:
     state = told(fleet(), graph(1, 7), labels({1: "7", 7: "Base"}))
     assert names(state.robots[R0], "7") == ["7", "Base"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "only_to", "may_skip"),
+    [
+        (FULL, False, False),
+        (GOALS, False, True),
+        (Kind(accepts=(ORDER_TO,)), True, False),
+        (Kind(accepts=(ORDER,)), False, False),
+    ],
+)
+def test_which_orders_need_a_start(kind: Kind, only_to: bool, may_skip: bool) -> None:
+    robot = moved(kind).robots[R0]
+    assert (destination_only(robot), may_skip_start(robot)) == (only_to, may_skip)

@@ -32,7 +32,7 @@ async def heard(client: ClientConnection, topic: str) -> Any:
 
 
 def test_a_fault_of_another_kind_is_named() -> None:
-    with pytest.raises(ConfigError, match="restart: no such fault of this kind of robots"):
+    with pytest.raises(ConfigError, match="restart: unknown fault of this kind of robots"):
         parse_faults("restart", ["robot_0"], FAULTS)
 
 

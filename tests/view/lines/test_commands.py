@@ -14,7 +14,19 @@ from fleet_tui.model.commands import (
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.lines.commands import command_text, message_line
 from fleet_tui.view.roles import StyleRole
-from tests.support.fleets import R0, T0, commanded, fleet, graph, labels, place_order, text_of, tick, told
+from tests.support.fleets import (
+    R0,
+    T0,
+    commanded,
+    fleet,
+    graph,
+    labels,
+    place_order,
+    text_of,
+    tick,
+    told,
+)
+from tests.support.kinds import BARE, FULL, heard
 
 WIDE = 300
 
@@ -102,3 +114,9 @@ def test_what_went_wrong_stays_where_there_is_no_room_for_all() -> None:
     facts += commanded(9, CancelOrder("robot_2", "3"), Stage.SENT, Stage.ACCEPTED)
     text = text_of(message_line(told(fleet(3), *facts, tick(T0 + 1)), "", 0.0, 60))
     assert text.startswith(" robot_1 clear all orders: refused") and cell_width(text) <= 60
+
+
+def test_an_order_to_one_place_is_said_as_the_kind_takes_it() -> None:
+    assert command_text(heard(BARE), place_order(R0, 1)) == "robot_0 go to Base"
+    assert command_text(heard(FULL), place_order(R0, 1)) == "robot_0 bring cargo -> Base"
+    assert place_order(R0, 1).what(BARE) == "order"

@@ -2,13 +2,11 @@
 
 import pytest
 
-from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, Stage
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request, chain
 from fleet_tui.view.lines.questions import losses, question, wish_text
-from fleet_tui.view.tables.order_story import origin
-from tests.support.fleets import R0, T0, commanded, fleet, graph, labels, place_order, queue, tick, told
-from tests.support.fleets import order as listed
+from tests.support.fleets import R0, T0, fleet, graph, labels, place_order, queue, told
 
 STATE = told(
     fleet(2), graph(1, 2, 3), labels({1: "Base", 2: "Store"}), queue(T0, (4, 1, 2, "W"), (5, 2, 1, "Q"))
@@ -20,7 +18,7 @@ STATE = told(
     [
         ((CancelOrder(R0, "4"),), "Cancel order 4 of robot_0?\nBase -> Store"),
         ((ClearOrders(R0),), "Clear all 2 orders of robot_0?\n  4  Base -> Store\n  5  Store -> Base"),
-        ((place_order(R0, 1, 2),), "Send it?\nrobot_0 order Base -> Store"),
+        ((place_order(R0, 1, 2),), "Send?\nrobot_0 order Base -> Store"),
     ],
 )
 def test_what_will_be_lost_is_named(commands: tuple[Command, ...], asked: str) -> None:
@@ -46,31 +44,3 @@ def test_a_long_queue_is_cut_in_the_question_with_how_much_more_there_is() -> No
 def test_a_wish_in_one_line() -> None:
     assert wish_text(STATE, Request(chain(R0, ["1", "2", "3"]))) == "robot_0 order Base -> Store, Store -> 3"
     assert wish_text(STATE, Request((PauseRobot(R0), PauseRobot("robot_1")))) == "pause all"
-
-
-def at(wall: float) -> str:
-    return "12:04:31"
-
-
-def test_an_order_is_ours_anothers_or_perhaps_ours() -> None:
-    given = place_order(R0, 1, 2)
-    placed = commanded(7, given, Stage.SENT, Stage.ACCEPTED, at=T0 + 1)
-    state = told(STATE, *placed, queue(T0 + 2, (4, 1, 2, "W"), (6, 1, 2, "Q")), tick(T0 + 2.1))
-    assert origin(state, R0, listed(6, 1, 2, "Q"), at) == "given here at 12:04:31, accepted, confirmed"
-    assert origin(state, R0, listed(4, 1, 2, "W"), at) == "not given by this console"
-    unsure = told(fleet(), *commanded(7, given, Stage.SENT, Stage.UNKNOWN))
-    assert origin(unsure, R0, listed(6, 1, 2, "Q"), at) == "perhaps given here at 12:04:31, outcome unknown"
-    assert origin(unsure, R0, listed(6, 2, 1, "Q"), at) == "not given by this console"
-    refused = told(fleet(), *commanded(7, given, Stage.SENT, Stage.REFUSED))
-    assert origin(refused, R0, listed(6, 1, 2, "Q"), at) == "not given by this console"
-    loaded = told(fleet(), *commanded(7, place_order(R0, 2), Stage.SENT))
-    assert origin(loaded, R0, listed(6, 9, 2, "Q"), at) == "perhaps given here at 12:04:31, sent"
-
-
-def test_who_gave_an_order_is_known_as_long_as_it_is_in_the_queue() -> None:
-    placed = commanded(7, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED, at=T0 + 1)
-    state = told(STATE, *placed, queue(T0 + 2, (6, 1, 2, "Q")), tick(T0 + 2.1))
-    for n in range(300):
-        state = told(state, *commanded(100 + n, PauseRobot(R0), Stage.NOT_SENT))
-    assert len(state.commands) == 200
-    assert origin(state, R0, listed(6, 1, 2, "Q"), at).startswith("given here")

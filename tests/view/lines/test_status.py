@@ -5,13 +5,10 @@ from msgspec.structs import replace
 
 from fleet_tui.config.schema import Link, RobotEntry
 from fleet_tui.config.start import initial_state
-from fleet_tui.keymap import keymap
-from fleet_tui.keys import Pane
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.view.lines.hints import hints
-from fleet_tui.view.lines.status import status_line
+from fleet_tui.view.lines.status import console_notes, status_line
 from fleet_tui.view.roles import StyleRole
 from tests.support.fleets import (
     LINK,
@@ -33,12 +30,12 @@ def line(state: FleetState, *notes: str) -> str:
 
 
 def test_no_link_says_why_since_when_and_when_it_is_tried_next() -> None:
-    state = told(fleet(), link_up(T0), link_lost(T0 + 10, "nothing listens there", T0 + 14), tick(T0 + 12))
-    assert "○ no link for 2 s: nothing listens there, retry in 2 s ws://site:9090" in line(state)
+    state = told(fleet(), link_up(T0), link_lost(T0 + 10, "connection refused", T0 + 14), tick(T0 + 12))
+    assert "○ no link for 2 s: connection refused, retry in 2 s ws://site:9090" in line(state)
     assert {ink for text, ink in status_line(state, R0) if "no link" in text} == {StyleRole.ALARM}
     assert "retry in 0 s" in line(told(state, tick(T0 + 20)))
     trying = told(state, events.LinkChanged(LINK, T0 + 14, Phase.CONNECTING), tick(T0 + 15))
-    assert "no link for 5 s: nothing listens there, connecting" in line(trying)
+    assert "no link for 5 s: connection refused, connecting" in line(trying)
 
 
 def test_before_the_first_connection() -> None:
@@ -47,15 +44,15 @@ def test_before_the_first_connection() -> None:
 
 def test_a_link_shows_the_age_of_the_last_message() -> None:
     state = told(fleet(), link_up(T0), tick(T0 + 1))
-    assert "● ws://site:9090 nothing heard yet" in line(state)
+    assert "● ws://site:9090 nothing received yet" in line(state)
     assert "● ws://site:9090 0.4 s" in line(told(state, events.LinkHeard(LINK, T0 + 2), tick(T0 + 2.4)))
     assert "no link" not in line(state)
 
 
 def test_telemetry_alive_and_commands_dead() -> None:
-    dead = events.CommandPathChanged(LINK, CommandPath.DEAD, "the ROS master is gone")
+    dead = events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master")
     state = told(fleet(), link_up(T0), events.LinkHeard(LINK, T0), dead, tick(T0))
-    assert "commands dead: the ROS master is gone" in line(state) and "● " in line(state)
+    assert "commands dead: no ROS master" in line(state) and "● " in line(state)
     assert "commands dead" not in line(told(state, events.CommandPathChanged(LINK, CommandPath.ALIVE)))
     assert "no link" in line(told(state, link_lost(T0 + 1))) and "dead" not in line(
         told(state, link_lost(T0 + 1))
@@ -106,26 +103,14 @@ def test_what_must_not_be_cut_stands_first() -> None:
     assert text.index(R0) < text.index("alarms") < text.index("read-only") < text.index("no link")
 
 
-@pytest.mark.parametrize("pane", [Pane.MAP, Pane.TABLE])
-def test_hints_show_the_keys_as_they_are_set(pane: Pane) -> None:
-    chosen, problems = keymap({"order": "O", "menu": "home"})
-    left, right = hints(chosen, pane)
-    assert problems == []
-    assert " O order " in text_of(left) and " ? help " in text_of(right) and " : command " in text_of(right)
-    assert (" home menu " in text_of(left)) is (pane is Pane.TABLE)
-    assert text_of(left).startswith(" home menu " if pane is Pane.TABLE else " ] robot ")
+def test_a_calm_console_says_nothing() -> None:
+    assert console_notes(fleet(), read_only=False, armed=True, standstill=0.1) == []
 
 
-def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
-    chosen, _ = keymap({"help_anywhere": "f2"})
-    left, right = hints(chosen, Pane.ANYWHERE)
-    assert text_of(left) == " f2 help  f12 pause all " and right == []
+def test_what_holds_is_said() -> None:
+    assert console_notes(fleet(), read_only=True, armed=False, standstill=0.0) == ["read-only", "not armed"]
 
 
-@pytest.mark.parametrize("pane", [Pane.MAP, Pane.TABLE, Pane.RECORDING, Pane.ANYWHERE])
-def test_a_console_that_can_not_command_offers_no_commands(pane: Pane) -> None:
-    chosen, _ = keymap({})
-    may = "".join(text_of(part) for part in hints(chosen, pane))
-    may_not = "".join(text_of(part) for part in hints(chosen, pane, can_command=False))
-    assert " pause all " in may and " help " in may_not
-    assert not any(f" {word} " in may_not for word in ("order", "cancel", "clear", "pause", "resume"))
+def test_a_console_gone_blind_says_so() -> None:
+    (note,) = console_notes(fleet(), read_only=False, armed=True, standstill=7.2)
+    assert note == "no updates for 7 s: restart this console"

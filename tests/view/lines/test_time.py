@@ -21,7 +21,7 @@ from tests.support.fleets import text_of
 
 ALARM = TimeMark(150.0, MarkKind.ALARM, "robot_0 offline")
 COMMAND = TimeMark(150.0, MarkKind.COMMAND, "robot_0 pause")
-GAP = TimeMark(180.0, MarkKind.GAP, "0:30 are missing before this")
+GAP = TimeMark(180.0, MarkKind.GAP, "0:30 missing before this")
 
 
 def moment(at: float = 150.0, **more: Any) -> ReplayPosition:
@@ -42,7 +42,7 @@ def test_spans(seconds: float, text: str) -> None:
 @given(st.floats(90, 210), st.integers(1, 200), st.lists(st.floats(90, 210), max_size=5))
 def test_both_lines_fill_their_width_wherever_it_stands(at: float, width: int, marks: list[float]) -> None:
     marked = [TimeMark(one, MarkKind.ALARM, "x" * 50) for one in sorted(marks)]
-    lines = time_line(moment(at, marks=marked, note="cut off"), clock, width)
+    lines = time_line(moment(at, marks=marked, note="truncated"), clock, width)
     assert [len(text_of(line)) for line in lines] == [width, width]
 
 
@@ -71,8 +71,8 @@ def test_a_cell_is_the_time_under_it() -> None:
         ({"speed": 0.25}, "playing x0.25"),
         ({"speed": 64.0, "reached": 12.34}, "playing x64 (x12.3 reached)"),
         ({"paused": True}, "‖ 12:04:31 stopped x1"),
-        ({"busy": 0.4}, "going there: 40%"),
-        ({"is_over": True, "paused": True}, "the end of the recording"),
+        ({"busy": 0.4}, "seeking: 40%"),
+        ({"is_over": True, "paused": True}, "end of recording"),
         ({"note": "it was cut off"}, "it was cut off"),
     ],
 )
@@ -89,7 +89,7 @@ def test_a_mark_is_told_while_it_is_news() -> None:
     assert "robot_0" not in says(149.9) and "robot_0" not in says(155.1)
     assert "robot_0 offline" in says(165.0, speed=4.0)
     assert "robot_0" not in says(165.0, speed=4.0, paused=True)
-    assert "╳ 0:30 are missing" in says(182.0)
+    assert "╳ 0:30 missing" in says(182.0)
 
 
 def test_words_from_outside_are_shown_as_text() -> None:

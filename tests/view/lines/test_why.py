@@ -3,11 +3,23 @@
 from fleet_tui.keymap import keymap
 from fleet_tui.model.events import CargoReported, PoseReported
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import Kind
 from fleet_tui.view.lines.why import SHOWN, why_lines
-from tests.support.fleets import R0, T0, fleet, graph, labels, link_up, pose, queue, tick, told
+from tests.support.fleets import (
+    R0,
+    T0,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    pose,
+    queue,
+    tick,
+    told,
+)
+from tests.support.kinds import FULL, KEYS, heard
 from tests.support.planted_fleet import Planted
 
-KEYS, _ = keymap({})
 REMAPPED, _ = keymap({"resume": "f5", "clear": "ctrl+x"})
 
 
@@ -16,12 +28,12 @@ def text(planted: Planted, keys: dict[str, tuple[str, ...]] = KEYS) -> str:
 
 
 PAUSED_AND_BLOCKED = """\
-It has not moved for 6 s.
+No movement for 6 s.
 
-▶ likeliest: paused  (certain)
-    it says so; it came from elsewhere
+▶ 1. paused  (certain)
+    reported by the robot, not sent by this console
     reported 0.4 s ago
-    r  Resume the selected robot, at once
+    r  Resume the selected robot immediately
 
   2. obstacle 5.7 s  (certain)
     obstacle contact: clear the path at the robot
@@ -29,9 +41,9 @@ It has not moved for 6 s.
     c  Centre on the selected robot, once
 
   3. no orders  (certain)
-    its queue is empty: it waits for one
+    queue empty: waiting for an order
     reported 0.4 s ago
-    o  Order form for the selected robot"""
+    o  Open the order form for the selected robot"""
 
 
 def test_paused_and_blocked() -> None:
@@ -44,22 +56,22 @@ def test_a_robot_that_is_gone() -> None:
     assert (
         text(planted.run(20))
         == """\
-Its last known place is 20 s old.
+Last pose 20 s old.
 
-▶ likeliest: offline 20 s  (certain)
-    nothing comes from it, though the link is up
+▶ 1. offline 20 s  (certain)
+    link up, no messages
     for 20 s
 
   2. no orders  (possible)
-    its queue is empty: it waits for one
+    queue empty: waiting for an order
     reported 20.4 s ago
-    o  Order form for the selected robot"""
+    o  Open the order form for the selected robot"""
     )
 
 
 def test_remapped_keys_are_shown() -> None:
     lines = text(Planted("paused:robot_0").run(3), REMAPPED)
-    assert "    f5  Resume the selected robot, at once" in lines
+    assert "    f5  Resume the selected robot immediately" in lines
 
 
 def test_what_the_wire_says_is_only_text_and_there_is_an_end_to_it() -> None:
@@ -75,7 +87,16 @@ def test_what_the_wire_says_is_only_text_and_there_is_an_end_to_it() -> None:
         tick(T0 + 3),
     )
     lines = why_lines(state, state.robots[R0], KEYS)
-    assert "▶ likeliest: loading at ␛[2JBase  (likely)" in lines
+    assert "▶ 1. loading at ␛[2JBase  (likely)" in lines
     assert "    for order 1, ␛[2JBase -> [red]x" in lines
     assert all(line.isprintable() for line in lines)
     assert sum(line.startswith(("▶", "  2", "  3", "  4", "  5")) for line in lines) <= SHOWN
+
+
+def test_why_offers_no_key_that_the_kind_does_not_accept() -> None:
+    orders = queue(T0 + 9)
+    for kind, is_offered in ((FULL, True), (Kind("x", FULL.reports), False)):
+        state = told(heard(kind), orders, pose(T0 + 9), tick(T0 + 9))
+        lines = why_lines(state, state.robots[R0], KEYS)
+        assert any("no orders" in line for line in lines)
+        assert any("order form" in line for line in lines) is is_offered

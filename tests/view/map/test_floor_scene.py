@@ -57,7 +57,7 @@ def test_a_configured_map_wins_whole_and_a_difference_is_one_note() -> None:
 
 
 def test_a_graph_file_that_cannot_be_read_is_said() -> None:
-    problem = "graph a.json: is no FeatureCollection"
+    problem = "graph a.json: not a FeatureCollection"
     state = told(fleet(), *LIVE, pose(T0), events.FloorGraphLoaded(F0, None, {}, problem))
     assert scene(state).note == problem
 
@@ -66,11 +66,11 @@ def test_a_plain_image_is_tied_by_map_metadata() -> None:
     file = image(4, 2)
     loaded = events.FloorMapLoaded(F0, file, tied=False)
     waiting = scene(told(fleet(), pose(T0), loaded))
-    assert waiting.grid is None and waiting.note == "map image waits for map_metadata"
+    assert waiting.grid is None and waiting.note == "map image waiting for map_metadata"
     tied = scene(told(fleet(), pose(T0), loaded, LIVE[0]))
     assert tied.grid is file and tied.frame == FRAME and tied.note == ""
     wrong = scene(told(fleet(), pose(T0), events.FloorMapLoaded(F0, image(3, 2), tied=False), LIVE[0]))
-    assert wrong.grid is None and "3 x 2 px, map_metadata says 4 x 2" in wrong.note
+    assert wrong.grid is None and "3 x 2 px, map_metadata 4 x 2" in wrong.note
 
 
 def test_a_map_that_could_not_be_read_says_why() -> None:

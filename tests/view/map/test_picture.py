@@ -219,7 +219,7 @@ def test_the_label_under_the_cursor_goes_before_the_others_but_not_before_the_mi
     assert "place 17" not in backdrop(scene, FIT, MapOptions()).text()
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.integers(0, 10_000), st.floats(9.0, 12.0))
 def test_of_a_hundred_robots_each_has_its_number_where_there_is_room(seed: int, spread: float) -> None:
     rng = np.random.default_rng(seed)

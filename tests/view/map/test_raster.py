@@ -57,7 +57,7 @@ def test_a_dot_is_the_maximum_of_exactly_the_pixels_it_covers(
         assert np.array_equal(dots, exact(classes, scale, left, top, shape))
 
 
-@settings(max_examples=1000, deadline=None)
+@settings(max_examples=200)
 @given(
     side=st.integers(30, 300),
     place=st.floats(0.0, 0.999),
@@ -118,7 +118,6 @@ def test_where_all_is_wall_when_seen_from_afar_the_dense_parts_look_denser() -> 
     assert set(middle[1][22:35]) == {"▓"}
 
 
-@settings(max_examples=100, deadline=None)
 @given(seed=st.integers(0, 999), share=st.floats(0.0, 0.05), scale=st.floats(12.5, 40.0))
 def test_in_a_coarse_view_every_wall_has_a_dot_beside_it(seed: int, share: float, scale: float) -> None:
     rng = np.random.default_rng(seed)

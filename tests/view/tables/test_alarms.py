@@ -40,9 +40,9 @@ def test_seen_over_and_come_again() -> None:
     assert texts(seen)[0].startswith("△ seen low  robot_0 battery 15 %")
     assert text_of(alarm_table(seen, clock).title) == "Alarms"
     over = told(state, battery(T0 + 1, 60.0), tick(T0 + 1))
-    assert texts(over)[0].startswith("▲ new  low  robot_0 battery is charged again")
+    assert texts(over)[0].startswith("▲ new  low  robot_0 battery recovered")
     over = told(over, battery(T0 + 4, 60.0), tick(T0 + 4))
-    assert texts(over)[0].startswith("▽ over low  robot_0 battery is charged again")
+    assert texts(over)[0].startswith("▽ over low  robot_0 battery recovered")
     again = told(over, battery(T0 + 5, 9.0), tick(T0 + 5))
     assert texts(again)[0] == f"▲ new  med  robot_0 battery 9 % {state.wall:.0f} x2"
 
@@ -53,11 +53,11 @@ def test_the_first_moment_stays_however_long_it_lasts() -> None:
 
 
 def test_no_link_stands_there_with_its_reason_only_while_it_is_so() -> None:
-    state = told(fleet(), link_lost(T0, "nothing listens there"), tick(T0 + 60))
-    assert "no link: nothing listens there" in texts(state)[0]
+    state = told(fleet(), link_lost(T0, "connection refused"), tick(T0 + 60))
+    assert "no link: connection refused" in texts(state)[0]
     assert alarm_table(state, clock).rows[0].key == (LINK, "link")
     back = told(state, link_up(T0 + 61), tick(T0 + 61))
-    assert "no link" not in texts(back)[0] and "link is back" in texts(back)[0]
+    assert "no link" not in texts(back)[0] and "link restored" in texts(back)[0]
     assert texts(back)[0].endswith(f" {WALL + T0 + 60:.0f}")  # it held at the last look before
 
 

@@ -7,10 +7,13 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop, at_vertices
 from fleet_tui.text.sanitize import cells_of
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.queue import CANCEL, CLEAR, queue_table
+from fleet_tui.view.tables.queue import CANCEL as CANCEL_BUTTON
+from fleet_tui.view.tables.queue import CLEAR as CLEAR_BUTTON
 from fleet_tui.view.tables.table import Button, Run, width_of
 from tests.support.fleets import (
     R0,
@@ -25,6 +28,7 @@ from tests.support.fleets import (
     tick,
     told,
 )
+from tests.support.kinds import BARE, FULL, LATE, heard
 
 WIDTHS = range(20, 121)
 ORDERS = ((11, 1, 2, "Q"), (12, 2, 3, "W"), (15, 3, 99, "X"))
@@ -45,9 +49,9 @@ def under(runs: tuple[Run, ...], button: Button) -> str:
     return "".join(cells[button.start : button.end])
 
 
-def test_the_current_order_stands_first_and_positions_count_from_0() -> None:
+def test_the_current_order_comes_first() -> None:
     words = [line.split() for line in lines(state())]
-    assert [(word[0], word[1]) for word in words] == [("0", "12"), ("1", "11"), ("2", "15")]
+    assert [word[0] for word in words] == ["#12", "#11", "#15"]
     assert [row.key for row in queue_table(state(), R0, False, 100).rows] == [
         (R0, "12", 0),
         (R0, "11", 1),
@@ -57,14 +61,14 @@ def test_the_current_order_stands_first_and_positions_count_from_0() -> None:
 
 @pytest.mark.parametrize("current", [-1, 0, 99])
 def test_a_current_order_that_is_not_there_means_none(current: int) -> None:
-    assert [line.split()[1] for line in lines(state(current=current))] == ["11", "12", "15"]
+    assert [line.split()[0] for line in lines(state(current=current))] == ["#11", "#12", "#15"]
 
 
 def test_missions_by_label_and_status_in_words() -> None:
     current, waiting, odd = lines(state())
     assert "Consumidores -> 3" in current and " in process" in current
     assert "Base -> Consumidores" in waiting and " queued" in waiting
-    assert "3 -> 99?" in odd and " X " in odd and "unknown vertex" in odd
+    assert "3 -> 99?" in odd and " X, " in odd and "unknown vertex" in odd
     assert "unknown vertex" not in current + waiting
 
 
@@ -139,8 +143,8 @@ def test_the_title_counts_and_tells_cargo_and_age() -> None:
 
 
 def test_nothing_to_do_is_not_nothing_heard() -> None:
-    assert queue_table(fleet(), R0, False, 80).empty == "the queue has not been heard yet"
-    assert queue_table(told(fleet(), queue(T0)), R0, False, 80).empty == "no orders: o places one"
+    assert queue_table(fleet(), R0, False, 80).empty == "no queue received yet"
+    assert queue_table(told(fleet(), queue(T0)), R0, False, 80).empty == "no orders: press o to order"
 
 
 def test_an_order_to_nowhere_is_marked_by_ink_too() -> None:
@@ -154,7 +158,7 @@ def test_what_is_under_way_stands_at_its_order_or_in_the_title() -> None:
     now = told(state(), *cancel, *place, tick(T0 + 1))
     current, waiting, odd = lines(now)
     assert "cancel sent 1 s ago" in waiting and "cancel" not in (current + odd).replace(CANCEL, "")
-    assert "+1 not seen here yet" in text_of(queue_table(now, R0, False, 100).title)
+    assert "+1 not in the queue yet" in text_of(queue_table(now, R0, False, 100).title)
     shown = told(state(), *commanded(2, place_order(R0, 1, 2), Stage.SENT), queue(T0 + 1, (900, 1, 2, "Q")))
     assert "not seen" not in text_of(queue_table(shown, R0, False, 100).title)  # only its answer lacks
     clear = told(state(), *commanded(3, ClearOrders(R0), Stage.SENT), tick(T0 + 1))
@@ -169,3 +173,17 @@ def test_an_order_that_is_over_has_nothing_to_cancel(letter: str) -> None:
     over, waiting = queue_table(state, R0, False, 60).rows
     assert CANCEL not in text_of(over.runs) and not over.buttons
     assert CANCEL in text_of(waiting.runs) and waiting.buttons
+
+
+def test_the_queue_pane_of_a_kind_without_a_queue() -> None:
+    table = queue_table(heard(BARE), R0, False, 80)
+    assert (text_of(table.title), table.empty) == ("Queue robot_0", "this kind has no queue")
+    assert queue_table(heard(LATE), R0, False, 80).empty == "no orders reported yet"
+    assert queue_table(heard(FULL), R0, False, 80).empty == "no queue received yet"
+
+
+@pytest.mark.parametrize(("kind", "cancels", "clears"), [(FULL, True, True), (LATE, True, False)])
+def test_only_what_is_accepted_has_a_button(kind: Kind, cancels: bool, clears: bool) -> None:
+    table = queue_table(told(heard(kind), queue(T0, (1, 1, 2, "Q"))), R0, False, 80)
+    assert (CLEAR_BUTTON in text_of(table.title)) is clears
+    assert (CANCEL_BUTTON in text_of(table.rows[0].runs)) is cancels

@@ -72,7 +72,7 @@ def test_a_binary_message_says_how_long_its_array_is() -> None:
 
 def test_of_a_message_that_was_not_kept_whole_the_head_is_shown() -> None:
     lines = raw_lines(Raw(b'{"op":"publish","topic":"/map"'.ljust(HEAD), False, T0, 3_600_000))
-    assert lines[0] == "… 3.6 MB, of which only the first 4.1 kB are kept"
+    assert lines[0] == "… 3.6 MB, only the first 4.1 kB kept"
     assert lines[1].startswith('{"op":"publish"')
     lines = raw_lines(Raw(b"\xa3\x62op", True, T0, 3_600_000))
     assert lines[1] == "a3 62 6f 70"
@@ -102,7 +102,7 @@ def test_texts_in_it_are_harmless(words: str) -> None:
 
 def test_thousands_of_lines_are_bounded_and_that_is_said() -> None:
     lines = raw_lines(raw({str(n): n for n in range(5000)}))
-    assert len(lines) == MOST_LINES + 1 and "only the first 1,000 lines" in lines[-1]
+    assert len(lines) == MOST_LINES + 1 and "first 1,000 lines only" in lines[-1]
 
 
 def test_a_copy_is_whole_where_the_view_is_not() -> None:
@@ -120,7 +120,7 @@ def test_the_title_says_whose_how_old_and_what_is_wrong() -> None:
     title = "".join(part for part, _ in table.title)
     assert title == "Raw /robot_0/battery  1.5 s ago, 63 B of JSON  bad"
     assert table.rows[0].runs[0][0] == "▲ missing `data`"
-    assert raw_table(topic, None, "", T0).empty == "nothing came yet"
+    assert raw_table(topic, None, "", T0).empty == "nothing received yet"
     assert raw_table(topic, None, "bad", T0).empty == "no bad message"
 
 

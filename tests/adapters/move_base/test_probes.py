@@ -1,0 +1,20 @@
+"""Probes of a robot with move_base."""
+
+from fleet_tui.adapters.move_base.probes import judge_bridge
+from fleet_tui.adapters.probes import BridgeProbe, HeardProbe
+from tests.support.move_base_adapter import adapter
+
+
+def test_a_bridge_of_ros_2_is_the_wrong_one() -> None:
+    (probe,) = [one for one in adapter().probes("r1") if isinstance(one, BridgeProbe)]
+    assert probe.judge(2, "jazzy").level == "fail" and "ROS 2" in probe.judge(2, "jazzy").measured
+    assert probe.judge(1, "noetic").level == "ok"
+    assert judge_bridge(1, "").measured == "a bridge that does not name it"
+
+
+def test_its_localisation_and_its_battery_are_looked_at_where_it_has_them() -> None:
+    def heard(**topics: str) -> list[str]:
+        return [one.key for one in adapter(topics=topics).probes("r1") if isinstance(one, HeardProbe)]
+
+    assert heard() == ["pose", "battery"]
+    assert heard(battery="") == ["pose"]

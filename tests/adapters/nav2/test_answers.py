@@ -1,0 +1,56 @@
+"""What answers of Nav2's action servers tell of a command."""
+
+import pytest
+
+from fleet_tui.model.commands import (
+    CancelOrder,
+    PauseRobot,
+    PlaceOrder,
+    Stage,
+)
+from fleet_tui.model.order import at_vertices
+from tests.support.nav2_adapter import adapter
+
+
+class TestAnswers:
+    @pytest.mark.parametrize(
+        ("values", "result", "stage"),
+        [
+            ({"return_code": 0, "goals_canceling": []}, True, Stage.ACCEPTED),
+            ({"return_code": 1}, True, Stage.REFUSED),
+            ({"return_code": 2}, True, Stage.REFUSED),
+            ({"return_code": 3}, True, Stage.ACCEPTED),
+            ({}, True, Stage.UNKNOWN),
+            ("Service /x does not exist", False, Stage.REFUSED),
+            ("Timeout exceeded while waiting for service response", False, Stage.UNKNOWN),
+        ],
+    )
+    def test_of_a_cancel(self, values: object, result: bool, stage: Stage) -> None:
+        assert adapter().outcome(CancelOrder("tb2", "x"), values, result)[0] is stage
+
+    @pytest.mark.parametrize(
+        ("values", "result", "stage"),
+        [
+            ({"return_code": 2}, True, Stage.ACCEPTED),
+            ("Service /x does not exist", False, Stage.ACCEPTED),
+            ("Timeout exceeded while waiting for service response", False, Stage.UNKNOWN),
+        ],
+    )
+    def test_of_a_pause_of_a_robot_without_goals(self, values: object, result: bool, stage: Stage) -> None:
+        assert adapter().outcome(PauseRobot("tb2"), values, result)[0] is stage
+
+    @pytest.mark.parametrize(
+        ("values", "status", "stage", "words"),
+        [
+            ({}, 4, Stage.DONE, ""),
+            ({"missed_waypoints": []}, 4, Stage.DONE, ""),
+            ({"missed_waypoints": [1]}, 4, Stage.FAILED, "1 stops missed"),
+            ({"error_code": 208, "error_msg": ""}, 6, Stage.FAILED, "error 208 (no path to the goal)"),
+            ({"error_code": 9001, "error_msg": "x"}, 6, Stage.FAILED, "error 9001 (navigator failed): x"),
+            ({"error_code": 77}, 6, Stage.FAILED, "error 77"),
+            ("broken", 6, Stage.FAILED, ""),
+        ],
+    )
+    def test_of_a_goal(self, values: object, status: int, stage: Stage, words: str) -> None:
+        order = PlaceOrder("tb2", at_vertices("1"))
+        assert adapter().outcome(order, values, True, status) == (stage, words)

@@ -1,0 +1,45 @@
+"""Probes of robots with Nav2: its servers, its lifecycle, its bridge."""
+
+import pytest
+
+from fleet_tui.adapters.nav2.probes import judge_bridge, judge_lifecycle
+from fleet_tui.adapters.probes import ActionProbe, QueryProbe
+from tests.support.nav2_adapter import adapter
+
+
+@pytest.mark.parametrize(
+    ("ros", "distro", "level", "words"),
+    [
+        (1, "noetic", "fail", "it is a bridge of ROS 1"),
+        (2, "humble", "warn", "a goal blocks its connection"),
+        (2, "jazzy", "ok", "jazzy"),
+        (2, "", "ok", "does not name it"),
+    ],
+)
+def test_a_bridge_by_its_distribution(ros: int, distro: str, level: str, words: str) -> None:
+    found = judge_bridge(ros, distro)
+    assert (found.level, bool(found.remedy)) == (level, level != "ok") and words in found.measured
+
+
+@pytest.mark.parametrize(
+    ("answer", "level", "words"),
+    [
+        ({"success": True}, "ok", "Nav2 is active"),
+        ({"success": False}, "fail", "rejects every goal"),
+        ("no such node", "fail", "does not tell: no such node"),
+        (None, "fail", "does not tell"),
+        ({"success": 1}, "fail", "does not tell"),
+    ],
+)
+def test_a_lifecycle_manager_by_its_answer(answer: object, level: str, words: str) -> None:
+    found = judge_lifecycle(answer)
+    assert found.level == level and words in found.measured
+
+
+def test_only_what_the_site_has_is_looked_at() -> None:
+    probes = list(adapter().probes("tb2"))
+    servers = [one.action for one in probes if isinstance(one, ActionProbe)]
+    assert servers == ["/tb2/navigate_to_pose", "/tb2/follow_waypoints"]
+    without = list(adapter(actions={"follow_waypoints": ""}, services={"is_active": ""}).probes("tb2"))
+    assert [one.action for one in without if isinstance(one, ActionProbe)] == ["/tb2/navigate_to_pose"]
+    assert not [one for one in without if isinstance(one, QueryProbe)]

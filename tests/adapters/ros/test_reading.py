@@ -1,0 +1,76 @@
+"""From a frame to its facts: counted, named where it is bad, and never raised."""
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+from fleet_tui.adapters.adapter import Feed, Limit
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.ros.reading import ROSOUT, FrameReader
+from fleet_tui.errors import WireError
+from fleet_tui.model.events import BatteryReported, Event, FrameRejected, GridReceived, MessageRejected
+from tests.support.adapters import adapter_of
+
+BATTERY = "/robot_0/battery"
+
+
+def never(_profile: Profile, _feed: Feed, _payload: bytes) -> GridReceived:
+    raise WireError("no map is that large")
+
+
+def reader(warned: list[str] | None = None) -> FrameReader:
+    adapter = adapter_of()
+    warn = (warned if warned is not None else []).append
+    feeds = list(adapter.feeds("robot_0", ["floor_0"]))
+    return FrameReader(
+        "rosbridge", Limit(64.0, "rosbridge.max_message_mb"), {"robot_0": adapter}, feeds, never, warn
+    )
+
+
+def said(topic: str, **msg: Any) -> bytes:
+    return json.dumps({"op": "publish", "topic": topic, "msg": msg}).encode()
+
+
+def read(it: FrameReader, payload: bytes) -> Sequence[Event]:
+    found = it.read(payload, False, 5.0)
+    assert isinstance(found, Sequence)
+    return found
+
+
+def test_a_message_is_its_facts_and_is_counted_on_its_topic() -> None:
+    it = reader()
+    assert read(it, said(BATTERY, data=80.0)) == (BatteryReported("robot_0", 5.0, 80.0),)
+    assert it.counter.topics[BATTERY].last is not None
+    assert read(it, said("/somebody/else", data=1)) == ()
+
+
+def test_bad_data_names_its_topic_and_a_bad_frame_its_link() -> None:
+    it = reader()
+    (rejected,) = read(it, said(BATTERY, data="full"))
+    assert isinstance(rejected, MessageRejected) and rejected.text.startswith(f"{BATTERY}: ")
+    (broken,) = read(it, b"{")
+    assert isinstance(broken, FrameRejected) and broken.link == "rosbridge"
+
+
+def test_words_of_the_bridge_are_logged_and_shown() -> None:
+    warned = list[str]()
+    (shown,) = read(reader(warned), b'{"op":"status","level":"error","msg":"no such topic"}')
+    assert isinstance(shown, FrameRejected) and "no such topic" in shown.text
+    assert warned == ["the bridge says (error): no such topic"]
+
+
+def test_what_is_over_the_limit_is_named_with_the_key_that_lets_it_in() -> None:
+    it = reader()
+    (rejected,) = it.too_large(said(BATTERY, data=1.0)[:60], False, 70_000_000, 5.0)
+    assert isinstance(rejected, MessageRejected)
+    assert "70.0 MB is over the limit of 64 MB: raise rosbridge.max_message_mb" in rejected.text
+    assert it.counter.dropped == 1
+    (unknown,) = it.too_large(b"\x00", True, 70_000_000, 5.0)
+    assert isinstance(unknown, FrameRejected)
+
+
+def test_the_log_of_robots_changes_nothing_in_the_picture() -> None:
+    it = reader()
+    line = {"level": 8, "name": "/r", "msg": "lost", "header": {"stamp": {"secs": 1, "nsecs": 0}}}
+    assert read(it, said(ROSOUT, **line)) == ()
+    assert [one.text for one in it.counter.log] == ["lost"]

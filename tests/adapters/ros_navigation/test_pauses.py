@@ -1,0 +1,51 @@
+"""Substitutes for a pause: which one a profile asks for, also where it is only half written."""
+
+from fleet_tui.adapters.adapter import Publication, ServiceCall, Site
+from fleet_tui.adapters.nav2.adapter import Nav2
+from fleet_tui.adapters.nav2.goals import CANCEL_TYPE
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.model import kind
+from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.model.kind import PAUSE
+from fleet_tui.model.robot import Robot
+from tests.support.nav2_adapter import adapter, robot
+
+ROBOT = Robot("tb2", 1, "rosbridge", {})
+
+
+def test_a_lock_without_its_topic_is_no_pause_and_says_what_lacks() -> None:
+    it = Nav2(Profile(kind="nav2", settings={"nav2": {"pause": "lock"}}), Site())
+    assert PAUSE not in it.kind.accepts
+    assert it.kind.lack(PAUSE) == "profile.topics.pause_navigation is empty: no pause"
+
+
+def test_a_pause_service_without_one_to_resume_is_not_called() -> None:
+    it = Nav2(Profile(kind="nav2", services={"pause": "/{robot}/pause"}), Site())
+    assert it.kind.holds
+    calls = it.outgoing(PauseRobot("tb2"), 1, ROBOT)
+    assert [call.type for call in calls if isinstance(call, ServiceCall)] == [CANCEL_TYPE, CANCEL_TYPE]
+
+
+class TestPauses:
+    def test_hold_is_what_stands_in(self) -> None:
+        assert adapter().kind.holds and adapter().kind.can(kind.PAUSE)
+
+    def test_a_lock_is_published(self) -> None:
+        it = adapter(topics={"pause_navigation": "/{robot}/lock"}, settings={"nav2": {"pause": "lock"}})
+        assert not it.kind.holds and it.kind.can(kind.PAUSE)
+        said = [it.outgoing(one, 1, robot()) for one in (PauseRobot("tb2"), ResumeRobot("tb2"))]
+        assert said == [
+            (Publication("/tb2/lock", "std_msgs/Bool", {"data": True}),),
+            (Publication("/tb2/lock", "std_msgs/Bool", {"data": False}),),
+        ]
+
+    def test_two_services_come_before_hold(self) -> None:
+        it = adapter(services={"pause": "/{robot}/hold", "resume": "/{robot}/go"})
+        assert not it.kind.holds
+        assert it.outgoing(PauseRobot("tb2"), 1, robot()) == (
+            ServiceCall("/tb2/hold", "std_srvs/Trigger", {}),
+        )
+
+    def test_without_any_this_kind_has_no_pause(self) -> None:
+        it = adapter(settings={"nav2": {"pause": ""}})
+        assert not it.kind.can(kind.PAUSE) and it.kind.lack(kind.PAUSE) == "this kind has no pause"

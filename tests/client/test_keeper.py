@@ -1,0 +1,292 @@
+"""Orders that wait in this console for a robot with Nav2: when they leave, what holds them, pauses."""
+
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from fleet_tui.client import keeper
+from fleet_tui.client.keeper import RESTARTED
+from fleet_tui.client.queue_file import FILE, Kept
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    PauseRobot,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
+from fleet_tui.model.order import OrderState, at_vertices
+from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, kept_orders, waiting
+from fleet_tui.simulator.nav2.navigation import TO_POSE
+from fleet_tui.simulator.ros.goals import CANCELED
+from fleet_tui.transports.rosbridge import connection
+from tests.support.links import finished, linked, phase
+from tests.support.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
+from tests.support.queue_files import kept
+
+R0 = "robot_0"
+FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
+FOREIGN_STOPPED = "stopped, also another client's goal, not resumable from here"
+
+
+@pytest.fixture(autouse=True)
+def soon(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A lost connection comes back at once."""
+    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
+    monkeypatch.setattr(connection, "LONGEST_DELAY", 0.2)
+
+
+def held(reason: str) -> Holds:
+    return lambda state: state.robots[R0].held == reason
+
+
+async def test_a_second_order_waits_here_and_leaves_when_the_first_is_done(
+    site: Site, tmp_path: Path
+) -> None:
+    async with linked(site.config, queue=keeping(tmp_path)) as (link, store):
+        await store.until(nav2_ready)
+        first = await finished(link, store, site.to("Receiving"))
+        second, third = link.submit(site.to("Base")), link.submit(site.to("Receiving", "Base"))
+        await reached(store, third, Stage.WAITING)
+        state = await store.until(lambda state: len(waiting(state, state.robots[R0])) == 2)
+        assert [one.id for one in kept_orders(state, state.robots[R0])] == ["k1", "k2"]
+        assert record_of(state, second).words.startswith("in the queue of this console (ana@")
+        await store.until(lambda _: len(kept(tmp_path)) == 2)
+        state = await store.until(lambda state: record_of(state, second).stage is Stage.CONFIRMED)
+        assert record_of(state, first.id).stage is Stage.DONE
+        assert record_of(state, third).stage is Stage.WAITING
+        ended = await reached(store, third, Stage.DONE, Stage.FAILED, Stage.LOST)
+        assert ended.stage is Stage.DONE and record_of(store.state, second).stage is Stage.DONE
+        assert not store.state.robots[R0].held
+        await store.until(lambda _: not kept(tmp_path))
+
+
+async def test_only_so_many_orders_wait_for_a_robot(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(keeper, "MOST_KEPT", 1)
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        await finished(link, store, site.to("Consumidores"))
+        await reached(store, link.submit(site.to("Base")), Stage.WAITING)
+        surplus = await finished(link, store, site.to("Base"))
+        assert (surplus.stage, surplus.words) == (
+            Stage.NOT_SENT,
+            "robot_0 has 1 orders waiting here, the maximum",
+        )
+
+
+async def test_one_that_waits_here_is_cancelled_here(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        first = await finished(link, store, site.to("Consumidores"))
+        second, third = link.submit(site.to("Base")), link.submit(site.to("Receiving"))
+        await reached(store, third, Stage.WAITING)
+        cancel = await finished(link, store, CancelOrder(R0, "k1"))
+        assert (cancel.stage, cancel.words) == (Stage.CONFIRMED, "was waiting here")
+        assert record_of(store.state, second).stage is Stage.CANCELLED
+        assert not site.cancels()
+        clear = await finished(link, store, ClearOrders(R0))
+        assert clear.stage is Stage.CONFIRMED
+        await reached(store, first.id, Stage.CANCELLED)
+        assert record_of(store.state, third).stage is Stage.CANCELLED
+        assert len(site.cancels()) == 1
+
+
+async def test_after_a_failure_nothing_leaves_until_the_operator_resumes(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        first = await finished(link, store, site.to("Consumidores"))
+        second = link.submit(site.to("Receiving"))
+        await reached(store, second, Stage.WAITING)
+        site.navigation().abort(208, "no path")
+        await store.until(held(f"order {first.order_id}: failed"))
+        alarm = await store.until(lambda state: [one for one in state.alarms if one.key[1] == "held"])
+        assert len(site.navigation().received) == 1
+        resume = await finished(link, store, ResumeRobot(R0))
+        assert (resume.stage, resume.words) == (Stage.CONFIRMED, "waiting orders continue")
+        await reached(store, second, Stage.DONE)
+    (text,) = [one.condition.text for one in alarm.alarms if one.key[1] == "held"]
+    assert text == f"order {first.order_id}: failed: 1 order waiting here, resume to continue"
+
+
+async def test_a_failure_of_long_ago_holds_nothing(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        first = await finished(link, store, site.to("Consumidores"))
+        site.navigation().abort()
+        await reached(store, first.id, Stage.FAILED)
+        await finished(link, store, site.to("Receiving"))
+        third = link.submit(site.to("Base"))
+        ended = await reached(store, third, Stage.DONE)
+        assert not store.state.robots[R0].held
+        assert [step.stage for step in ended.steps][1] is Stage.WAITING
+
+
+async def test_who_starts_anew_holds_what_was_kept(site: Site, tmp_path: Path) -> None:
+    async with linked(site.config, queue=keeping(tmp_path)) as (link, store):
+        await store.until(nav2_ready)
+        await finished(link, store, site.to("Receiving"))
+        await reached(store, link.submit(site.to("Base")), Stage.WAITING)
+        await store.until(lambda _: len(kept(tmp_path)) == 1)
+    async with linked(site.config, queue=keeping(tmp_path)) as (link, store):
+        state = await store.until(held(RESTARTED))
+        (waits,) = waiting(state, state.robots[R0])
+        assert waits.command == site.to("Base") and waits.words == RESTARTED
+        await store.until(
+            lambda state: nav2_ready(state) and state.robots[R0].goals and not state.robots[R0].orders.open
+        )
+        assert len(site.navigation().received) == 1 and len(kept(tmp_path)) == 1
+        await finished(link, store, ResumeRobot(R0))
+        await reached(store, waits.id, Stage.DONE)
+
+
+async def test_what_another_configuration_kept_stays_in_the_file(site: Site, tmp_path: Path) -> None:
+    theirs = Kept("ws://other-site:9090", R0, at_vertices("1"), 1.0)
+    (tmp_path / FILE).write_bytes(msgspec.json.encode([theirs]))
+    async with linked(site.config, queue=keeping(tmp_path)) as (link, store):
+        await store.until(nav2_ready)
+        assert not waiting(store.state, store.state.robots[R0])
+        await finished(link, store, site.to("Consumidores"))
+        await reached(store, link.submit(site.to("Base")), Stage.WAITING)
+        await store.until(lambda _: len(kept(tmp_path)) == 2)
+    assert kept(tmp_path)[0] == theirs
+
+
+async def test_while_someone_else_drives_the_queue_is_held(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        site.navigation().give(*NEAR)
+        await store.until(lambda state: state.robots[R0].orders.open)
+        second = link.submit(site.to("Receiving"))
+        await reached(store, second, Stage.WAITING)
+        state = await store.until(held(SOMEBODY_ELSE))
+        await store.until(lambda state: [one for one in state.alarms if one.key[1] == "held"])
+        await store.until(lambda state: not state.robots[R0].orders.open)
+        assert record_of(store.state, second).stage is Stage.WAITING and state.robots[R0].held
+        await finished(link, store, ResumeRobot(R0))
+        await reached(store, second, Stage.DONE)
+
+
+async def test_when_the_link_was_lost_the_queue_is_held(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        first = await finished(link, store, site.to("Consumidores"))
+        second = link.submit(site.to("Receiving"))
+        await reached(store, second, Stage.WAITING)
+        await site.server.drop_clients()
+        await store.until(held("the link was lost"))
+        await store.until(phase(Phase.UP))
+        await reached(store, first.id, Stage.DONE)
+        assert record_of(store.state, second).stage is Stage.WAITING
+
+
+async def test_when_the_robot_was_offline_the_queue_is_held(site: Site) -> None:
+    config = msgspec.structs.replace(
+        site.config, alarms=msgspec.structs.replace(site.config.alarms, offline_after=0.5)
+    )
+    async with linked(config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        await finished(link, store, site.to("Consumidores"))
+        second = link.submit(site.to("Receiving"))
+        await reached(store, second, Stage.WAITING)
+        site.navigation().robot.silence = float("inf")
+        await store.until(held("robot_0 was offline"))
+
+
+async def test_a_second_console_of_the_same_folder_keeps_nothing(site: Site, tmp_path: Path) -> None:
+    ana, bea = keeping(tmp_path, "ana"), keeping(tmp_path, "bea")
+    site.server.speed = 1.0
+    async with linked(site.config, queue=ana) as (link, store):
+        await store.until(nav2_ready)
+        first = await finished(link, store, site.to("Consumidores"))
+        await reached(store, link.submit(site.to("Receiving")), Stage.WAITING)
+        async with linked(site.config, queue=bea) as (other, their_store):
+            await their_store.until(lambda state: nav2_ready(state) and state.robots[R0].orders.open)
+            assert not waiting(their_store.state, their_store.state.robots[R0])
+            record = await finished(other, their_store, site.to("Base"))
+            assert record.stage is Stage.NOT_SENT
+            assert record.words.startswith("robot_0 has an order, and ana@")
+            assert record.words.endswith(" keeps the queue")
+            (goal,) = their_store.state.robots[R0].orders.open
+            assert goal.id == first.order_id
+        await store.until(lambda _: len(kept(tmp_path)) == 1)
+
+
+async def test_a_pause_stops_the_robot_and_keeps_its_goal_here(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        order = await finished(link, store, site.to("Consumidores", "Receiving"))
+        await store.until(lambda _: site.navigation().robot.driving)
+        pause = await finished(link, store, PauseRobot(R0))
+        assert (pause.stage, pause.words) == (Stage.CONFIRMED, "stopped, goal kept here")
+        waits = await reached(store, order.id, Stage.WAITING)
+        assert waits.order_id == "k1" and not site.navigation().robot.driving
+        assert [action for action, _ in site.cancels()] == [
+            "/robot_0/follow_waypoints",
+            "/robot_0/navigate_to_pose",
+        ]
+        resume = await finished(link, store, ResumeRobot(R0))
+        assert resume.stage is Stage.CONFIRMED
+        ended = await reached(store, order.id, Stage.DONE, Stage.FAILED, Stage.LOST)
+        assert ended.stage is Stage.DONE
+    pose = site.navigation().robot.pose
+    assert (round(pose.x), round(pose.y)) == (0, 7)
+
+
+async def test_what_was_paused_comes_before_what_waits(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        first = await finished(link, store, site.to("Receiving"))
+        second = link.submit(site.to("Base"))
+        await reached(store, second, Stage.WAITING)
+        pause = await finished(link, store, PauseRobot(R0))
+        assert pause.words == "stopped, goal kept here"
+        state = await store.until(lambda state: len(waiting(state, state.robots[R0])) == 2)
+        assert [one.id for one in waiting(state, state.robots[R0])] == [first.id, second]
+        await finished(link, store, ResumeRobot(R0))
+        await reached(store, first.id, Stage.DONE)
+        await reached(store, second, Stage.DONE)
+
+
+async def test_a_goal_of_another_client_is_stopped_by_a_pause_and_cannot_be_resumed(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        site.navigation().give(*FAR)
+        await store.until(lambda state: nav2_ready(state) and state.robots[R0].orders.open)
+        (goal,) = site.navigation().servers[TO_POSE].goals.values()
+        pause = await finished(link, store, PauseRobot(R0))
+        assert (pause.stage, pause.words) == (Stage.CONFIRMED, FOREIGN_STOPPED)
+    assert goal.status == CANCELED
+
+
+async def test_a_robot_without_a_goal_can_be_paused_and_then_drives_no_order(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        pause = await finished(link, store, PauseRobot(R0))
+        assert pause.stage is Stage.CONFIRMED
+        order = await reached(store, link.submit(site.to("Receiving")), Stage.WAITING, Stage.CONFIRMED)
+        assert order.stage is Stage.WAITING and not site.navigation().received
+        await finished(link, store, ResumeRobot(R0))
+        await reached(store, order.id, Stage.DONE)
+
+
+async def test_orders_of_two_robots_do_not_wait_for_each_other(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        await finished(link, store, site.to("Consumidores"))
+        record = await finished(link, store, site.to("Receiving", robot="robot_1"))
+        assert record.stage is Stage.CONFIRMED
+
+
+async def test_an_ended_goal_leaves_the_queue(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("fleet_tui.rules.commands.goals.LISTED_FOR", 0.5)
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        order = await finished(link, store, site.to("Receiving"))
+
+        def is_listed_as_done(state: FleetState) -> bool:
+            return [one.state for one in state.robots[R0].orders.orders] == [OrderState.DONE]
+
+        await reached(store, order.id, Stage.DONE)
+        await store.until(lambda state: is_listed_as_done(state) or not state.robots[R0].orders.orders)
+        await store.until(lambda state: not state.robots[R0].orders.orders)

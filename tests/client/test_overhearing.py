@@ -1,0 +1,31 @@
+"""The log and the health of robots, heard only while somebody listens."""
+
+from fleet_tui.adapters.ros import reading
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.counting import counter, until
+from tests.support.links import linked, ready
+from tests.support.watched_store import config_of
+
+
+def asked(server: RosbridgeServer, op: str) -> list[str]:
+    return [one["topic"] for one in server.received if one["op"] == op and one["topic"] in OVERHEARD]
+
+
+OVERHEARD = (reading.ROSOUT, reading.DIAGNOSTICS)
+
+
+async def test_log_and_health_are_asked_for_only_while_somebody_listens(server: RosbridgeServer) -> None:
+    async with linked(config_of(server.url)) as (link, store):
+        await store.until(ready)
+        assert asked(server, "subscribe") == []
+        link.subscribe_logs(True)
+        link.subscribe_logs(True)
+        await until(store, lambda: asked(server, "subscribe") == list(OVERHEARD))
+        server.publish_raw("/rosout", {"level": 8, "name": "/base", "msg": "motor hot"})
+        server.publish_raw("/rosout", {"level": 8, "name": "/base"})
+        await until(store, lambda: counter(link).topics["/rosout"].errors)
+        assert [line.text for line in counter(link).log if line.node == "/base"] == ["motor hot"]
+        await server.drop_clients()
+        await until(store, lambda: len(asked(server, "subscribe")) == 4)
+        link.subscribe_logs(False)
+        await until(store, lambda: asked(server, "unsubscribe") == list(OVERHEARD))

@@ -1,0 +1,65 @@
+"""Responses to alarms: acknowledged, shelved, gone to."""
+
+from fleet_tui.controllers.alarms import AlarmResponses
+from fleet_tui.keymap import keymap
+from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
+from fleet_tui.widgets.rows_pane import RowsPane
+from tests.support.desk import Desk
+from tests.support.fleets import T0, battery, fleet, link_up, tick, told
+
+LOW = [("robot_0", "battery"), ("robot_1", "battery")]
+
+
+def responses() -> tuple[Desk, RowsPane, AlarmResponses]:
+    """Two robots whose batteries are low, and the pane with their alarms."""
+    low = (battery(T0, 5.0, robot=f"robot_{n}") for n in range(2))
+    desk, pane = Desk(told(fleet(2), link_up(T0 - 9), *low, tick(T0))), RowsPane(id="alarms")
+    keys, _ = keymap({})
+    return (
+        desk,
+        pane,
+        AlarmResponses(
+            desk.store,
+            desk.backend,
+            desk.notices,
+            desk.navigation,
+            pane,
+            desk.open_menu,
+            keys,
+            lambda _wall: "12:00",
+        ),
+    )
+
+
+def test_the_cursor_goes_to_the_next_alarm_that_nobody_has_seen() -> None:
+    desk, pane, alarms = responses()
+    alarms.acknowledge()
+    assert desk.backend.events == []
+    pane.listing.cursor = LOW[0]
+    alarms.acknowledge()
+    assert desk.backend.events == [AlarmAcknowledged(*LOW[0])]
+    assert pane.listing.cursor == LOW[1]
+
+
+def test_all_at_once() -> None:
+    desk, _, alarms = responses()
+    alarms.acknowledge_all()
+    assert desk.backend.events == [AlarmAcknowledged()]
+
+
+def test_the_menu_goes_to_the_robot_and_puts_the_alarm_on_the_shelf() -> None:
+    desk, _, alarms = responses()
+    alarms.menu(*LOW[1])
+    (menu,) = desk.menus
+    assert menu.title.splitlines()[1] == "first seen 12:00, last seen 12:00, x1"
+    assert menu.texts == ["Show robot_1 on the map", "Acknowledge (a)", "Shelve for 30 min"]
+    menu.choose("Show")
+    menu.choose("Shelve")
+    assert desk.navigation.robot == "robot_1"
+    assert desk.backend.events == [AlarmShelved(*LOW[1], T0 + 1800.0)]
+
+
+def test_an_alarm_that_is_over_has_no_menu() -> None:
+    desk, _, alarms = responses()
+    alarms.menu("robot_1", "obstacle")
+    assert desk.menus == [] and desk.notices.text == "the alarm of robot_1 is over"

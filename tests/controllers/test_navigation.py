@@ -1,0 +1,40 @@
+"""The robot and the floor that is looked at: chosen by step, by number and by name."""
+
+from fleet_tui.model.events import PoseReported
+from fleet_tui.model.geometry import Pose
+from tests.support.desk import Desk
+from tests.support.fleets import T0, fleet, told
+
+
+def desk() -> Desk:
+    """Three robots on two floors, of which the second one is on the second floor."""
+    return Desk(told(fleet(3, 2), PoseReported("robot_1", T0, Pose(1.0, 2.0), "floor_1", None)))
+
+
+def test_steps_go_round_and_numbers_choose() -> None:
+    it = desk()
+    it.navigation.step_robot(-1)
+    it.navigation.step_robot(1)
+    it.navigation.choose_robot(2)
+    it.navigation.choose_robot(9)
+    assert it.selected == ["robot_2", "robot_0", "robot_1"]
+    assert it.navigation.robot == "robot_1" and it.camera.centred == []
+
+
+def test_finding_a_robot_shows_its_floor_and_brings_the_map_to_it() -> None:
+    it = desk()
+    it.navigation.find_robot("robot_1")
+    assert (it.navigation.robot, it.navigation.floor, it.camera.centred) == ("robot_1", "floor_1", [None])
+
+
+def test_a_floor_that_was_chosen_stays_until_the_map_follows() -> None:
+    it = desk()
+    it.navigation.step_floor(1)
+    it.navigation.select("robot_0")
+    assert it.navigation.settle(it.store.state, follow=False).floor == "floor_1"
+
+
+def test_a_vertex_is_found_with_its_floor() -> None:
+    it = desk()
+    it.navigation.find_vertex("floor_1", 3.0, 4.0)
+    assert (it.navigation.floor, it.camera.centred) == ("floor_1", [(3.0, 4.0)])

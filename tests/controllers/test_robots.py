@@ -1,0 +1,57 @@
+"""Requests to robots beside orders: pauses of one or all, and the menu of a robot."""
+
+from fleet_tui.controllers.orders import OrderRequests
+from fleet_tui.controllers.robots import RobotRequests
+from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.widgets.rows_pane import RowsPane
+from tests.support.desk import Desk, ready
+from tests.support.fleets import R0
+from tests.support.kinds import FULL, MUTE, moved
+
+
+def requests(state: FleetState) -> tuple[Desk, list[str], RobotRequests]:
+    desk, asked = Desk(state), list[str]()
+    orders = OrderRequests(
+        *(desk.store, desk.dispatch, desk.notices, desk.navigation, RowsPane(id="queue")),
+        lambda _robot, _place: None,
+        desk.open_menu,
+        lambda _wall: "12:00",
+    )
+    return (
+        desk,
+        asked,
+        RobotRequests(
+            *(desk.store, desk.dispatch, desk.navigation, orders, desk.open_menu),
+            lambda: asked.append(desk.navigation.robot),
+        ),
+    )
+
+
+def test_a_pause_leaves_at_once() -> None:
+    desk, _, robots = requests(ready())
+    robots.pause()
+    robots.resume()
+    robots.pause_all()
+    assert desk.backend.submitted == [PauseRobot(R0), ResumeRobot(R0), PauseRobot(R0)]
+    assert desk.answers == []
+
+
+def test_the_menu_has_what_the_robot_accepts() -> None:
+    desk, asked, robots = requests(moved(FULL, MUTE))
+    robots.menu("robot_0")
+    robots.menu("robot_1")
+    full, mute = desk.menus
+    assert full.texts[:4] == ["Order", "Pause", "Resume", "Clear all orders"]
+    assert mute.texts == ["Show on the map", "Why does it stand still?"]
+    mute.choose("Why")
+    assert asked == ["robot_1"], "the robot of the menu is the selected one then"
+
+
+def test_the_newest_fault_stands_above_the_menu() -> None:
+    from fleet_tui.model.events import MessageRejected
+    from tests.support.fleets import told
+
+    desk, _, robots = requests(told(ready(), MessageRejected(R0, "no \x1b pose")))
+    robots.menu(R0)
+    assert desk.menus[0].title == f"{R0}: no ␛ pose"

@@ -1,0 +1,42 @@
+"""The doctor's judgement of round trips, clocks and load."""
+
+from dataclasses import replace
+
+import pytest
+
+from fleet_tui.adapters.adapter import Feed
+from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
+from fleet_tui.discovery.finding import Verdict
+from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
+
+
+@pytest.mark.parametrize(
+    ("late", "calls", "behind", "verdict"),
+    [
+        (0.02, 0.004, 0.0, Verdict.OK),
+        (3.0, 0.004, 0.0, Verdict.WARN),  # stamps get older
+        (0.02, 0.6, 0.0, Verdict.WARN),  # calls are slower
+        (3.0, 0.6, 2.0, Verdict.SKIPPED),  # we are late ourselves
+    ],
+)
+def test_a_bridge_that_falls_behind_is_told_from_a_machine_that_does(
+    late: float, calls: float, behind: float, verdict: Verdict
+) -> None:
+    wanted = Feed("pose", ("r",), "", "/p", "")
+    pose = TopicFacts(wanted, subscribed=True, count=50, rate=490.0, late=late)
+    facts = BridgeFacts(
+        "rosbridge", RosapiFacts(ros=2), (pose,), (0.004,), busy_trips=(calls,), behind=behind
+    )
+    found = load_finding(facts)
+    assert found.verdict is verdict and "490 messages/s" in found.measured
+    assert ("about 500 messages/s" in found.remedy) == (verdict is Verdict.WARN)
+
+
+def test_round_trips_and_clocks() -> None:
+    facts = BridgeFacts("rosbridge", RosapiFacts(), round_trips=(0.01, 0.02, 0.03), ahead=0.2)
+    quick = round_trip_finding(facts)
+    assert quick.verdict is Verdict.OK and quick.measured == "20.0 ms, jitter 20.0 ms (3 calls)"
+    assert round_trip_finding(replace(facts, round_trips=(0.5,))).verdict is Verdict.WARN
+    assert [one.verdict for one in clock_findings(facts)] == [Verdict.OK]
+    (simulated,) = clock_findings(replace(facts, ahead=-1.7e9))
+    assert simulated.verdict is Verdict.WARN and "use_sim_time" in simulated.remedy

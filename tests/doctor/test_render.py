@@ -1,0 +1,30 @@
+"""Findings as lines: within the terminal, and moving no cursor."""
+
+from dataclasses import replace
+
+from fleet_tui.discovery.finding import Finding, Verdict
+from fleet_tui.doctor.render import line, summary
+
+LONG = Finding(
+    "robot_0",
+    "queue",
+    Verdict.FAIL,
+    "/robot_0/queue is not on the bridge",
+    'did you mean /robot_0/action_queue? Set [profile.topics] queue = "/{robot}/action_queue"',
+)
+
+
+def test_80_columns() -> None:
+    assert line(LONG, plain=False, colour=False, width=80).splitlines() == [
+        "   FAIL ✗ robot_0 queue: /robot_0/queue is not on the bridge -> did you mean",
+        "          /robot_0/action_queue? Set [profile.topics] queue =",
+        '          "/{robot}/action_queue"',
+    ]
+    assert "\n" not in line(LONG, plain=False, colour=False)
+
+
+def test_text_of_the_wire_moves_no_cursor() -> None:
+    hostile = replace(LONG, measured="\x1b[2J\u202eboo")
+    assert "\x1b" not in line(hostile, plain=False, colour=False)
+    assert line(hostile, plain=True, colour=False).isascii()
+    assert "\x1b" not in summary([hostile])

@@ -1,0 +1,19 @@
+"""Rows of the table of keys: where they work, and which section of help lists them."""
+
+from fleet_tui.keys import KEYS
+from fleet_tui.keys.key import Pane, by_id
+
+
+def test_keys_that_work_everywhere_are_those_without_a_pane_of_their_own() -> None:
+    assert {pane for pane in Pane if pane.is_everywhere} == {Pane.CONSOLE, Pane.ANYWHERE, Pane.RECORDING}
+
+
+def test_a_key_of_the_map_is_in_its_section_wherever_it_works() -> None:
+    of_map = [key for key in KEYS if key.of_map]
+    assert of_map and all(key.section is Pane.MAP for key in of_map)
+    assert all(key.section is key.pane for key in KEYS if not key.of_map)
+
+
+def test_every_row_is_found_by_its_id() -> None:
+    assert len(by_id(KEYS)) == len(KEYS)
+    assert all(by_id(KEYS)[key.id] is key for key in KEYS)

@@ -1,0 +1,30 @@
+"""The state of a bridge as an operator needs to know it."""
+
+import pytest
+
+from fleet_tui.model.link import CommandPath, LinkState, Phase
+
+
+@pytest.mark.parametrize(
+    ("link", "starting"),
+    [
+        (LinkState("a", "ws://a"), True),
+        (LinkState("a", "ws://a", reason="nothing listens there"), False),
+        (LinkState("a", "ws://a", Phase.WAITING), False),
+        (LinkState("a", "ws://a", Phase.UP), True),
+        (LinkState("a", "ws://a", Phase.UP, commands_connected=True), False),
+        (LinkState("a", "ws://a", Phase.UP, command_path=CommandPath.ALIVE), False),
+    ],
+)
+def test_it_is_starting_until_something_speaks_against_it(link: LinkState, starting: bool) -> None:
+    assert link.is_starting is starting
+
+
+def test_messages_that_the_bridge_lacks_are_said_with_the_remedy() -> None:
+    assert LinkState("a", "ws://a").unsourced_text == ""
+    text = LinkState("a", "ws://a", unsourced="OH_ressources").unsourced_text
+    assert "lacks the messages of OH_ressources" in text and "restart it" in text
+
+
+def test_a_bag_is_told_by_its_address() -> None:
+    assert LinkState("a", "rosbag://night.bag").is_bag and not LinkState("a", "ws://bag").is_bag

@@ -1,0 +1,37 @@
+"""Reasons that lie in a robot's orders."""
+
+from fleet_tui.model.commands import (
+    ClearOrders,
+)
+from fleet_tui.rules.why.why import reasons
+from tests.support.fleets import (
+    R0,
+    T0,
+    pose,
+    queue,
+    tick,
+    told,
+)
+from tests.support.kinds import FULL, GOALS, moved
+from tests.support.situations import driving, first, names
+
+
+def test_a_refusal_stands_in_the_robots_own_words_for_half_a_minute() -> None:
+    planted = driving("refuse")
+    assert first(planted).evidence == "REJECTED: the simulator was asked to refuse"
+    assert first(planted.run(40)).name == "no orders"
+
+
+def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:
+    planted = driving("battery:robot_0", ClearOrders(R0), quiet=False).run(120)
+    names = [reason.name for reason in reasons(planted.state, planted.robot)]
+    assert names == ["no orders", "charging at Charger", "battery 8 %"]
+
+
+def test_a_robot_without_cargo_does_not_load() -> None:
+    order = (1, 1, 2, "W")
+    for kind, name in ((GOALS, "cause unknown"), (FULL, "loading at 1")):
+        driving = told(
+            moved(kind), queue(T0 + 1, order, current=1), pose(T0 + 9), queue(T0 + 9, order, current=1)
+        )
+        assert name in names(told(driving, tick(T0 + 9)))

@@ -1,0 +1,54 @@
+"""Robots in the way of others: who holds whom up."""
+
+from msgspec import structs
+
+from fleet_tui.model.events import (
+    Event,
+    FrameReceived,
+    PoseReported,
+)
+from fleet_tui.model.geometry import Pose
+from fleet_tui.rules.why.why import reasons
+from fleet_tui.simulator.robot import SimOrder
+from tests.support.fleets import (
+    R0,
+    T0,
+    fleet,
+    graph,
+    link_up,
+    pose,
+    queue,
+    tick,
+    told,
+)
+from tests.support.situations import BASE, CONSUMIDORES, behind_another, first
+
+
+def test_two_robots_in_each_others_way_are_said_to_be() -> None:
+    planted = behind_another().run(2)
+    other = planted.world.robots["robot_1"]
+    other.cargo, other.orders = True, [SimOrder(9, CONSUMIDORES, BASE, status="W")]
+    found = first(planted.run(2))
+    assert found.evidence.startswith("robot_1 is 2.")
+    assert found.evidence.endswith("each blocks the other")
+    assert found.keys == ("robot_2",)
+
+
+def test_robots_in_different_frames_are_not_compared() -> None:
+    """The other's map lies elsewhere: its numbers mean another place."""
+    planted = behind_another()
+    frame = planted.state.robots["robot_1"].charts["floor_0"].frame
+    assert frame is not None
+    moved = structs.replace(frame, origin=Pose(frame.origin.x + 5.0, frame.origin.y))
+    planted.run(3)
+    assert first(planted).name == "waiting behind robot_1"
+    planted.tell(FrameReceived("robot_1", "floor_0", moved))
+    assert first(planted).name == "cause unknown"
+
+
+def test_a_robot_beside_or_behind_is_not_in_the_way() -> None:
+    here: list[Event] = [link_up(T0), graph(1, 2, 3), pose(T0, x=0.2), queue(T0, (1, 3, 1, "W"), current=1)]
+    for x, y, waits in [(1.5, 0.0, True), (1.5, 1.2, False), (-0.5, 0.0, False), (1.5, 0.5, True)]:
+        state = told(fleet(2), *here, PoseReported("robot_1", T0, Pose(x, y), "floor_0", None), tick(T0 + 2))
+        names = [reason.name for reason in reasons(state, state.robots[R0])]
+        assert ("waiting behind robot_1" in names) is waits, (x, y)

@@ -1,0 +1,68 @@
+"""Robots that can't be asked everything: what is hidden, what is answered, and who is paused all the same."""
+
+import pytest
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import console
+from tests.support.made_up_kind import mixed
+from tests.support.ordering import sent, vertex
+
+
+async def test_pause_all_reaches_who_can_be_paused_and_names_who_can_not(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(mixed(monkeypatch, server.url, 1)) as it:
+        await it.press("P")
+        await it.shows("robot_1: this kind has no pause", "message")
+        await it.until(lambda state: state.robots["robot_0"].paused and state.robots["robot_0"].paused.value)
+        assert [service for service, _ in server.calls] == ["/robot_0/Application_layout/Pause"]
+
+
+async def test_a_key_that_the_kind_has_nothing_for_says_so_and_is_not_hinted(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(mixed(monkeypatch, server.url, 0)) as it:
+        await it.shows(" o order", "hints")
+        assert " p pause" not in it.pane("hints") and " P pause all" in it.pane("hints")
+        await it.press("p")
+        await it.shows("not sent: robot_0: this kind has no pause", "message")
+        await it.press("X")
+        await it.shows("not sent: robot_0: this kind has no clear", "message")
+        await it.press("right_square_bracket")
+        await it.shows(" p pause", "hints")
+        assert not server.calls
+
+
+async def test_the_palette_offers_what_can_be_done_and_answers_what_is_typed(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(mixed(monkeypatch, server.url, 0)) as it:
+        await it.press("colon")
+        await it.type("selected robot")
+        await it.shows("Open the order form for the selected robot")
+        assert "Pause the selected robot" not in it.text
+        await it.press("escape", "colon")
+        await it.type("pause robot_0")
+        await it.shows("robot_0: this kind has no pause")
+        assert not server.calls
+
+
+async def test_the_menu_of_a_robot_has_what_it_accepts(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(mixed(monkeypatch, server.url, 0)) as it:
+        await it.press("tab", "enter")
+        await it.shows("Show on the map")
+        assert "Order" in it.text and "Resume" not in it.text and "Clear all orders" not in it.text
+
+
+async def test_an_order_without_cargo_needs_no_from(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(mixed(monkeypatch, server.url, 0)) as it:
+        await it.press("o", "enter")
+        await it.type("Consum")
+        await it.press("enter")
+        await it.until(lambda state: state.commands)
+        await it.shows("robot_0 go to Consumidores", "message")
+        assert sent(server)[0][1]["end_point"] == vertex(it, "Consumidores")

@@ -1,0 +1,257 @@
+"""Typed commands, chains, again and back: what is asked, what is refused, what reaches the wire."""
+
+from textual.widgets import Input
+
+from fleet_tui.model.events import BatteryReported, QueueReported
+from fleet_tui.model.order import OrderQueue
+from fleet_tui.model.problem import Permissions
+from fleet_tui.screens.confirm import Confirm
+from fleet_tui.screens.ordering.form import OrderForm
+from fleet_tui.screens.palette import Palette
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import Console, console
+from tests.support.fleets import place_order
+from tests.support.ordering import one_packet, place, sent, vertex
+from tests.support.watched_store import config_of
+
+
+def wish(it: Console) -> str:
+    """The line of the palette as it is typed so far."""
+    return it.app.main.query_one("#wish", Input).value
+
+
+def trips(server: RosbridgeServer, it: Console) -> list[str]:
+    """The orders that reached the wire, by label."""
+    found = []
+    for name, args in sent(server):
+        assert name == "Execute_order"
+        robot = it.store.state.robots["robot_0"]
+        found.append(
+            f"{robot.name_of(str(args['initial_point']))} -> {robot.name_of(str(args['end_point']))}"
+        )
+    return found
+
+
+async def test_a_typed_order_is_the_first_entry_and_enter_sends_it(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("colon")
+        await it.type("robot_0 base > consumidores")
+        await it.shows("robot_0 order Base -> Consumidores")
+        await it.press("enter")
+        await it.until(lambda _: trips(server, it) == ["Base -> Consumidores"])
+
+
+async def test_a_command_in_one_packet_asks_once_and_only_y_does_it(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("Base -> Consumidores", "queue")
+        for line in (":cancel 1\r", ":clear robot_0\r"):
+            one_packet(it, line)
+            await it.shows("y  Confirm")
+            one_packet(it, "\r")
+            await it.hides("y  Confirm")
+        assert len(server.calls) == 1
+        one_packet(it, ":cancel 1\ry")
+        await it.until(lambda state: not state.robots["robot_0"].orders.orders)
+        assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})
+
+
+async def test_pause_all_typed_never_asks(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        one_packet(it, ":pause all\r")
+        await it.until(lambda _: sent(server) == [("Pause", {})] * 2)
+
+
+async def test_what_is_wrong_with_a_line_is_said_and_nothing_is_sent(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("colon")
+        await it.type("robot_0 Base > Consumidor3s")
+        await it.shows("robot_0 has no place 'Consumidor3s', did you mean Consumidores?")
+        await it.press("enter")
+        assert it.app.main.query_one(Palette).is_open
+        await it.press("escape")
+        for line, said in (
+            (":cancel 99\r", "not sent: order 99 is not in the queue of robot_0"),
+            (":cancel 0\r", "not sent: order id 0 means all orders to the robot: use clear instead"),
+            (":robot_0 Base > Base\r", "not sent: From and To are the same place: Base"),
+            (":order robot_0 Base 77\r", "not sent: robot_0 has no vertex 77"),
+            (":order robot_0 Base\r", "not sent: robot_0 has no cargo on board"),
+        ):
+            one_packet(it, line)
+            await it.shows(said)
+        assert sent(server) == []
+
+
+async def test_what_means_nothing_is_said_to(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("colon")
+        await it.type("qqqq")
+        await it.shows("no match for qqqq")
+        await it.press("enter")
+        await it.shows("no match for qqqq")
+
+
+async def test_tab_completes_what_is_typed(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        one_packet(it, ":ro\tbas\t\tcons\t")
+        await it.until(lambda _: wish(it) == "robot_0 Base > Consumidores ")
+        one_packet(it, "\r")
+        await it.until(lambda _: trips(server, it) == ["Base -> Consumidores"])
+
+
+async def test_tab_goes_through_what_a_word_can_become(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        field = it.app.main.query_one("#wish", Input)
+        for keys, line in ((":pause \t", "pause all"), ("\t", "pause robot_0"), ("\t\t", "pause all")):
+            one_packet(it, keys)
+            await it.until(lambda _, line=line: field.value == line)  # type: ignore[misc]  # bound now
+        await it.shows("pause all")
+
+
+async def test_a_line_of_the_list_goes_on_typing(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        one_packet(it, ":robot_0 Base > Cons\r")
+        await it.until(lambda _: wish(it) == "robot_0 Base > Consumidores ")
+        assert it.app.main.query_one(Palette).is_open
+        one_packet(it, "\r")
+        await it.until(lambda _: trips(server, it) == ["Base -> Consumidores"])
+
+
+async def test_a_sign_after_a_label_adds_a_leg(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        one_packet(it, "oBase>Cons>Store\r")
+        await it.until(lambda _: trips(server, it) == ["Base -> Consumidores", "Consumidores -> Store"])
+        assert not it.app.main.query_one(OrderForm).is_open
+
+
+async def test_a_leg_can_be_taken_back(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        one_packet(it, "oBase\rCons>")
+        await it.shows("Consumidores > ")
+        await it.press("enter")
+        await it.shows("To is missing")
+        await it.press("backspace", "enter")
+        await it.until(lambda _: trips(server, it) == ["Base -> Consumidores"])
+
+
+async def test_the_last_destination_comes_first(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("o")
+        await it.type("Base")
+        await it.press("enter")
+        await it.type("Store")
+        await it.press("enter")
+        await it.until(lambda _: trips(server, it) == ["Base -> Store"])
+        await it.press("o")
+        await it.type("Receiving")
+        await it.press("enter")
+        await it.until(lambda _: it.pane("matches").startswith("Store  ("))
+        await it.press("enter")
+        await it.shows("To is missing")
+        await it.press("down", "enter")
+        await it.until(lambda _: trips(server, it)[1:] == ["Receiving -> Store"])
+
+
+async def test_the_same_order_again_within_a_second_is_a_slip(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        one_packet(it, "oBase\rCons\roBase\rCons\r")
+        await it.shows("not sent: same order sent 0.")
+        one_packet(it, "\x1bp")
+        # A pause may overtake what was given before it.
+        await it.until(lambda _: len(sent(server)) == 2)
+        assert {name for name, _ in sent(server)} == {"Execute_order", "Pause"}
+
+
+async def test_a_chain_may_have_an_order_twice_and_others_are_no_slip(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        one_packet(it, "oBase>Store>Base>Store\roStore\rBase\r")
+        back, forth = "Store -> Base", "Base -> Store"
+        await it.until(lambda _: trips(server, it) == [forth, back, forth, back])
+
+
+async def test_again_and_the_way_back_by_the_menu_of_an_order(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("confirmed (seen in the queue as order 1)")
+        await it.press("shift+tab", "enter")
+        await it.shows("Order 1 of robot_0: Base -> Consumidores")
+        await it.shows("sent here at")
+        assert ", accepted, confirmed" in it.text
+        await it.press("3")
+        await it.until(lambda _: trips(server, it)[1:] == ["Consumidores -> Base"])
+        await it.until(lambda _: len(it.store.state.robots["robot_0"].orders.orders) == 2)
+        it.app.main.dispatch.given.clear()  # more than a second later
+        await it.press("enter", "2")
+        await it.until(lambda _: trips(server, it)[2:] == ["Base -> Consumidores"])
+
+
+async def test_an_order_of_another_console_is_not_ours(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].take(0, 5, 77)
+    async with console(config_of(server.url, 1)) as it:
+        await it.until(lambda state: state.robots["robot_0"].orders.orders)
+        await it.press("shift+tab", "enter")
+        await it.shows("not sent by this console")
+
+
+async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("p")
+        await it.until(lambda state: (paused := state.robots["robot_0"].paused) and paused.value)
+        for answer in ("enter", "escape", "n"):
+            await place(it)
+            await it.shows("robot_0 is paused: send anyway?")
+            await it.press(answer)
+            await it.hides("send anyway?")
+        assert sent(server) == [("Pause", {})]
+        await place(it)
+        await it.shows("robot_0 is paused: send anyway?")
+        await it.press("y")
+        await it.until(lambda _: len(server.calls) == 2)
+        assert not it.app.main.query_one(OrderForm).is_open
+
+
+async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].silence = 600.0
+    async with console(config_of(server.url, 1), wait=False) as it:
+        await it.until(lambda state: state.links["rosbridge"].heard)
+        await it.until(lambda state: state.robots["robot_0"].knows_all_graphs())
+        one_packet(it, ":robot_0 Base > Store\r")
+        await it.shows("robot_0 was never seen: send anyway?")
+        it.store.tell(BatteryReported("robot_0", it.store.state.now, 50.0))
+        await it.shows("the queue of robot_0 was not received")
+        it.store.tell(QueueReported("robot_0", it.store.state.now, OrderQueue(0, "", ())))
+        await it.shows("Send?")
+        assert it.app.main.query_one(Confirm).is_open
+        await it.press("y")
+        await it.until(lambda _: trips(server, it) == ["Base -> Store"])
+
+
+async def test_a_read_only_console_says_so_in_the_form(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        it.app.main.dispatch.permissions = Permissions(read_only=True)
+        await place(it)
+        await it.shows("this console is read-only", "missing")
+        it.app.main.dispatch.permissions = Permissions(armed=False)
+        await it.press("enter")
+        await it.shows("this console is not armed", "missing")
+        assert sent(server) == []
+
+
+async def test_no_order_leaves_through_a_dead_link_and_the_form_says_why(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await server.stop()
+        await it.shows("no link")
+        await place(it)
+        await it.shows("not sent: robot_0 is unreachable", "missing")
+        assert it.store.state.commands == ()
+
+
+async def test_with_cargo_a_chain_begins_with_the_cargo(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].cargo = True
+    async with console(config_of(server.url, 1)) as it:
+        await it.until(lambda state: state.robots["robot_0"].has_cargo)
+        one_packet(it, "oBase>Store\r")
+        await it.until(lambda state: len(state.commands) == 2 and state.commands[-1].is_decided)
+        assert [name for name, _ in sent(server)] == ["Execute_order_with_cargo", "Execute_order"]
+        base, store = vertex(it, "Base"), vertex(it, "Store")
+        assert it.store.state.commands[-1].command == place_order("robot_0", base, store)

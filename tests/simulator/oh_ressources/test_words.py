@@ -1,0 +1,115 @@
+"""The simulated robots say in words what happens to them, on the topics of ROS 1."""
+
+import json
+from typing import Any
+
+import pytest
+
+from fleet_tui.simulator.faults import parse_faults, play
+from fleet_tui.simulator.oh_ressources.words import Changes
+from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.words import DIAGNOSTICS, Talk
+from tests.support.counting import counter, until
+from tests.support.fleets import WALL
+from tests.support.links import linked, ready
+from tests.support.watched_store import config_of
+
+# genmsg's field lists of rosgraph_msgs/Log and diagnostic_msgs/DiagnosticStatus.
+LOG_FIELDS = {"header", "level", "name", "msg", "file", "function", "line", "topics"}
+STATUS_FIELDS = {"level", "name", "message", "hardware_id", "values"}
+
+
+def world() -> World:
+    return World(2, 1, seed=1, quiet=True)
+
+
+def said(changes: Changes) -> list[tuple[int, str, str]]:
+    lines = Talk().tell(changes.lines(), WALL)
+    assert all(set(line) == LOG_FIELDS for line in lines)
+    return [(line["level"], line["name"], line["msg"]) for line in lines]
+
+
+def test_nothing_is_said_while_nothing_happens() -> None:
+    it = world()
+    changes = Changes(it.robots)
+    assert said(changes) == []
+    it.step(1.0)
+    assert said(changes) == []
+
+
+def test_an_order_from_its_arrival_to_its_end() -> None:
+    it = world()
+    changes = Changes(it.robots)
+    said(changes)
+    robot = it.robots["robot_0"]
+    start, end = list(robot.floor.labels)[:2]
+    robot.take(start, end, 1)
+    assert (2, "/robot_0/planner", f"took order 1: {start} -> {end}") in said(changes)
+    heard = []
+    for _ in range(3000):
+        it.step(0.1)
+        heard += said(changes)
+    assert heard.count((1, "/robot_0/navigation", f"at vertex {end}")) == 1
+    assert [words for _, node, words in heard if "navigation" not in node] == [
+        "working on order 1",
+        "cargo is on board",
+        "order 1 has left the queue",
+        "cargo is unloaded",
+    ]
+
+
+def health(it: World) -> list[dict[str, Any]]:
+    told = json.loads(RosbridgeServer(it).topics[DIAGNOSTICS].payload(WALL).json)["status"]
+    assert isinstance(told, list)
+    return told
+
+
+@pytest.mark.parametrize(
+    ("fault", "level", "words", "part", "broken"),
+    [
+        ("obstacle", 4, "obstacle in front", "laser", 1),
+        ("paused", 4, "brakes on", "drive", 0),
+        ("battery", 4, "charging soon", "battery", 2),
+    ],
+)
+def test_planted_faults_are_spoken_of(fault: str, level: int, words: str, part: str, broken: int) -> None:
+    it = world()
+    changes = Changes(it.robots)
+    said(changes)
+    play(RosbridgeServer(it), parse_faults(f"{fault}:robot_1", it.robots))
+    it.step(0.1)
+    ((heard_level, node, heard),) = said(changes)
+    assert (heard_level, node) == (level, f"/robot_1/{part}") and words in heard
+    parts = {one["name"]: one for one in health(it)}
+    assert all(set(one) == STATUS_FIELDS for one in parts.values())
+    assert parts[f"robot_1: {part}"]["level"] == broken
+    assert parts[f"robot_0: {part}"]["level"] == 0
+
+
+def test_who_is_silent_says_nothing() -> None:
+    it = world()
+    changes = Changes(it.robots)
+    said(changes)
+    robot = it.robots["robot_0"]
+    robot.silence, robot.paused = 60.0, True
+    assert said(changes) == []
+    assert {one["name"].partition(":")[0] for one in health(it)} == {"robot_1"}
+
+
+async def test_it_comes_over_the_wire_with_the_types_that_rosapi_tells(server: RosbridgeServer) -> None:
+    asked = server.answer({"service": "/rosapi/topics", "id": "1"})
+    assert isinstance(asked, str)
+    values = json.loads(asked)["values"]
+    types = dict(zip(values["topics"], values["types"], strict=True))
+    assert types["/rosout"] == "rosgraph_msgs/Log"
+    assert types["/diagnostics"] == "diagnostic_msgs/DiagnosticArray"
+    async with linked(config_of(server.url, 2)) as (link, store):
+        await store.until(ready)
+        link.subscribe_logs(True)
+        await until(store, lambda: counter(link).health)
+        server.world.robots["robot_0"].paused = True
+        await until(store, lambda: counter(link).log)
+        line = counter(link).log[0]
+        assert (line.node, line.text) == ("/robot_0/drive", "brakes on")
+        assert sorted(counter(link).health)[:3] == ["robot_0: battery", "robot_0: drive", "robot_0: laser"]

@@ -1,0 +1,124 @@
+"""The controllers of a console without a screen: what they say, ask, open and send."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+from fleet_tui.controllers.dispatch import Dispatch
+from fleet_tui.controllers.navigation import Navigation
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.typed import Entry
+from fleet_tui.model.commands import Command
+from fleet_tui.model.counters import LinkCounter
+from fleet_tui.model.events import CargoReported, CommandPathChanged, Event
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
+from fleet_tui.state.store import Store
+from tests.support.fleets import (
+    LINK,
+    R0,
+    T0,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    pose,
+    queue,
+    tick,
+    told,
+)
+
+
+class CollectingBackend:
+    """Keeps what is submitted."""
+
+    player = None
+
+    def __init__(self, refusal: str = "") -> None:
+        self.refusal, self.submitted, self.events = refusal, list[Command](), list[Event]()
+        self.counters: Mapping[str, LinkCounter] = {}
+
+    def open(self) -> None: ...
+
+    def submit(self, command: Command) -> str:
+        self.submitted.append(command)
+        return ""
+
+    def tell(self, event: Event) -> str:
+        self.events.append(event)
+        return ""
+
+    def show_map(self, robot: str, floor: str) -> None: ...
+
+    def subscribe_logs(self, on: bool) -> None: ...
+
+    def close(self) -> None: ...
+
+
+class Menu(NamedTuple):
+    """A menu that was opened."""
+
+    title: str
+    entries: Sequence[Entry]
+
+    @property
+    def texts(self) -> list[str]:
+        return [text for text, _ in self.entries]
+
+    def choose(self, text: str) -> None:
+        """Choose the entry that begins so."""
+        next(do for entry, do in self.entries if entry.startswith(text))()
+
+
+class Camera:
+    """Keeps where the map was brought to; None is the selected robot."""
+
+    def __init__(self) -> None:
+        self.centred = list[tuple[float, float] | None]()
+
+    def centre(self, at: tuple[float, float] | None = None) -> None:
+        self.centred.append(at)
+
+
+class Desk:
+    """A Dispatch, a Navigation and Notices, and all that they said, asked and opened."""
+
+    def __init__(self, state: FleetState, permissions: Permissions | None = None, refusal: str = "") -> None:
+        self.store, self.backend = Store(state), CollectingBackend(refusal)
+        self.notices = Notices(self.store, lambda: None)
+        self.answers: list[Callable[[], None]] = []
+        self.menus: list[Menu] = []
+        self.selected: list[str] = []
+        self.camera = Camera()
+        allowed = permissions or Permissions()
+        self.dispatch = Dispatch(self.store, self.backend, allowed, self.notices, self.ask)
+        self.navigation = Navigation(self.store, self.selected.append, lambda: self.camera, lambda: None)
+
+    def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
+        assert question()
+        self.answers.append(then)
+
+    def open_menu(self, title: str, entries: Sequence[Entry]) -> None:
+        self.menus.append(Menu(title, entries))
+
+    def do(self, command: Command) -> None:
+        """Ask for it, and say yes to whatever is asked."""
+        self.dispatch.do(Request((command,)))
+        self.say_yes()
+
+    def say_yes(self) -> None:
+        for yes in self.answers:
+            yes()
+
+
+def ready() -> FleetState:
+    """robot_0 online at vertex 1, with order 1."""
+    known = (
+        graph(1, 2),
+        labels({1: "Base", 2: "Store"}),
+        queue(T0, (1, 1, 2, "W")),
+        CargoReported(R0, T0, False),
+    )
+    alive = CommandPathChanged(LINK, CommandPath.ALIVE, connected=True)
+    return told(fleet(1), link_up(T0), alive, *known, pose(T0), tick(T0 + 0.5))

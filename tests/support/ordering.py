@@ -1,0 +1,46 @@
+"""Orders in a console under the pilot, typed as a person or a paste does, and what reached the wire."""
+
+from typing import Any
+
+from textual import events
+from textual.keys import _character_to_key
+
+from fleet_tui.rules.commands.checks import SAME_WITHIN
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import Console
+
+
+def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:
+    """The calls that arrived, services by their last name, without request ids."""
+    return [
+        (service.rpartition("/")[2], {key: value for key, value in args.items() if key != "request_id"})
+        for service, args in server.calls
+    ]
+
+
+def vertex(it: Console, label: str, robot: str = "robot_0") -> int:
+    """The id of a vertex as it is on the wire."""
+    charts = it.store.state.robots[robot].charts.values()
+    return next(int(id_) for chart in charts for id_, name in chart.labels.items() if name == label)
+
+
+async def place(it: Console) -> None:
+    """An order by the promised keys; the same one given again at once would count as a slip."""
+    given = [record.issued_at for record in it.store.state.commands]
+    await it.until(lambda state: not given or state.now - given[-1] >= SAME_WITHIN)
+    await it.press("o")
+    await it.type("Base")
+    await it.press("enter")
+    await it.type("Consumidores")
+    await it.press("enter")
+
+
+def one_packet(it: Console, text: str) -> None:
+    """Every key is there before the first is handled, as a slow line or a paste delivers them."""
+    for letter in text:
+        named = {"\r": "enter", "\t": "tab", "\x1b": "escape"}
+        it.app.post_message(
+            events.Key(
+                named.get(letter) or _character_to_key(letter), letter if letter.isprintable() else None
+            )
+        )

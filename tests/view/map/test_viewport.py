@@ -1,0 +1,72 @@
+"""The viewport: what follows, what stays, what a click means."""
+
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import Role
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.viewport import Viewport, pick, pointed
+
+FRAME = MapFrame(0.05, 800, 400, Pose(0.0, 0.0))
+ROBOT = SceneRobot("robot_0", 1, Pose(35.0, 5.0), selected=True)
+VERTICES = (SceneVertex("1", 10.0, 10.0, Role.PLAIN, "Base"), SceneVertex("2", 30.0, 10.0, Role.PLAIN, ""))
+
+
+def scene(*robots: SceneRobot) -> Scene:
+    return Scene("hall", FRAME, vertices=VERTICES, robots=robots)
+
+
+def view(follow: bool = False) -> Viewport:
+    return Viewport(width=60, height=20, follow=follow)
+
+
+def test_a_floor_that_nobody_moved_is_shown_as_a_whole_and_fit_brings_that_back() -> None:
+    it, hall = view(), scene()
+    whole = it.camera(hall)
+    it.pan(hall, 5, 0)
+    it.zoom(hall, 2.0)
+    assert it.camera(hall) != whole
+    it.fit(hall)
+    assert it.camera(hall) == whole
+
+
+def test_a_view_that_follows_keeps_the_robot_in_it_until_it_is_moved_by_hand() -> None:
+    it, hall = view(follow=True), scene(ROBOT)
+    it.zoom(hall, 8.0)
+    camera = it.camera(hall)
+    assert camera.shows(*camera.to_cell(*FRAME.to_pixel(35.0, 5.0)))
+    it.pan(hall, -1, 0)
+    assert not it.follow
+
+
+def test_the_place_under_the_pointer_stays_where_it_is() -> None:
+    it, hall = view(), scene()
+    place = it.camera(hall).to_pixel(10, 5)
+    it.zoom(hall, 2.0, (10, 5))
+    assert it.camera(hall).to_cell(*place) == (10, 5)
+
+
+def test_the_cursor_takes_the_view_along_at_its_edge() -> None:
+    it, hall = view(), scene()
+    it.zoom(hall, 4.0)
+    cursor = it.middle(hall)
+    before = it.camera(hall)
+    for _ in range(60):
+        cursor = it.stepped(hall, cursor, 1, 0)
+    after = it.camera(hall)
+    assert after != before and after.shows(*after.to_cell(*FRAME.to_pixel(*cursor)))
+
+
+def test_labelled_vertices_are_gone_through_and_brought_into_view() -> None:
+    it, hall = view(), scene()
+    assert it.next_labelled(hall, None, 1) == (10.0, 10.0)
+    assert it.next_labelled(Scene("hall", FRAME), None, 1) is None
+
+
+def test_a_click_means_the_robot_then_the_label_then_the_vertex() -> None:
+    it, hall = view(), scene(SceneRobot("robot_0", 1, Pose(10.0, 10.0)))
+    camera = it.camera(hall)
+    at = camera.to_cell(*FRAME.to_pixel(10.0, 10.0))
+    assert pick(hall, camera, *at) is hall.robots[0]
+    assert pick(scene(), camera, *at) == VERTICES[0]
+    assert pick(scene(), camera, *camera.to_cell(*FRAME.to_pixel(30.0, 10.0))) == VERTICES[1]
+    assert pick(scene(), camera, 0, 0) is None
+    assert pointed(hall, camera, (10.0, 10.0)) == "1" and pointed(hall, camera, None) is None

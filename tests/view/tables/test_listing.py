@@ -1,0 +1,67 @@
+"""The part of a table in view: a cursor that stays with its row, scrolled and slid."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.listing import MARK, Listing
+from fleet_tui.view.tables.table import Button, Row, Table, width_of
+from tests.support.fleets import text_of
+
+
+def table(*keys: str, buttons: tuple[Button, ...] = ()) -> Table:
+    rows = [Row(key, ((f"row {key} " * 8, StyleRole.TEXT),), buttons) for key in keys]
+    return Table((("Rows", StyleRole.TITLE),), rows, "nothing here")
+
+
+def lines(listing: Listing, height: int, width: int = 20) -> list[str]:
+    return [text_of(runs).rstrip() for runs in listing.lines(width, height, True)]
+
+
+def test_the_cursor_stays_with_its_row_and_goes_to_the_next_where_that_is_gone() -> None:
+    listing = Listing()
+    listing.show(table("a", "b", "c"))
+    listing.move(1)
+    listing.show(table("x", "a", "b", "c"))
+    assert [listing.cursor] == ["b"]
+    listing.show(table("x", "a", "c"))
+    assert [listing.cursor] == ["c"], "which is now in its place"
+    listing.show(table())
+    assert listing.cursor is None and not listing.move(1)
+
+
+def test_an_empty_table_says_why() -> None:
+    listing = Listing()
+    listing.show(table())
+    assert lines(listing, 3)[1] == " nothing here"
+
+
+def test_long_rows_slide_and_never_beyond_their_end() -> None:
+    listing = Listing()
+    listing.show(table("a"))
+    listing.slide(1)
+    assert lines(listing, 2)[1] == f"{MARK}{('row a ' * 8)[8:26]}…"
+    listing.slide(99)
+    assert lines(listing, 2)[1].endswith("row a")
+    listing.slide(-200)
+    assert lines(listing, 2)[1].startswith(f"{MARK}row a")
+
+
+@given(st.integers(0, 12), st.lists(st.integers(-14, 14), max_size=6), st.integers(2, 9))
+def test_the_cursors_row_is_always_in_view(count: int, steps: list[int], height: int) -> None:
+    listing = Listing()
+    listing.show(table(*(chr(97 + n) for n in range(count))))
+    for step in steps:
+        listing.move(step)
+        shown = listing.lines(30, height, True)
+        assert len(shown) == height and all(width_of(runs) == 30 for runs in shown)
+        assert sum(text_of(runs).startswith(MARK) for runs in shown) == min(count, 1)
+
+
+def test_a_row_is_pointed_at_by_its_line_and_a_button_by_its_cells() -> None:
+    listing = Listing()
+    listing.show(table("a", "b", "c", buttons=(Button(4, 8, "cancel"),)))
+    listing.lines(30, 3, True)
+    assert listing.shows_row(2) and not listing.shows_row(0)
+    assert listing.steps_to(2) == 1
+    assert (listing.button_at(5, 1), listing.button_at(9, 1)) == ("cancel", "")
