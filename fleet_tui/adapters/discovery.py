@@ -83,11 +83,6 @@ class Discovery:
         return chosen
 
 
-def natural(name: str) -> list[tuple[int, str]]:
-    """Return a sort key by which robot_2 comes before robot_10."""
-    return [(int(part or 0), "") if part.isdigit() else (0, part) for part in re.split(r"(\d+)", name)]
-
-
 def _is_sane(name: str, type_: str) -> bool:
     parts = name.split("/")
     is_name = len(name) <= LONGEST_NAME and not parts[0] and all(map(NAME.fullmatch, parts[1:]))

@@ -4,11 +4,12 @@ import json
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from fleet_tui.adapters.discovery import NAME, Discovery, natural
+from fleet_tui.adapters.discovery import NAME, Discovery
 from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.choices import floors_of, strange_frames
 from fleet_tui.discovery.recognition import Found
+from fleet_tui.model.order import natural
 
 FIRST = [
     "# fleet-tui: discovered on this bridge. Validate with `fleet-tui check`.",

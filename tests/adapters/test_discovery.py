@@ -3,7 +3,8 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.adapters.discovery import Discovery, Listed, natural
+from fleet_tui.adapters.discovery import Discovery, Listed
+from fleet_tui.model.order import natural
 
 
 def test_names_that_no_config_can_hold_are_left_out() -> None:
@@ -19,7 +20,7 @@ def test_the_one_candidate_is_taken_and_several_are_left_to_a_person() -> None:
         found.choose("topics", "battery", ["/{robot}/power"], "/{robot}/battery", "a/B") == "/{robot}/power"
     )
     assert found.choose("topics", "pose", ["/a/amcl", "/a/my_pose"], "/{robot}/pose", "a/B") == "/a/my_pose"
-    assert found.notes["topics"] == ["pose could also be /a/amcl"]
+    assert found.notes["topics"] == ["pose: also possible: /a/amcl"]
     assert found.candidates == {("topics", "pose"): ["/a/amcl", "/a/my_pose"]}
 
 
@@ -29,7 +30,7 @@ def test_where_nothing_sounds_like_it_nothing_is_taken() -> None:
     assert found.choose("topics", "cargo", [], "/{robot}/cargo", "a/B") == ""
     assert found.notes["topics"] == [
         'queue = "...", one of /a/x, /a/y?',
-        'cargo = "...": nothing of type a/B is there',
+        'cargo = "...": no topic of type a/B',
     ]
     assert found.absent == {"cargo"}
 

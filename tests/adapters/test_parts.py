@@ -22,7 +22,7 @@ def test_good_parts_are_kept_and_bad_ones_named_by_their_place() -> None:
 def test_no_more_are_read_than_are_taken() -> None:
     faults = list[str]()
     assert read_all(positive, [1, 2, 3, -4], "orders", 2, faults) == [1, 2]
-    assert faults == ["4 orders: only the first 2 are taken"]
+    assert faults == ["4 orders: only the first 2 used"]
 
 
 def test_the_current_order_is_taken_wherever_it_stands() -> None:

@@ -30,15 +30,24 @@ def with_profile(**changes: object) -> Config:
             {"topics": {"map": "/{robt}/{floor}/{robot}"}},
             "profile.topics.map: {robt} is not available here",
         ),
-        ({"services": {"pause": "/{}/{robot}"}}, "profile.services.pause: {} can't be filled in here"),
-        ({"refusals": ("ok", "(")}, "profile.refusals[1]: '(' is no regular expression"),
-        ({"refusals": ("a{99999999999}",)}, "profile.refusals[0]: 'a{99999999999}' is no regular expression"),
-        ({"topics": {"pose": "/pose"}}, "profile.topics.pose: /pose is pose of robot_0 and pose of robot_1"),
+        ({"services": {"pause": "/{}/{robot}"}}, "profile.services.pause: {} is not available here"),
+        ({"refusals": ("ok", "(")}, "profile.refusals[1]: '(' is not a regular expression"),
+        (
+            {"refusals": ("a{99999999999}",)},
+            "profile.refusals[0]: 'a{99999999999}' is not a regular expression",
+        ),
+        (
+            {"topics": {"pose": "/pose"}},
+            "profile.topics.pose: /pose is used by pose of robot_0 and pose of robot_1",
+        ),
         ({"topics": {"graph": "/{robot}/graph"}}, "graph of robot_0 floor_0 and graph of robot_0 floor_1"),
-        ({"scales": {"pose": math.nan}}, "profile.scales.pose: nan is no factor: give a number above 0"),
-        ({"scales": {"pose": 0.0}}, "profile.scales.pose: 0 is no factor: give a number above 0"),
-        ({"silence": {"pose": -5.0}}, "profile.silence.pose: -5 is no time: give seconds above 0"),
-        ({"topics": {"cargo": "/{robot}/pose"}}, "/robot_0/pose is pose of robot_0 and cargo of robot_0"),
+        ({"scales": {"pose": math.nan}}, "profile.scales.pose: nan is not a factor: use a number above 0"),
+        ({"scales": {"pose": 0.0}}, "profile.scales.pose: 0 is not a factor: use a number above 0"),
+        ({"silence": {"pose": -5.0}}, "profile.silence.pose: -5 is not a duration: use seconds above 0"),
+        (
+            {"topics": {"cargo": "/{robot}/pose"}},
+            "/robot_0/pose is used by pose of robot_0 and cargo of robot_0",
+        ),
     ],
 )
 def test_a_profile_that_cannot_work(changes: dict[str, object], says: str) -> None:

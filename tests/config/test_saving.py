@@ -20,7 +20,7 @@ def test_what_was_written_reads_as_the_same(tmp_path: Path) -> None:
 
 def test_where_it_can_not_be_written_nothing_is_left(tmp_path: Path) -> None:
     (tmp_path / "folder").mkdir()
-    for name, words in (("folder", "is a folder: name a file in it"), ("gone/x.toml", "No such file")):
+    for name, words in (("folder", "is a folder: name a file"), ("gone/x.toml", "No such file")):
         with pytest.raises(FleetError, match=words):
             write_config("x = 1", str(tmp_path / name))
     assert [path.name for path in tmp_path.iterdir()] == ["folder"]

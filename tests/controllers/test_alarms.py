@@ -62,4 +62,4 @@ def test_the_menu_goes_to_the_robot_and_puts_the_alarm_on_the_shelf() -> None:
 def test_an_alarm_that_is_over_has_no_menu() -> None:
     desk, _, alarms = responses()
     alarms.menu("robot_1", "obstacle")
-    assert desk.menus == [] and desk.notices.text == "the alarm of robot_1 is over"
+    assert desk.menus == [] and desk.notices.text == "the alarm of robot_1 has cleared"

@@ -37,7 +37,7 @@ def test_whatever_goes_wrong_is_said_and_may_be_tried_again() -> None:
     said, threads, incident = packing(pack)
     incident.pack()
     threads[0](lambda: False)
-    assert said[-1] == "the incident could not be packed: no disk"
+    assert said[-1] == "incident not packed: no disk"
     incident.pack()
     assert len(threads) == 2
 
@@ -53,4 +53,4 @@ def test_a_console_that_ends_says_nothing_any_more(tmp_path: Path) -> None:
 def test_where_there_is_nothing_to_pack_it_says_so() -> None:
     said, threads, incident = packing(None)
     incident.pack()
-    assert said == ["nothing to pack here: this is no live console"] and not threads
+    assert said == ["nothing to pack: not a live console"] and not threads

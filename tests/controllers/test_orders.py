@@ -32,7 +32,7 @@ def test_the_form_opens_for_the_selected_robot_and_for_a_vertex_it_knows() -> No
     orders.start_at("2", F0)
     orders.start_at("77", F0)
     assert opened == [(R0, None), (R0, Place("2", "Store", F0))]
-    assert desk.notices.text == f"{R0} knows no vertex 77 on {F0}"
+    assert desk.notices.text == f"{R0} has no vertex 77 on {F0}"
 
 
 def test_a_robot_that_takes_no_orders_says_so() -> None:
@@ -48,7 +48,7 @@ def test_the_order_under_the_cursor_is_cancelled_after_asking() -> None:
     desk = Desk(ready())
     queue, _, orders = requests(desk)
     orders.cancel()
-    assert desk.notices.text == "there is no order to cancel"
+    assert desk.notices.text == "no order to cancel"
     queue.listing.cursor = (R0, "1", "order")
     orders.cancel()
     assert desk.backend.submitted == []
@@ -63,7 +63,7 @@ def test_the_menu_of_an_order_gives_it_again_and_back() -> None:
     (menu,) = desk.menus
     assert menu.title.startswith(f"Order 1 of {R0}: ")
     assert [text.partition(":")[0] for text in menu.texts] == [
-        *("Cancel this order", "Again", "Return trip", f"Clear all orders of {R0}"),
+        *("Cancel order", "Repeat", "Return trip", f"Clear all orders of {R0}"),
     ]
     menu.choose("Return trip")
     menu.choose("Clear")
@@ -75,4 +75,4 @@ def test_an_order_that_is_gone_has_no_menu() -> None:
     desk = Desk(ready())
     _, _, orders = requests(desk)
     orders.menu(R0, "9")
-    assert desk.menus == [] and desk.notices.text == "order 9 is gone already"
+    assert desk.menus == [] and desk.notices.text == "order 9 is no longer in the queue"

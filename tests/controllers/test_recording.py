@@ -7,4 +7,4 @@ from fleet_tui.controllers.recording import RecordingSwitch
 def test_without_recordings_it_says_why() -> None:
     said = list[str]()
     RecordingSwitch(ConsoleFiles(), said.append, said.append, lambda do: do()).turn()
-    assert said == ["nothing to record here: this is no live console"]
+    assert said == ["nothing to record: not a live console"]

@@ -43,8 +43,8 @@ def test_the_menu_has_what_the_robot_accepts() -> None:
     robots.menu("robot_1")
     full, mute = desk.menus
     assert full.texts[:4] == ["Order", "Pause", "Resume", "Clear all orders"]
-    assert mute.texts == ["Show on the map", "Why does it stand still?"]
-    mute.choose("Why")
+    assert mute.texts == ["Show on the map", "Explain why it is not moving"]
+    mute.choose("Explain")
     assert asked == ["robot_1"], "the robot of the menu is the selected one then"
 
 

@@ -18,9 +18,9 @@ def test_an_address_is_a_bridge_reached_as_a_known_one_is() -> None:
         ("http://robot:9090", "did you mean ws://robot:9090?"),
         ("HTTPS://robot", "did you mean wss://robot?"),
         ("robot:9090", "did you mean ws://robot:9090?"),
-        ("mqtt://broker", "does not speak MQTT yet"),
-        ("", "is no address"),
-        ("ftp://robot", "is no address"),
+        ("mqtt://broker", "MQTT is not supported yet"),
+        ("", "is not an address"),
+        ("ftp://robot", "is not an address"),
     ],
 )
 def test_what_is_none_says_what_was_probably_meant(typed: str, words: str) -> None:

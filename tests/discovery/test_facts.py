@@ -25,7 +25,7 @@ def test_topics_of_actions_are_in_no_list() -> None:
     ("problem", "absent", "silent"),
     [
         ("Service /rosapi/topics does not exist", True, False),
-        ("rosapi does not answer", False, True),
+        ("no reply from rosapi", False, True),
         ("Timeout exceeded while waiting for service response", False, True),
         ("", False, False),
     ],

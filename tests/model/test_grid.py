@@ -18,12 +18,12 @@ def test_a_usual_one_is_fine() -> None:
 @pytest.mark.parametrize(
     ("resolution", "width", "height", "words"),
     [
-        (0.0, 9, 9, "it must be above 0"),
-        (-1.0, 9, 9, "it must be above 0"),
-        (math.nan, 9, 9, "it must be above 0"),
-        (0.05, 0, 9, "both must be 1 or more"),
-        (0.05, 9, -1, "both must be 1 or more"),
-        (0.05, MAX_PIXELS, 2, f"over {MAX_PIXELS:,} px"),
+        (0.0, 9, 9, "must be above 0"),
+        (-1.0, 9, 9, "must be above 0"),
+        (math.nan, 9, 9, "must be above 0"),
+        (0.05, 0, 9, "both must be at least 1"),
+        (0.05, 9, -1, "both must be at least 1"),
+        (0.05, MAX_PIXELS, 2, f"exceeds {MAX_PIXELS:,} px"),
     ],
 )
 def test_one_that_can_not_be_is_named(resolution: float, width: int, height: int, words: str) -> None:

@@ -23,7 +23,7 @@ def test_who_takes_orders_to_one_place_takes_orders() -> None:
         (
             Kind(unset={RESUME: "profile.services.resume"}),
             RESUME,
-            "profile.services.resume is empty: this site has no resume",
+            "profile.services.resume is empty: no resume",
         ),
     ],
 )

@@ -3,9 +3,10 @@
 from collections import defaultdict
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from fleet_tui.adapters.discovery import Discovery, Listed, natural
+from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
+from fleet_tui.model.order import natural
 
 TOPICS, SERVICES, FLOOR_TOPICS = VOCABULARY.topics, VOCABULARY.services, VOCABULARY.floor_topics
 QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable, Sequence
 
-from fleet_tui.adapters.discovery import Discovery, Listed, natural
+from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.ros.names import Vocabulary
 from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.model.order import natural
 
 ALONE, GROUND = "robot_0", "floor_0"
 """The name of a robot without a namespace, and of a floor that nothing names."""

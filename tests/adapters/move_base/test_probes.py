@@ -9,7 +9,7 @@ def test_a_bridge_of_ros_2_is_the_wrong_one() -> None:
     (probe,) = [one for one in adapter().probes("r1") if isinstance(one, BridgeProbe)]
     assert probe.judge(2, "jazzy").level == "fail" and "ROS 2" in probe.judge(2, "jazzy").measured
     assert probe.judge(1, "noetic").level == "ok"
-    assert judge_bridge(1, "").measured == "a bridge that does not name it"
+    assert judge_bridge(1, "").measured == "not reported by the bridge"
 
 
 def test_its_localisation_and_its_battery_are_looked_at_where_it_has_them() -> None:

@@ -8,11 +8,11 @@ from fleet_tui.adapters.nav2.codes import CODES, in_words
 @pytest.mark.parametrize(
     ("code", "message", "words"),
     [
-        (208, "", "error 208 (no path leads to the goal)"),
-        (208, "robot stuck", "error 208 (no path leads to the goal): robot stuck"),
+        (208, "", "error 208 (no path to the goal)"),
+        (208, "robot stuck", "error 208 (no path to the goal): robot stuck"),
         (299, "", "error 299 (planner)"),
         (901, "", "error 901 (docking or navigation)"),
-        (9001, "", "error 9001 (the navigator failed)"),
+        (9001, "", "error 9001 (navigator failed)"),
         (77, "", "error 77"),
         (-1, "", "error -1"),
     ],

@@ -10,10 +10,10 @@ from tests.support.nav2_adapter import adapter
 @pytest.mark.parametrize(
     ("ros", "distro", "level", "words"),
     [
-        (1, "noetic", "fail", "it is a bridge of ROS 1"),
+        (1, "noetic", "fail", "ROS 1 bridge"),
         (2, "humble", "warn", "a goal blocks its connection"),
         (2, "jazzy", "ok", "jazzy"),
-        (2, "", "ok", "does not name it"),
+        (2, "", "ok", "not reported by the bridge"),
     ],
 )
 def test_a_bridge_by_its_distribution(ros: int, distro: str, level: str, words: str) -> None:
@@ -26,9 +26,9 @@ def test_a_bridge_by_its_distribution(ros: int, distro: str, level: str, words: 
     [
         ({"success": True}, "ok", "Nav2 is active"),
         ({"success": False}, "fail", "rejects every goal"),
-        ("no such node", "fail", "does not tell: no such node"),
-        (None, "fail", "does not tell"),
-        ({"success": 1}, "fail", "does not tell"),
+        ("no such node", "fail", "no status from the lifecycle manager: no such node"),
+        (None, "fail", "no status from the lifecycle manager"),
+        ({"success": 1}, "fail", "no status from the lifecycle manager"),
     ],
 )
 def test_a_lifecycle_manager_by_its_answer(answer: object, level: str, words: str) -> None:

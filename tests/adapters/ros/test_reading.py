@@ -56,14 +56,14 @@ def test_words_of_the_bridge_are_logged_and_shown() -> None:
     warned = list[str]()
     (shown,) = read(reader(warned), b'{"op":"status","level":"error","msg":"no such topic"}')
     assert isinstance(shown, FrameRejected) and "no such topic" in shown.text
-    assert warned == ["the bridge says (error): no such topic"]
+    assert warned == ["bridge (error): no such topic"]
 
 
 def test_what_is_over_the_limit_is_named_with_the_key_that_lets_it_in() -> None:
     it = reader()
     (rejected,) = it.too_large(said(BATTERY, data=1.0)[:60], False, 70_000_000, 5.0)
     assert isinstance(rejected, MessageRejected)
-    assert "70.0 MB is over the limit of 64 MB: raise rosbridge.max_message_mb" in rejected.text
+    assert "70.0 MB exceeds the limit of 64 MB: raise rosbridge.max_message_mb" in rejected.text
     assert it.counter.dropped == 1
     (unknown,) = it.too_large(b"\x00", True, 70_000_000, 5.0)
     assert isinstance(unknown, FrameRejected)

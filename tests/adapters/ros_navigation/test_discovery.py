@@ -66,4 +66,4 @@ def test_which_floor_a_robot_is_on_is_asked_of_a_person_where_nothing_tells() ->
     find_floors(told, ["a"], Listed({**maps, "/a/current_floor": TEXT}, {}))
     assert told.topics["floor"] == "/{robot}/current_floor" and not told.notes
     find_floors(untold, ["a"], Listed(maps, {}))
-    assert "nothing tells where one is" in untold.notes["topics"][0]
+    assert "no topic reports it" in untold.notes["topics"][0]

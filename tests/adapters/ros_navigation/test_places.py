@@ -25,7 +25,7 @@ def test_a_pose_has_its_own_heading() -> None:
 
 
 def test_a_vertex_that_no_graph_has_is_named() -> None:
-    with pytest.raises(CommandError, match="where vertex 77 lies is not known"):
+    with pytest.raises(CommandError, match="position of vertex 77 unknown"):
         pose_of_stop(robot(), Stop("77"), None)
 
 

@@ -15,11 +15,11 @@ def located(variance: float | None) -> LocalisationReported:
 @pytest.mark.parametrize(
     ("count", "event", "level", "words"),
     [
-        (0, None, "fail", "has not told where on the map it is"),
-        (1, None, "fail", "has not told where on the map it is"),
-        (1, located(None), "ok", "not how sure it is"),
+        (0, None, "fail", "no pose on the map received"),
+        (1, None, "fail", "no pose on the map received"),
+        (1, located(None), "ok", "uncertainty not reported"),
         (1, located(0.25), "ok", "within 0.50 m"),
-        (1, located(4.0), "warn", "not sure where it is: within 2.00 m"),
+        (1, located(4.0), "warn", "localisation uncertain: within 2.00 m"),
     ],
 )
 def test_how_sure_a_robot_is_of_where_it_is(count: int, event: Event | None, level: str, words: str) -> None:
@@ -33,7 +33,7 @@ def test_how_sure_a_robot_is_of_where_it_is(count: int, event: Event | None, lev
     [
         (BatteryReported("r1", 1.0, 0.5, is_raw=True), "ok", "50 %"),
         (BatteryReported("r1", 1.0, 50.0, is_raw=False), "ok", "50 %"),
-        (BatteryReported("r1", 1.0, 50.0, is_raw=True), "warn", "counts to 100 instead of to 1"),
+        (BatteryReported("r1", 1.0, 50.0, is_raw=True), "warn", "range 0 to 100 instead of 0 to 1"),
         (Unmeasured("r1", 1.0, "battery"), "warn", "percentage is NaN"),
     ],
 )

@@ -59,7 +59,7 @@ def test_a_battery_that_is_not_measured_is_no_empty_one() -> None:
     scaled = reading.read_battery(names(scales={"battery": 100.0}))
     assert facts(scaled, {"percentage": 0.5}) == [BatteryReported("r1", 5.0, 50.0)]
     for beyond in (-0.1, 1.02):
-        with pytest.raises(WireError, match="not within 0 and 100"):
+        with pytest.raises(WireError, match="not between 0 and 100"):
             facts(scaled, {"percentage": beyond})
 
 
