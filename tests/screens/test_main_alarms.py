@@ -44,8 +44,8 @@ async def test_the_menu_acknowledges_by_number_and_names_the_key(server: Rosbrid
     async with in_the_way(server, "robot_0") as it:
         it.app.main.alarms.focus()
         await it.press("enter")
-        await it.shows("2  Acknowledge (a)")
-        await it.press("2")
+        await it.shows("3  Acknowledge (a)")
+        await it.press("3")
         await it.until(lambda state: state.unacknowledged == 0)
         await it.shows("△ seen high robot_0 obstacle 44.2 s", "alarms")
         await it.press("enter")
@@ -57,7 +57,7 @@ async def test_shelved_and_taken_off_the_shelf(server: RosbridgeServer) -> None:
     async with in_the_way(server, "robot_0") as it:
         it.app.main.alarms.focus()
         await it.press("enter")
-        await it.shows("3  Shelve for 30 min")
+        await it.shows("4  Shelve for 30 min")
         await it.press("3")
         await it.until(lambda state: state.shelved)
         await it.shows("Alarms 1 shelved", "alarms")

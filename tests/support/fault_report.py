@@ -9,24 +9,27 @@ from pathlib import Path
 
 HEAD = """# Faults
 
-Each line is a test in `tests/faults` that drives the real program against the real loopback server, most of
-them through a proxy that makes the fault. `make faults` runs them and writes this table: the times are those
-of its last run, in seconds from the fault until the state says so, and from its end until everything is as
-before. `make test` runs the same with shorter delays.
+For operators and reliability engineers: every fault that is tested, what the console shows, and how soon
+it notices and recovers.
 
-In none of them is an order, an alarm or the terminal lost, and after each of them a check looks at that
-(`tests/support/invariants.py`, and `terminal_session.py` where the whole program runs):
+Each line is a test in `tests/faults` that drives the real program against the real loopback server,
+mostly through a proxy that injects the fault. `make faults` runs the tests and writes this table. The
+times are those of its last run, in seconds: from the fault until the state shows it, and from its end
+until everything is as before. `make test` runs the same tests with shorter delays.
 
-- Each command has exactly one end, or is open and says so as `outcome unknown` or `no answer`; it left
-  once, or not at all if it was not sent; every step of it is a line of the audit log, and every line is
-  whole. Most faults meet a command that is under way.
-- Each alarm that was there is there, or the log says that it was cleared. Most faults meet one.
-- The program ends within its time when it is told to, and its terminal is as it was.
+None of these faults loses an order, an alarm or the terminal. After each fault a check verifies this
+(`tests/support/invariants.py`, and `terminal_session.py` if the whole program runs):
 
-What cannot be: after SIGKILL nobody gives the terminal back (`reset` does), and the log ends without
-`console closed`. Who hung up has no terminal any more. Where no file can grow, or there is no folder, the
-log is lost: the screen says so, and stderr at the end how much. Alarms are made of what robots say: the
-next console raises them again.
+- Each command has exactly one end, or is open and marked `outcome unknown` or `no answer`. It was sent
+  once, or not at all if it is `not sent`. Every step is a line of the audit log, and every line is
+  whole. Most tests have a command in progress.
+- Each earlier alarm is still there, or the log says that it was cleared. Most tests have one.
+- The program exits in time when told to, and leaves its terminal as it was.
+
+Some things are impossible: after SIGKILL the terminal is not restored (use `reset`), and the log ends
+without `console closed`. After a hang-up there is no terminal to restore. If no file can grow, or the
+folder is missing, the log is lost; the screen says so, and stderr reports the extent at the end. Alarms
+are derived from the robots' reports: the next console raises them again.
 
 | fault | how it is made | what the operator sees | noticed after | healed after |
 |---|---|---|---|---|
