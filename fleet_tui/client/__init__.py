@@ -1,1 +1,1 @@
-"""The client: transports and adapters put together, feeding the store."""
+"""The client: transports and adapters combined, feeding the store."""

@@ -1,4 +1,4 @@
-"""Answers to the calls of commands: each command ends once, whatever they say, and when."""
+"""Answers to the calls of commands: each command ends exactly once, whatever the answers and their timing."""
 
 import logging
 import time
@@ -16,14 +16,14 @@ from fleet_tui.model.commands import Command, Stage
 
 LOG = logging.getLogger(__name__)
 
-# An answer that comes after its deadline, but within this many seconds, is still the robot's word.
+# An answer later than its deadline by no more than this many seconds still counts.
 LATE_ANSWER = 60.0
 WORST = (Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN)
-"""Ends of the calls of one command, the worst last."""
+"""Possible ends of the calls of one command, worst last."""
 
 
 def decoded(tap: Tap | None, link: str, payload: bytes, is_binary: bool) -> operations.Operation | None:
-    """Record a frame of a command connection and decode it; None where it says nothing to us."""
+    """Record and decode a frame of a command connection; None if it contains nothing for the console."""
     if tap is not None:
         tap.heard(link, "commands", payload, is_binary, time.monotonic())
     try:
@@ -34,8 +34,8 @@ def decoded(tap: Tap | None, link: str, payload: bytes, is_binary: bool) -> oper
 
 
 class Answers:
-    """Waits for the answers of commands on one connection. `advance` takes the stage that a command reached,
-    by its number, with the reason. Runs on the network loop."""
+    """Waits for the answers to commands on one connection. `advance` receives the number of a command, the
+    stage it reached and the reason. Runs on the network loop."""
 
     def __init__(
         self,
@@ -57,7 +57,7 @@ class Answers:
         calls: Sequence[tuple[ServiceCall, PendingCall]],
         sent_at: float,
     ) -> None:
-        """Wait for all answers of a command: it went as well as the worst of them."""
+        """Wait for all answers to a command; its result is the worst of them."""
         adapter = self._adapters[command.robot]
         ends = list[tuple[Stage, str]]()
         try:
@@ -71,7 +71,7 @@ class Answers:
         except LinkLostError as problem:
             stage, words = Stage.UNKNOWN, str(problem)
         except Exception as problem:
-            # Whatever is wrong with us, the operator must learn that nothing is known of this command.
+            # Whatever fails here, the operator must see that the result of this command is unknown.
             LOG.exception("command %d", command_id)
             stage, words = Stage.UNKNOWN, f"internal error: {problem}"
         finally:
@@ -82,7 +82,7 @@ class Answers:
     def _learn(
         self, command: Command, outgoing: ServiceCall, response: ServiceResponse, sent_at: float
     ) -> None:
-        """Take from an answer what it tells beside how the command went."""
+        """Extract the other facts in an answer, besides the result of the command."""
         self._services.answered(outgoing.address, response.values, response.result)
         robot, adapter = self._writer.store.state.robots[command.robot], self._adapters[command.robot]
         for fact in adapter.learned(outgoing, response.values, robot, sent_at, time.monotonic()):

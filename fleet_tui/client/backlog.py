@@ -1,4 +1,5 @@
-"""Backlog of one connection: how long what has come waits to be read, and what of it is left out."""
+"""Backlog of one connection: age of the oldest unread frame, and the frames dropped because newer ones exist.
+"""
 
 import asyncio
 import fcntl
@@ -11,20 +12,20 @@ from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.transports.rosbridge.connection import Connection
 
 BEHIND = 0.3
-"""Seconds that the oldest unread byte waits from which on overtaken frames are left out."""
+"""Age of the oldest unread byte, in seconds, above which overtaken frames are dropped."""
 LONGEST_PIECE = 0.1
-"""Seconds that the frames of one piece may take: nothing else is done meanwhile."""
+"""Seconds that one batch of frames may take: the loop does nothing else meanwhile."""
 GATHER = 0.2
-"""Seconds for which frames are gathered then, so that newer ones can overtake them."""
+"""Seconds for which frames are then gathered, so that newer ones can replace older ones."""
 SLICE = 0.02
 """Seconds of decoding after which the connection is read again."""
 
 Frame = tuple[bytes, bool, float]
-"""Payload, whether it is binary, and when it was read (monotonic seconds)."""
+"""Payload, whether it is binary, and the time it was read (monotonic seconds)."""
 
 
 class Backlog:
-    """Runs on the network loop. `take` is given each frame that is to be decoded."""
+    """Runs on the network loop. `take` receives each frame to be decoded."""
 
     def __init__(self, connection: Connection, reading: FrameReader, take: Callable[[Frame], None]) -> None:
         self._connection, self._reading, self._take = connection, reading, take
@@ -36,21 +37,21 @@ class Backlog:
         self._age = 0.0
 
     def age(self, now: float) -> float:
-        """Seconds that the oldest message has waited to be read; looked at again with each tick."""
+        """Age of the oldest unread message in seconds, updated with each tick."""
         read, descriptor = self._connection.progress()
         unread = _unread(descriptor)
         while self._arrived and self._arrived[0][1] <= read:
             self._arrived.popleft()
         if unread:
             self._arrived.append((now, read + unread))
-        else:  # under TLS a socket holds more bytes than are handed over
+        else:  # under TLS a socket holds more bytes than it hands over
             self._arrived.clear()
         self._age = now - self._arrived[0][0] if self._arrived else 0.0
         gathered = next((now - since for since, _ in self._newest.values()), 0.0)
         return max(self._age, gathered)
 
     def put(self, topic: str, frame: Frame) -> None:
-        """Take a frame now or, while the connection is behind, only if no newer one of its topic comes."""
+        """Take a frame now or, while the connection is behind, only if no newer one of its topic arrives."""
         if (
             self._age < BEHIND
             and not self._newest
@@ -75,7 +76,7 @@ class Backlog:
             self._timer = loop.call_later(0, self._drain)
 
     def clear(self) -> None:
-        """Forget what was not read: the connection is lost."""
+        """Drop all unread frames: the connection is lost."""
         self._arrived.clear()
         self._newest.clear()
         self._age = 0.0
@@ -85,7 +86,7 @@ class Backlog:
 
 
 def _unread(descriptor: int) -> int:
-    """Bytes that a socket holds for us, 0 without one."""
+    """Number of unread bytes in the socket, 0 without one."""
     if descriptor < 0:
         return 0
     try:

@@ -11,7 +11,7 @@ from fleet_tui.transports.rosbridge.connection import Connection
 
 
 class LinkLostError(LinkError):
-    """The link went down with the call under way: whether it ran is unknown."""
+    """The link went down during the call: it may or may not have run."""
 
 
 class NoAnswerError(LinkError):
@@ -20,7 +20,7 @@ class NoAnswerError(LinkError):
 
 @dataclass(frozen=True, slots=True)
 class PendingCall:
-    """A call that was sent, and where its answer will be."""
+    """A call that was sent, and the future of its answer."""
 
     id: str
     service: str
@@ -28,7 +28,7 @@ class PendingCall:
 
 
 class Calls:
-    """The calls under way on one connection. Everything here runs on the network loop."""
+    """The open calls on one connection. Everything here runs on the network loop."""
 
     def __init__(self, connection: Connection) -> None:
         self._connection = connection
@@ -36,9 +36,10 @@ class Calls:
         self._ids = itertools.count(1)
 
     def start(self, service: str, args: Mapping[str, object], within: float) -> "PendingCall":
-        """Send a call that the bridge gives up after `within` seconds, where it can.
+        """Send a call that the bridge drops after `within` seconds, if it can.
 
-        Raises LinkError if there is nothing to send it on."""
+        Raises LinkError if there is no connection.
+        """
         call_id = f"call:{next(self._ids)}"
         self._connection.send(operations.call_service(call_id, service, args, within))
         answer = asyncio.get_running_loop().create_future()
@@ -46,7 +47,7 @@ class Calls:
         return PendingCall(call_id, service, answer)
 
     async def wait(self, call: "PendingCall", within: float) -> operations.ServiceResponse:
-        """Wait `within` seconds at most for an answer; it may be waited for again, until `forget`.
+        """Wait at most `within` seconds for an answer; may be called again until `forget`.
 
         Raises LinkLostError or NoAnswerError.
         """
@@ -56,13 +57,13 @@ class Calls:
             raise NoAnswerError(f"from {call.service} in {within:g} s: may still be carried out") from None
 
     def forget(self, call: "PendingCall") -> None:
-        """Nobody waits for this answer any more."""
+        """Stop waiting for this answer."""
         del self._pending[call.id]
 
     async def call(
         self, service: str, args: Mapping[str, object], within: float
     ) -> operations.ServiceResponse:
-        """Send a call and wait for its answer; raises what `start` and `wait` raise."""
+        """Send a call and wait for its answer. Raises the errors of `start` and `wait`."""
         call = self.start(service, args, within)
         try:
             return await self.wait(call, within)
@@ -70,7 +71,7 @@ class Calls:
             self.forget(call)
 
     def on_response(self, response: operations.ServiceResponse) -> bool:
-        """Take an answer; False if nobody waits for it (any more)."""
+        """Take an answer; False if no caller waits for it (any more)."""
         answer = self._pending.get(response.id)
         if answer is None or answer.done():
             return False
@@ -78,7 +79,7 @@ class Calls:
         return True
 
     def on_lost(self) -> None:
-        """End every call under way: on a new connection no answer to them can come."""
+        """End every open call: a new connection can't deliver their answers."""
         for answer in self._pending.values():
             if not answer.done():
                 answer.set_exception(LinkLostError("link lost before the reply: may still be carried out"))

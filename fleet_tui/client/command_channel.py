@@ -1,4 +1,4 @@
-"""The connection on which commands leave, and which finds out whether they would get through."""
+"""The connection for commands. It also monitors whether commands would get through."""
 
 import asyncio
 import logging
@@ -28,14 +28,14 @@ from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
 
-# Poses come ten times a second: a bridge that spoke and is silent for this long is not well.
+# Poses arrive ten times a second: a bridge that was active and is silent for this long has a fault.
 LONGEST_SILENCE = 2.0
-# A command that waited longer for a stalled console was not meant for this moment any more.
+# A command that waited longer for a stalled console is out of date.
 LATEST = 1.0
 
 
 class CommandChannel:
-    """Sends commands now or not at all, and tells how each goes on. Runs on the network loop."""
+    """Sends commands now or not at all, and reports their progress. Runs on the network loop."""
 
     def __init__(
         self,
@@ -67,21 +67,21 @@ class CommandChannel:
         )
 
     def on_connecting(self) -> None:
-        """A try has begun."""
+        """Report that a connection attempt has begun."""
 
     def on_open(self) -> None:
-        """Find out whether commands get through, and keep finding out."""
+        """Check whether commands get through, now and from now on."""
         self._heartbeat.start()
         self._publishing.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
-        """Every command under way ends now: its answer can't come any more."""
+        """End every open command: its answer can't arrive any more."""
         self._calls.on_lost()
         self._publishing.stop()
         self._heartbeat.stop(reason or "connection lost")
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
-        """Only answers come here."""
+        """Take a frame: only answers arrive here."""
         operation = decoded(self._writer.tap, self._link, payload, is_binary)
         if not isinstance(operation, operations.ServiceResponse):
             return
@@ -90,19 +90,19 @@ class CommandChannel:
             LOG.warning("late reply to %s: %s", truncate(operation.id), truncate(said(operation.values)))
 
     def on_sent(self, payload: bytes) -> None:
-        """A call left."""
+        """Report a sent call to the tap."""
         if self._writer.tap is not None:
             self._writer.tap.sent(self._link, "commands", payload)
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
-        """No answer to a command is that large."""
+        """Ignore it: no answer to a command is that large."""
         LOG.warning("a reply of %d bytes was dropped", size)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic), before anything else happens.
 
-        Only where a connection is so new that the types of services are being asked for, it waits a moment,
-        and those given after it behind it; a pause never does.
+        Only on a new connection, while the types of services are being fetched, it waits briefly, with later
+        commands behind it; a pause never waits.
         """
         LOG.info("command %d: %s", command_id, command)
         waits = self._services.is_new or self._in_turn.locked()
@@ -140,27 +140,28 @@ class CommandChannel:
             self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
 
     def send_again(self, command: Command) -> None:
-        """Send a command once more. Whatever answers to it is no news."""
+        """Send a command once more; its answers are not reported."""
         with suppress(LinkError, CommandError):
             for _, call in self._send(self._outgoing(command, 0, 0.0)):
                 self._calls.forget(call)
 
     def _keep(self, task: "asyncio.Task[None]") -> None:
-        """A task that nobody holds may be collected in the middle."""
+        """Hold a reference to a task, which could otherwise be garbage-collected while it runs."""
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
 
     def _outgoing(self, command: Command, command_id: int, late: float) -> Sequence[Outgoing]:
-        """Return what carries a command. Raises CommandError or LinkError where it must not leave."""
+        """Return the outgoing calls and publications of a command. Raises CommandError or LinkError if it
+        must not be sent."""
         if late > LATEST:
             raise CommandError(f"console busy for {late:.1f} s: repeat the command")
-        # A pause is tried even where others are held back: it can only make things safer.
+        # A pause is tried even if other commands are held back: it can only make things safer.
         if not isinstance(command, PauseRobot):
             if self._heartbeat.path is CommandPath.DEAD:
                 raise LinkError(f"no link for commands: {self._heartbeat.reason}")
             silent = self._silence()
             if silent > LONGEST_SILENCE:
-                # What goes into a frozen connection may come out, and be obeyed, much later.
+                # A command sent into a frozen connection may be delivered, and obeyed, much later.
                 raise LinkError(f"no message from the bridge for {silent:.1f} s")
         adapter = self._adapters[command.robot]
         robot = self._writer.store.state.robots[command.robot]
@@ -193,7 +194,7 @@ class CommandChannel:
         self._writer.take(CommandAdvanced(command_id, stage, at, words, name))
 
     def close(self) -> None:
-        """Close for good; what is under way ends as unknown."""
+        """Close permanently; open commands end as unknown."""
         self._heartbeat.close()
         self._calls.on_lost()
         self._publishing.stop()

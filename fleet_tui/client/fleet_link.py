@@ -1,4 +1,4 @@
-"""All bridges of a configuration, as one: commands go to the robot's own."""
+"""All bridges of a configuration as one: commands go to the robot's own bridge."""
 
 import itertools
 import secrets
@@ -26,13 +26,13 @@ ID_SPAN = 2**30
 
 
 class FleetLink:
-    """Feeds the store and takes the commands. Any thread may call."""
+    """Feeds the store and takes the commands. Callable from any thread."""
 
     def __init__(
         self, config: Config, store: Store, tap: Tap | None = None, queue: QueueFile | None = None
     ) -> None:
-        """`queue` is where orders are kept for robots that have no queue; without it none are. Raises
-        ConfigError for a secret or a certificate that can't be used."""
+        """`queue` holds the orders of robots that have no queue; without it none are kept. Raises ConfigError
+        for an unusable secret or certificate."""
         problems = access_problems(config)
         if problems:
             raise ConfigError([f"{config.path}: {line}" for line in problems])
@@ -49,18 +49,18 @@ class FleetLink:
         """What came over each link, for whoever looks; it changes all the time."""
 
     def open(self) -> None:
-        """Connect, and tell the time."""
+        """Connect, and start the clock ticks."""
         self._writer.start()
         self._writer.loop.call_soon_threadsafe(self._keeper.load)
         for link in self._links.values():
             link.open()
 
     def tell(self, event: Event) -> None:
-        """Take a fact that came from elsewhere into the picture."""
+        """Apply an event from outside the link to the store."""
         self._writer.tell(event)
 
     def submit(self, command: Command) -> int:
-        """Send a command now or not at all. Returns its id; its end is told exactly once."""
+        """Send a command now or not at all. Returns its id; its end is reported exactly once."""
         given_at = time.monotonic()
         command_id = next(self._ids)
         self.tell(CommandIssued(command_id, command, given_at, time.time()))
@@ -88,13 +88,13 @@ class FleetLink:
         self._links[self._store.state.robots[command.robot].link].send_again(command)
 
     def show_map(self, robot: str, floor: str) -> None:
-        """Ask for the live map of one robot's floor, and of no other; an empty floor for none."""
+        """Subscribe to the live map of one robot's floor only; an empty floor for none."""
         wanted = self._store.state.robots[robot].link
         for name, link in self._links.items():
             link.show_map(robot if name == wanted and floor else "", floor)
 
     def subscribe_logs(self, on: bool) -> None:
-        """Listen to the log and diagnostics of all robots, or no longer."""
+        """Subscribe to or unsubscribe from the log and diagnostics of all robots."""
         for link in self._links.values():
             link.subscribe_logs(on)
 

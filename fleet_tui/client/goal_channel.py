@@ -1,5 +1,5 @@
-"""Connections on which goals are given, one for each robot: a bridge of Humble does nothing else on such a
-connection until its goal has ended."""
+"""Connections for goals, one per robot: a bridge of Humble handles nothing else on such a connection until
+its goal has ended."""
 
 import asyncio
 import itertools
@@ -22,16 +22,16 @@ from fleet_tui.transports.rosbridge.connection import Connection
 LOG = logging.getLogger(__name__)
 
 CONNECT_WITHIN = 1.0
-"""Seconds that a goal may wait for its connection: after that it was not meant for this moment any more."""
+"""Seconds that a goal may wait for its connection; after that it is out of date."""
 
 TakeResult = Callable[[int, operations.GoalResult], None]
 
 
 class GoalChannel:
-    """The connection for goals of one robot, made with its first one. Runs on the network loop."""
+    """The connection for goals of one robot, opened with the first one. Runs on the network loop."""
 
     def __init__(self, link: str, bridge: Link, writer: Writer, take: TakeResult) -> None:
-        """`take` is given the end of each goal with the number of its command."""
+        """`take` receives the end of each goal with the number of its command."""
         self._link, self._writer, self._take = link, writer, take
         self.connection = Connection(bridge, self)
         self._opened = asyncio.Event()
@@ -41,55 +41,55 @@ class GoalChannel:
         self.connection.connect()
 
     async def open(self) -> None:
-        """Wait for the connection, as long as a goal may."""
+        """Wait for the connection, up to the limit for a goal."""
         with suppress(TimeoutError):
             await asyncio.wait_for(self._opened.wait(), CONNECT_WITHIN)
 
     def send(self, command_id: int, goal: ActionGoal) -> None:
-        """Give a goal now or not at all. Raises LinkError."""
+        """Send a goal now or not at all. Raises LinkError."""
         if not self.connection.is_connected:
             raise LinkError(f"no link for goals: {self._reason or 'bridge not responding'}")
-        # An order that was paused is given anew: the end of its goal before is not this one's.
+        # A paused order is sent again: the end of its previous goal is not the end of this one.
         self._commands = {id_: other for id_, other in self._commands.items() if other != command_id}
         goal_id = f"goal:{command_id}:{next(self._numbers)}"
         self._commands[goal_id] = command_id
         self.connection.send(operations.send_action_goal(goal_id, goal.address, goal.type, goal.args))
 
     def on_connecting(self) -> None:
-        """A try has begun."""
+        """Do nothing: a connection attempt has begun."""
 
     def on_open(self) -> None:
-        """Goals can be given."""
+        """Allow goals to be sent."""
         self._opened.set()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
-        """The ends of goals can't come any more: their states as topics decide."""
+        """Give up the ends of open goals: their states as topics decide."""
         self._opened.clear()
         self._reason = reason
         self._commands.clear()
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
-        """Only ends of goals come here."""
+        """Take a frame: only ends of goals arrive here."""
         operation = decoded(self._writer.tap, self._link, payload, is_binary)
         if isinstance(operation, operations.GoalResult) and operation.id in self._commands:
             self._take(self._commands.pop(operation.id), operation)
 
     def on_sent(self, payload: bytes) -> None:
-        """A goal left."""
+        """Report a sent goal to the tap."""
         if self._writer.tap is not None:
             self._writer.tap.sent(self._link, "commands", payload)
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
-        """No end of a goal is that large."""
+        """Ignore it: no end of a goal is that large."""
         LOG.warning("a reply of %d bytes was dropped", size)
 
     def close(self) -> None:
-        """Close for good; goals go on."""
+        """Close permanently; goals go on."""
         self.connection.shut()
 
 
 class Goals:
-    """The goals of one bridge's robots. `advance` tells a stage that a command reached, `adapters` are by
+    """The goals of one bridge's robots. `advance` reports a stage that a command reached, `adapters` are by
     robot."""
 
     def __init__(
@@ -106,14 +106,14 @@ class Goals:
         self._commands: dict[int, Command] = {}
 
     async def give(self, command_id: int, command: Command, goal: ActionGoal, given_at: float) -> None:
-        """Give the goal of a command that was given at `given_at` (monotonic), and tell that it left, or why
-        not."""
+        """Send the goal of a command that was given at `given_at` (monotonic), and report that it left, or
+        the reason that it did not."""
         if command.robot not in self._channels:
             made = GoalChannel(self._link, self._bridge, self._writer, self._take)
             self._channels[command.robot] = made
         channel = self._channels[command.robot]
         await channel.open()
-        # A pause waits for no connection: what it overtook must not drive the robot on.
+        # A pause waits for no connection: the order it overtook must not drive the robot on.
         if reason := withdrawn(self._writer.store.state, command_id, given_at):
             self._advance(command_id, Stage.NOT_SENT, reason)
             return
@@ -126,7 +126,7 @@ class Goals:
         self._advance(command_id, Stage.SENT, "")
 
     def _take(self, command_id: int, result: operations.GoalResult) -> None:
-        """Take the end of a goal: a refusal ends its command, all else is told beside its state."""
+        """Take the end of a goal: a refusal ends its command, all else is reported beside its state."""
         command = self._commands.pop(command_id)
         adapter = self._adapters[command.robot]
         stage, words = adapter.outcome(command, result.values, result.result, result.status)
@@ -136,6 +136,6 @@ class Goals:
             self._writer.take(GoalAnswered(command_id, stage, time.monotonic(), words))
 
     def close(self) -> None:
-        """Close all connections for good; goals go on."""
+        """Close all connections permanently; goals go on."""
         for channel in self._channels.values():
             channel.close()

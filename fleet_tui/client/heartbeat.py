@@ -14,14 +14,15 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.text.limits import some
 
 SERVICE = "/rosapi/fleet_tui_heartbeat"
-"""A service that nobody offers: the bridge itself says so, in 1-2 ms, whatever rosapi and robots do."""
+"""A service that no node offers: the bridge itself reports the error, in 1-2 ms, regardless of rosapi and
+robots."""
 EVERY, TIMEOUT = 5.0, 5.0
 LOOK_EVERY = 3
-"""Beats between two looks at the services: a master that was restarted quickly is not noticed otherwise."""
+"""Beats between two checks of the services: a quick restart of the master goes unnoticed otherwise."""
 
 
 class Heartbeat:
-    """Knows whether commands would get through, and tells each change. Runs on the network loop."""
+    """Monitors whether commands would get through, and reports each change. Runs on the network loop."""
 
     def __init__(
         self,
@@ -48,7 +49,7 @@ class Heartbeat:
             self._tell(told)
 
     def start(self) -> None:
-        """Begin to beat: there is a connection. A pause need not wait for the first answer."""
+        """Start beating: the connection is open. A pause need not wait for the first answer."""
         self._connected = True
         self._set(self.path, self.reason)
         self._task = asyncio.ensure_future(self._beat())
@@ -60,12 +61,12 @@ class Heartbeat:
         self._set(CommandPath.DEAD, reason)
 
     def close(self) -> None:
-        """Stop for good."""
+        """Stop permanently."""
         if self._task is not None:
             self._task.cancel()
 
     def take(self, response: ServiceResponse) -> None:
-        """Take an answer to any call: whatever it says, the bridge lives."""
+        """Take an answer to any call: any answer shows that the bridge is alive."""
         self._answered_at = time.monotonic()
         words = response.values if isinstance(response.values, str) else ""
         if "unable to communicate with master" in words.lower():
@@ -78,7 +79,7 @@ class Heartbeat:
             self._services.look()
 
     def _refresh(self) -> None:
-        """Tell whether the robots' services are there, if the bridge answers at all."""
+        """Report whether the robots' services exist, if the bridge answers at all."""
         if self.path not in (CommandPath.ALIVE, CommandPath.UNREGISTERED):
             return
         gone, absent = self._services.unregistered, self._services.without_any
@@ -100,7 +101,7 @@ class Heartbeat:
                 await self._calls.call(SERVICE, {}, TIMEOUT)
             except NoAnswerError:
                 self._round_trips.unanswered += 1
-                # An answer to something else, meanwhile, is a sign of life, too.
+                # An answer to another call, meanwhile, is a sign of life, too.
                 if self._answered_at < began:
                     self._set(CommandPath.DEAD, "no reply from the bridge to calls")
             except LinkError:

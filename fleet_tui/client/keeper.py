@@ -1,4 +1,5 @@
-"""The keeper of orders for robots that drive one goal at a time: what waits here, and when it leaves."""
+"""Queues for robots that drive one goal at a time: the orders that wait here, and the time at which each is
+sent."""
 
 import logging
 import time
@@ -20,14 +21,14 @@ LOG = logging.getLogger(__name__)
 RESTARTED = "this console was restarted"
 
 MOST_KEPT = 100
-"""Orders that wait for one robot."""
+"""Maximum number of orders that wait for one robot."""
 
 Send = Callable[[int, Command, float], None]
 
 
 class Keeper:
-    """Runs on the network loop, but for `load`. `send` sends a command of a number, given at a monotonic
-    second; `send_again` sends it once more, without a word of how it goes; `new_id` gives the number of a
+    """Runs on the network loop, except `load`. `send` sends the command of a number, given at a monotonic
+    second; `send_again` sends it once more without reporting progress; `new_id` returns the number of a
     command."""
 
     def __init__(
@@ -39,7 +40,7 @@ class Keeper:
         send_again: Callable[[Command], None],
         new_id: Callable[[], int],
     ) -> None:
-        """Without a file this console keeps nothing."""
+        """Without a file this console keeps no orders."""
         self._file, self._store, self._tell, self._send, self._new_id = file, store, tell, send, new_id
         self._send_again = send_again
         self._stopped: set[str] = set()
@@ -50,13 +51,13 @@ class Keeper:
         self._has_loaded = False
 
     def load(self) -> None:
-        """Take up what an earlier console kept, held until the operator lets it go on."""
+        """Load the orders of an earlier console, held until the operator releases them."""
         robots = self._store.state.robots.values()
         if self._file is not None and any(robot.kind.keeps_goals for robot in robots):
             self._claim(self._file)
 
     def _claim(self, file: QueueFile) -> bool:
-        """Become the one who keeps orders, and take up what the one before left in the file."""
+        """Become the console that keeps orders, and load those left in the file."""
         if not file.claim():
             return False
         if not self._has_loaded:
@@ -82,7 +83,7 @@ class Keeper:
             LOG.warning("%s", file.problem)
 
     def takes(self, command_id: int, command: Command, given_at: float) -> bool:
-        """Carry a command out here, if it is about what waits here."""
+        """Carry out a command here if it concerns waiting orders."""
         state = self._store.state
         robot = state.robots[command.robot]
         if not robot.kind.keeps_goals:
@@ -118,7 +119,7 @@ class Keeper:
         self._tell(CommandAdvanced(record.id, Stage.CANCELLED, at, "by this console before it was sent"))
 
     def look(self, now: float) -> None:
-        """Send what may leave, and write down what waits. With each tick."""
+        """Send the orders that may leave, and save the waiting ones. Called with each tick."""
         state = self._store.state
         self._save(state)
         self._leaving &= {record.id for record in state.commands if record.stage is Stage.WAITING}
@@ -148,7 +149,7 @@ class Keeper:
                     yield Kept(url, robot.name, stops, record.wall, record.before.floor)
 
     def close(self) -> None:
-        """Let others keep orders. What waits stays in the file."""
+        """Let other consoles keep orders. Waiting ones stay in the file."""
         if self._file is not None:
             self._save(self._store.state)
             self._file.close()

@@ -1,8 +1,9 @@
-"""Latched topics behind a bridge of ROS 2: which QoS delivers them, found out topic by topic.
+"""Latched topics behind a bridge of ROS 2: the QoS that delivers each of them, found topic by topic.
 
-Such a bridge fixes the QoS of a topic when its first client takes it. Whoever comes before the publisher
-was discovered makes it volatile for everybody, and the latched value never comes: so `qos` is asked for.
-A volatile publisher never delivers to that, and then to no client: so without it where nothing comes.
+Such a bridge fixes the QoS of a topic when its first client subscribes. A subscription before the publisher
+is discovered makes it volatile for all clients, and the latched value never arrives: so `qos` is requested. A
+volatile publisher never delivers to a subscription with `qos`, and then to no client: so it is dropped if
+nothing arrives.
 """
 
 import asyncio
@@ -12,13 +13,13 @@ from fleet_tui.adapters.adapter import Feed
 from fleet_tui.adapters.ros.reading import FrameReader
 
 FIRST_PATIENCE, LONGEST_PATIENCE = 2.0, 64.0
-"""Seconds without a value after which the other way is tried; each time it is twice as long."""
+"""Seconds without a value after which the other QoS is tried; doubled each time."""
 LET_GO = 0.5
-"""Seconds for which nobody must hold a topic for the bridge to choose its QoS again."""
+"""Seconds without any subscriber after which the bridge chooses the QoS of a topic again."""
 
 
 class Latched:
-    """Runs on the network loop. `wanted` gives the latched topics that are asked for now."""
+    """Runs on the network loop. `wanted` returns the latched topics that are currently requested."""
 
     def __init__(
         self,
@@ -36,18 +37,18 @@ class Latched:
         self._task: asyncio.Task[None] | None = None
 
     def wants_qos(self, topic: str) -> bool:
-        """Tell whether a topic is to be asked for as transient local and reliable."""
+        """Tell whether to subscribe to a topic as transient local and reliable."""
         return topic not in self._volatile
 
     def start(self, asked: Collection[Feed], per_topic: float) -> None:
-        """Look after what was just `asked` for, beside what was before: a latched value comes once, so what
-        has come is left alone. A bridge takes `per_topic` seconds for each subscription."""
+        """Watch the topics just `asked` for, besides the earlier ones. A latched value arrives once, so
+        topics that have one are left alone. A bridge takes `per_topic` seconds for each subscription."""
         self.stop()
         self._counts |= {_topic(one): self._count(one) for one in asked}
         self._task = asyncio.ensure_future(self._look(FIRST_PATIENCE + per_topic * len(asked)))
 
     def stop(self) -> None:
-        """Look no more."""
+        """Stop watching."""
         if self._task is not None:
             self._task.cancel()
 
@@ -61,7 +62,7 @@ class Latched:
                 self._unsubscribe(one)
             try:
                 await asyncio.sleep(LET_GO)
-            finally:  # also where a map is shown meanwhile, which looks after all of them anew
+            finally:  # also if a map is opened meanwhile, which starts the watch of all of them again
                 self._volatile ^= {_topic(one) for one in silent}
                 for one in silent:
                     self._subscribe(one)

@@ -11,12 +11,12 @@ from fleet_tui.config.fleet import publications_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import Command
 
-# Seconds to wait at most for the network thread to take a command.
+# Maximum seconds to wait for the network thread to take a command.
 HANDOVER = 0.005
 
 
 class BridgeLink:
-    """Everything between one bridge and the store. Any thread may call."""
+    """All connections between one bridge and the store. Callable from any thread."""
 
     def __init__(self, name: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
         """`adapters` by robot."""
@@ -30,14 +30,14 @@ class BridgeLink:
         self._commands = CommandChannel(name, bridge, adapters, writer, timeout, self._telemetry, advertised)
 
     def open(self) -> None:
-        """Connect, and stay connected; commands first, so that no subscribing delays a pause."""
+        """Connect, and stay connected; commands first, so that no subscription delays a pause."""
         self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
         self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command; how it goes on arrives in the store as CommandAdvanced.
+        """Send a command; its progress reaches the store as CommandAdvanced.
 
-        The network thread gets its turn now, not after what the caller draws next.
+        The network thread runs now, not after the caller's next drawing.
         """
         sent = threading.Event()
 
@@ -49,19 +49,19 @@ class BridgeLink:
         sent.wait(HANDOVER)
 
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
-        """The same, on the loop."""
+        """Send a command, on the loop."""
         self._commands.submit(command_id, command, given_at)
 
     def send_again(self, command: Command) -> None:
-        """Send a command once more, on the loop: how it goes is told for the first time only."""
+        """Send a command once more, on the loop: only the first attempt is reported."""
         self._commands.send_again(command)
 
     def show_map(self, robot: str, floor: str) -> None:
-        """Ask for the live map of one robot's floor, no other one; an empty name for none."""
+        """Subscribe to the live map of one robot's floor only; an empty name for none."""
         self._writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)
 
     def subscribe_logs(self, on: bool) -> None:
-        """Listen to the robots' log and diagnostics, or no longer."""
+        """Subscribe to or unsubscribe from the robots' log and diagnostics."""
         self._writer.loop.call_soon_threadsafe(self._telemetry.subscribe_logs, on)
 
     def close(self) -> None:

@@ -1,4 +1,5 @@
-"""The robots' log and health, which change nothing in the picture: asked for only while somebody looks."""
+"""The robots' logs and diagnostics, which don't affect the fleet state: subscribed only while they are on
+screen."""
 
 import asyncio
 from collections.abc import Awaitable, Callable, Mapping
@@ -11,24 +12,24 @@ from fleet_tui.transports.rosbridge.connection import Connection
 
 # The types in ROS 1 and in ROS 2.
 TYPES = {ROSOUT: LOG_TYPES, DIAGNOSTICS: HEALTH_TYPES}
-# Seconds for which the log of a bridge of ROS 2 is heard after it was asked for topics: only there it says
-# which of them it could not subscribe.
+# Seconds for which the log of a bridge of ROS 2 is read after a request for topics: only there it reports
+# the topics to which it could not subscribe.
 COMPLAINTS_FOR = 10.0
-# Messages that the bridge keeps for us: robots say several lines at once.
+# Queue length at the bridge: robots log several lines at once.
 QUEUE = 100
 
 
 class LogSubscription:
-    """Runs on the network loop. `ask_types` gives type by topic, as rosapi tells."""
+    """Runs on the network loop. `ask_types` returns type by topic, as rosapi reports."""
 
     def __init__(self, connection: Connection, ask_types: Callable[[], Awaitable[Mapping[str, str]]]) -> None:
         self._connection, self._ask_types = connection, ask_types
         self._wanted = False
-        # A task that nobody holds may be collected in the middle.
+        # A task without a reference may be garbage-collected while it runs.
         self._task: asyncio.Task[None] | None = None
 
     def listen(self, wanted: bool) -> None:
-        """Ask for them now and on each further connection, or no longer."""
+        """Subscribe now and on each further connection, or unsubscribe."""
         if wanted == self._wanted:
             return
         self._wanted = wanted
@@ -44,7 +45,7 @@ class LogSubscription:
         self.subscribe(await self._ask_types())
 
     def subscribe(self, types: Mapping[str, str]) -> None:
-        """Ask for them, if they are wanted; what nobody publishes yet may still come."""
+        """Subscribe if requested, also to topics without a publisher so far."""
         is_ros2 = any("/msg/" in type_ for type_ in types.values())
         for topic, (ros1, ros2) in TYPES.items():
             if self._wanted or (is_ros2 and topic == ROSOUT):

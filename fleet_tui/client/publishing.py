@@ -1,5 +1,4 @@
-"""Publications of commands on one connection: advertised before they are needed, repeated where that was too
-late."""
+"""Publications of commands on one connection: advertised in advance, repeated if that was too late."""
 
 import asyncio
 import time
@@ -12,16 +11,15 @@ from fleet_tui.errors import LinkError
 from fleet_tui.transports.rosbridge.connection import Connection
 
 KNOWN_AFTER = 0.3
-"""Seconds until subscribers have come to a topic that was advertised: what leaves before may be lost."""
+"""Seconds until subscribers have connected to an advertised topic: earlier messages may be lost."""
 
 AT_ONCE, BETWEEN = 20, 0.2
-"""Topics that are advertised together, of which a real bridge needs up to 10 ms for each, and the seconds
-until the next ones."""
+"""Topics advertised per batch (a real bridge needs up to 10 ms for each), and the seconds between batches."""
 
 
 class Publishing:
-    """Runs on the network loop. `usual` are names and types of topics that are advertised on each
-    connection."""
+    """Runs on the network loop. `usual` are names and types of topics that are advertised on each connection.
+    """
 
     def __init__(self, connection: Connection, usual: Iterable[tuple[str, str]]) -> None:
         self._connection, self._usual = connection, tuple(usual)
@@ -31,11 +29,11 @@ class Publishing:
         self._next: asyncio.TimerHandle | None = None
 
     def start(self) -> None:
-        """Advertise: the bridge remembers nothing of us."""
+        """Advertise the usual topics: the bridge keeps nothing from an earlier connection."""
         self._advertise_next(list(self._usual))
 
     def _advertise_next(self, left: list[tuple[str, str]]) -> None:
-        """Advertise a few, then the others: of a large fleet all at once would delay a pause."""
+        """Advertise one batch, then the next: all topics of a large fleet at once would delay a pause."""
         for topic, type_ in left[:AT_ONCE]:
             if topic not in self._advertised:
                 with suppress(LinkError):
@@ -49,13 +47,13 @@ class Publishing:
         self._advertised[topic] = time.monotonic()
 
     def send(self, one: Publication) -> None:
-        """Publish now, and once more where the first message may be lost. Raises LinkError."""
+        """Publish now, and once more if the first message may be lost. Raises LinkError."""
         if one.address not in self._advertised:
             self._advertise(one.address, one.type)
         frame = operations.publish(one.address, one.type, one.message)
         self._connection.send(frame)
         known_at = self._advertised[one.address] + KNOWN_AFTER
-        # What follows something that comes twice comes again after it: a pause has the last word.
+        # A message after a repeated one is repeated after it, too: a pause must be the last message.
         if self._repeats or known_at > time.monotonic():
             self._repeats.append(frame)
             self._repeat_at(known_at)

@@ -1,4 +1,5 @@
-"""The file of orders that this console keeps, which outlives it: one console of a user owns it at a time."""
+"""The file of orders that this console keeps, which survives the process: one console of a user owns it at a
+time."""
 
 import fcntl
 import os
@@ -14,8 +15,8 @@ LARGEST = 2**24
 
 
 class Kept(msgspec.Struct, frozen=True):
-    """An order that waits for its robot behind the bridge at `url`; `wall` is when it was given (Unix
-    time), `floor` where."""
+    """An order that waits for its robot behind the bridge at `url`; `wall` is the Unix time at which it was
+    given, `floor` the floor."""
 
     url: str
     robot: str
@@ -25,7 +26,7 @@ class Kept(msgspec.Struct, frozen=True):
 
 
 class QueueFile:
-    """The file in a folder; without a folder nothing is kept beyond this process."""
+    """The file in a folder; without a folder no order outlives this process."""
 
     def __init__(self, folder: Path | None, operator: str) -> None:
         self._folder, self._me = folder, f"{operator}@{socket.gethostname()}"
@@ -36,7 +37,7 @@ class QueueFile:
         """Why what is kept would not outlive this console, empty while it does."""
 
     def claim(self) -> bool:
-        """Become the one who keeps orders, unless another console is."""
+        """Become the console that keeps orders, unless another one is."""
         if self._folder is None or self._lock is not None:
             return True
         try:
@@ -57,7 +58,7 @@ class QueueFile:
         return True
 
     def load(self) -> list[Kept]:
-        """Return what was kept; what can't be read is told as a problem, and stays in a file beside."""
+        """Return the kept orders; an unreadable file is reported as a problem and kept under another name."""
         if self._folder is None or self._lock is None:
             return []
         path = self._folder / FILE
@@ -76,7 +77,7 @@ class QueueFile:
             return []
 
     def save(self, kept: list[Kept]) -> None:
-        """Write what is kept now, whole or not at all."""
+        """Save the kept orders atomically."""
         if self._folder is None or self._lock is None:
             return
         path = self._folder / FILE
@@ -91,7 +92,7 @@ class QueueFile:
             self.problem = f"{path} not writable: {problem.strerror}"
 
     def close(self) -> None:
-        """Let others keep orders."""
+        """Let other consoles keep orders."""
         if self._lock is not None:
             os.close(self._lock)
             self._lock = None

@@ -1,4 +1,4 @@
-"""The robots' services, as rosapi lists them: which are there, and of what type."""
+"""The robots' services as rosapi lists them: names and types."""
 
 import asyncio
 import logging
@@ -16,17 +16,17 @@ from fleet_tui.text.limits import truncate
 LOG = logging.getLogger(__name__)
 
 SETTLES = 0.5
-"""Seconds of a connection in which commands wait for the types of services."""
+"""Seconds on a new connection for which commands wait for the types of services."""
 ROSAPI_TIMEOUT = 5.0
 AGAIN = 5.0
-"""Seconds after which rosapi is asked again where it did not answer: it may have been busy."""
+"""Seconds after which rosapi is asked again if it did not answer: it may have been busy."""
 
 
 class Services:
-    """Knows what is known of the services of one bridge's robots. Runs on the network loop.
+    """Known services of one bridge's robots. Runs on the network loop.
 
-    A bridge passes a call on to whatever has that name: `{}` is a command to some servers. So a call of
-    another type must not leave; a type that nobody tells is no reason to hold it back.
+    A bridge passes a call on to any service of that name: `{}` is a command to some servers. So a call of
+    another type must not be sent; an unknown type is no reason to hold it back.
     """
 
     def __init__(self, calls: Calls, wanted: Mapping[str, Service]) -> None:
@@ -51,7 +51,7 @@ class Services:
 
     @property
     def unregistered(self) -> list[str]:
-        """The robots of which services were there and no longer exist, by name."""
+        """The robots whose services existed and no longer do, by name."""
         return sorted({self._wanted[name].robot for name in self._gone})
 
     @property
@@ -61,23 +61,23 @@ class Services:
 
     @property
     def without_any(self) -> list[str]:
-        """The robots that speak and of which no service was ever there, by name."""
+        """The robots that send messages but never had a service, by name."""
         return sorted(self._absent & self._speak)
 
     def heard(self, robots: Collection[str]) -> None:
-        """Take note of which robots speak."""
+        """Record the robots that send messages."""
         if not self._absent <= self._speak and self._absent & set(robots) - self._speak:
             self._speak |= set(robots)
             self.changed()
 
     def look(self) -> None:
-        """Ask rosapi, unless that is under way."""
+        """Query rosapi, unless a query is open."""
         if self._task is None or self._task.done():
             self._task = asyncio.ensure_future(self._look())
 
     def doubt_types(self) -> None:
-        """Ask for the types again: behind a new connection there may be other nodes. Until the answer what
-        was known holds: no call leaves in between."""
+        """Query the types again: a new connection may lead to other nodes. The earlier types hold until the
+        answer: no call is sent in between."""
         self._sure.clear()
         self.stop()
         self._begun = time.monotonic()
@@ -86,27 +86,27 @@ class Services:
 
     @property
     def is_new(self) -> bool:
-        """Tell whether nothing was told on this connection yet, and it is not old enough to go without."""
+        """Tell whether this connection has no list yet, and is too new to go without."""
         is_young = self._task is None or time.monotonic() - self._begun < SETTLES
         return is_young and not self._told.is_set()
 
     async def settle(self) -> None:
-        """Wait for the first look, as long as it may take."""
+        """Wait for the first query, up to its time limit."""
         with suppress(TimeoutError):
             await asyncio.wait_for(self._told.wait(), SETTLES)
 
     def stop(self) -> None:
-        """Ask no more."""
+        """Stop querying."""
         if self._task is not None:
             self._task.cancel()
             self._task = None
 
     def master_gone(self) -> None:
-        """Note that the ROS master was gone: a new one knows no node of before."""
+        """Note that the ROS master was gone: a new one knows none of the earlier nodes."""
         self._master_was_gone = True
 
     def answered(self, service: str, values: object, result: bool) -> None:
-        """Take an answer to a call of a robot's service as a sign of whether it is there."""
+        """Take an answer to a call of a robot's service as evidence of its existence."""
         if service not in self._wanted:
             return
         if not result and _does_not_exist(values):
@@ -124,14 +124,14 @@ class Services:
             self.changed()
 
     def mismatch(self, service: str) -> str:
-        """Return why a service must not be called; empty where nothing is known against it."""
+        """Return the reason not to call a service; empty if there is no known one."""
         found = self._types.get(service, "")
         if not found:
             return ""
         expected = self._wanted[service].type
         if same_type(found, expected):
             return ""
-        # Another node may have it by now: the next call goes by what is there then.
+        # Another node may offer it by now: the next call uses the current type.
         self.look()
         return f"{service} has type {found}, not {expected}"
 
@@ -169,7 +169,7 @@ class Services:
         await self._ask_types([name for name in self._wanted if name in there - self._sure])
 
     def _miss(self, missing: set[str]) -> None:
-        """Services are gone that two looks in a row missed: a bridge that just started knows only some."""
+        """Drop services that two queries in a row missed: a bridge that just started lists only some."""
         first, self._missed = missing - self._missed - self._gone, missing
         self._set_gone(missing - first)
         if first:
@@ -185,7 +185,7 @@ class Services:
                     self._sure.add(name)
 
     async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse:
-        """Ask rosapi. Raises LinkError."""
+        """Query rosapi. Raises LinkError."""
         return await self._calls.call(f"/rosapi/{question}", args, ROSAPI_TIMEOUT)
 
 

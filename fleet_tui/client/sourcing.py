@@ -1,4 +1,4 @@
-"""Looks for messages that the bridge was started without, some seconds after it was asked for topics."""
+"""Detects message packages missing from the bridge's environment, some seconds after subscribing."""
 
 import asyncio
 import logging
@@ -14,12 +14,12 @@ from fleet_tui.rules.sourcing import ALWAYS_THERE, Listening, unsourced_package
 LOG = logging.getLogger(__name__)
 
 LOOK_AFTER, FOR_EACH_TOPIC = 4.0, 0.03
-"""Seconds after which a topic that somebody publishes should have come: a bridge subscribes one by one."""
+"""Seconds after which a published topic should have delivered: a bridge subscribes one by one."""
 AGAIN = 2.0
-"""Seconds between looks whether a package that is lacking, as it seems, has been heard of after all."""
+"""Seconds between checks whether a package that seemed missing delivers after all."""
 ROSAPI_TIMEOUT = 2.0
 MOST_ASKED = 20
-"""Topics whose publishers are asked for: the package is the same for all."""
+"""Number of topics whose publishers are queried: the package is the same for all."""
 
 
 class Sourcing:
@@ -34,21 +34,21 @@ class Sourcing:
         types: Callable[[], Mapping[str, str]],
         tell: Callable[[MessagesUnsourced], None],
     ) -> None:
-        """`types` gives the type of each topic as the bridge spells it."""
+        """`types` returns the type of each topic as the bridge spells it."""
         self._link, self._calls, self._reading, self._tell = link, calls, reading, tell
         self._types = types
-        # On what speaks only when something changes, silence is no sign.
+        # On a topic published only on change, silence proves nothing.
         self._wanted = [one for one in wanted if not (one.large or one.silent)]
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
-        """Look once on this connection: what a bridge lacks it lacks until it is restarted. Of a package that
-        was only slow something comes later."""
+        """Check once on this connection: a missing package stays missing until the bridge restarts. A package
+        that was only slow delivers later."""
         self.stop()
         self._task = asyncio.ensure_future(self._look())
 
     def stop(self) -> None:
-        """Look no more."""
+        """Stop checking."""
         if self._task is not None:
             self._task.cancel()
 
@@ -83,7 +83,7 @@ class Sourcing:
         return self._reading.counter.topics[one.address].count
 
     async def _publishers(self, one: Feed) -> int:
-        """Return how many nodes publish a topic, 0 where nobody tells."""
+        """Return the number of nodes that publish a topic, 0 if unknown."""
         args = {"topic": one.address}
         try:
             response = await self._calls.call("/rosapi/publishers", args, ROSAPI_TIMEOUT)

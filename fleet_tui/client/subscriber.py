@@ -1,5 +1,5 @@
-"""Subscriptions of one bridge: everything on each connection, the map that is shown, and again
-whatever stays away. Everything runs on the network loop."""
+"""Subscriptions of one bridge: all topics on each connection, the open map, and again all topics that stay
+silent. Everything runs on the network loop."""
 
 import asyncio
 import logging
@@ -20,16 +20,16 @@ from fleet_tui.transports.rosbridge.connection import Connection
 LOG = logging.getLogger(__name__)
 
 ROSAPI_TIMEOUT = 2.0
-# A bridge too old for CBOR says nothing: after this many seconds the map is asked for as JSON.
+# A bridge too old for CBOR sends nothing: after this many seconds the map is requested as JSON.
 CBOR_PATIENCE = 20.0
 # A bridge of ROS 2 is never too old, but sends no CBOR larger than its max_message_size: only pieces of JSON.
 CBOR_PATIENCE_ROS2 = 8.0
-# A bridge behind which roscore was restarted stays silent until it is asked anew. A robot that is only
-# switched off is asked for again and again, each time after twice as long. Seconds; a real bridge takes
+# A bridge behind which roscore was restarted stays silent until subscribed again. A robot that is only
+# switched off is subscribed again repeatedly, at doubling intervals. Seconds; a real bridge takes
 # 20 ms for each topic, and has not finished before that.
 FIRST_AGAIN, FOR_EACH_TOPIC, LONGEST_AGAIN = 8.0, 0.03, 64.0
-# The bridge asks ROS anew only when nobody holds the topic. Consoles notice a silence at about the
-# same time, and let go for a quarter of the time they waited, at most so many seconds: together.
+# The bridge subscribes in ROS again only when no client holds the topic. Consoles notice a silence at about
+# the same time, and unsubscribe for a quarter of the time they waited, up to this many seconds: together.
 LONGEST_LET_GO = 8.0
 
 
@@ -64,7 +64,7 @@ class Subscriber:
         self._task: asyncio.Task[None] | None = None
 
     def start(self, now: float) -> None:
-        """Subscribe to everything: the bridge remembers nothing of us. `now` is monotonic, in seconds."""
+        """Subscribe to all topics: the bridge keeps nothing from before. `now` is monotonic, in seconds."""
         self._reading.maps_heard.clear()
         self._refused.clear()
         self._patience.clear()
@@ -73,7 +73,7 @@ class Subscriber:
 
     async def _begin(self) -> None:
         self.types = await self._ask_types()
-        # First, to hear what the bridge has to say of the others.
+        # First, to receive the bridge's warnings about the others.
         self.log_subscription.subscribe(self.types)
         self._subscribe_to(self._robots)
         if self._is_ros2:
@@ -81,11 +81,11 @@ class Subscriber:
 
     @property
     def _is_ros2(self) -> bool:
-        """Tell whether the bridge may be one of ROS 2: as the types say, where rosapi tells them."""
+        """Tell whether the bridge may be one of ROS 2, by the types if rosapi lists them."""
         return not self.types or any("/msg/" in type_ for type_ in self.types.values())
 
     def _of_latched(self) -> list[Feed]:
-        """The latched topics that are asked for, as far as rosapi knows that they exist."""
+        """The requested latched topics that exist as far as rosapi knows."""
         return [
             one
             for one in self._of(self._robots)
@@ -104,7 +104,8 @@ class Subscriber:
             self._task.cancel()
 
     def look(self, now: float, spoke: Mapping[str, float]) -> None:
-        """Ask again for robots that are silent for long; `spoke` says when each did (monotonic)."""
+        """Subscribe again for robots that are silent for long; `spoke` has the last message time of each
+        (monotonic)."""
         if self._task is None or not self._task.done() or not self._connection.is_connected:
             return
         silent = {robot for robot in self._robots if self._is_silent(robot, now, spoke.get(robot, 0.0))}
@@ -114,7 +115,7 @@ class Subscriber:
         let_go = min(LONGEST_LET_GO, max(map(self._waits, silent)) / 4)
         for robot in silent:
             self._asked[robot] = now
-            # Chance brings consoles together that did not begin to wait together.
+            # A random delay brings consoles together that did not start to wait together.
             self._patience[robot] = min(LONGEST_AGAIN, self._waits(robot) * random.uniform(1.8, 2.2))
         self._task = asyncio.ensure_future(self._renew(silent, let_go))
 
@@ -147,7 +148,7 @@ class Subscriber:
             self._subscribe(wanted)
 
     async def _ask_types(self) -> dict[str, str]:
-        """Type by topic, as rosapi tells; empty where it doesn't."""
+        """Return type by topic, as rosapi lists them; empty if it doesn't."""
         try:
             response = await self._calls.call("/rosapi/topics", {}, ROSAPI_TIMEOUT)
         except LinkError as problem:
@@ -174,7 +175,7 @@ class Subscriber:
         topic = wanted.address
         asked = operations.Subscription(
             topic,
-            # ROS 2 writes the same type with a middle part: the bridge wants its own spelling back.
+            # ROS 2 writes the same type with a middle part: the bridge expects its own spelling.
             self.types.get(topic, wanted.type),
             wanted.rate_ms,
             "cbor" if wanted.large and topic not in self._as_json else "none",
@@ -184,7 +185,7 @@ class Subscriber:
             self._connection.send(operations.subscribe(asked))
         except LinkError:
             return
-        # Where rosapi answers it says whether there is a map at all.
+        # If rosapi answers, it shows whether there is a map at all.
         if asked.compression == "cbor" and (topic in self.types or not self.types):
             patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
             self._plainly = asyncio.get_running_loop().call_later(patience, self._ask_plainly, wanted)
@@ -202,7 +203,7 @@ class Subscriber:
             return
 
     def watch(self, feeds: Iterable[Feed]) -> None:
-        """Ask for these feeds, which come on demand, and no longer for those before."""
+        """Subscribe to these on-demand feeds, and unsubscribe from the earlier ones."""
         wanted, before = frozenset(feeds), self._watched
         self._watched = wanted
         if self._connection.is_connected:
@@ -212,7 +213,7 @@ class Subscriber:
                 self._subscribe(feed)
 
     def show_map(self, robot: str, floor: str) -> None:
-        """Ask for one robot's live map of a floor, and no longer for the one before; "" for none."""
+        """Subscribe to one robot's live map of a floor, and unsubscribe from the earlier one; "" for none."""
         wanted = next(
             (
                 feed

@@ -6,13 +6,13 @@ from fleet_tui.model.events import Event
 
 
 class Tap(Protocol):
-    """Hears all that comes, leaves and happens. Called on the network loop, so it must not wait."""
+    """Receives every frame in, frame out and event. Called on the network loop, so it must not block."""
 
     def heard(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
-        """A frame came at `at` (monotonic seconds); what it means is told to the store next."""
+        """Take a frame that arrived at `at` (monotonic seconds); its events follow."""
 
     def sent(self, link: str, channel: str, payload: bytes) -> None:
-        """A frame left. No frame with a secret in it comes here."""
+        """Take a sent frame. Frames with secrets are never passed."""
 
     def told(self, event: Event) -> None:
-        """Something happened that no frame brought; the store is told next."""
+        """Take an event without a frame; the store gets it next."""

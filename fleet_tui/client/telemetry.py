@@ -1,4 +1,4 @@
-"""The connection on which everything arrives: subscribed again each time, decoded, told."""
+"""The connection for all incoming data: subscribed each time, decoded, turned into events."""
 
 import asyncio
 import logging
@@ -31,20 +31,20 @@ from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
 
-# Larger frames are decoded beside the loop, so that small ones don't wait.
+# Larger frames are decoded off the loop, so that small ones don't wait.
 HEAVY_BYTES = 100_000
-# Seconds until nobody holds the frame of a large map any more, nor the map before it.
+# Seconds until the frame of a large map and the map before it are unreferenced.
 TIDY_AFTER = 1.0
-# Bytes of frames that wait to be decoded: what comes on top of more is passed over.
+# Bytes of frames that wait to be decoded: more are dropped.
 MOST_WAITING = 64 * 2**20
 # Topics of which every message counts, not only the newest.
 LOGS = frozenset({ROSOUT, DIAGNOSTICS})
-# Seconds between looks for robots that stay away.
+# Seconds between checks for silent robots.
 LOOK_EVERY = 0.2
 
 
 class Telemetry:
-    """Hears a bridge's topics. Everything runs on the network loop unless it says otherwise."""
+    """Receives a bridge's topics. Everything runs on the network loop unless noted otherwise."""
 
     def __init__(self, link: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
         self._link = link
@@ -87,21 +87,21 @@ class Telemetry:
             self._subscriber.watch(feed for feed in self._targets if self._wants_target(feed.robot))
 
     def _wants_target(self, robot: str) -> bool:
-        """Tell whether a robot drives a goal of which nothing has told where it leads to."""
+        """Tell whether a robot drives a goal with an unknown target."""
         known = self._writer.store.state.robots.get(robot)
         current = known.orders.current if known else None
         return current is not None and not current.stops and not current.label
 
     def silence(self) -> float:
-        """Seconds since the last message on this connection, 0 as long as none has come."""
+        """Seconds since the last message on this connection, 0 before the first."""
         return time.monotonic() - self._spoke if self._spoke else 0.0
 
     def on_connecting(self) -> None:
-        """A try has begun."""
+        """Report that a connection attempt has begun."""
         self._writer.take(events.LinkChanged(self._link, time.monotonic(), Phase.CONNECTING))
 
     def on_open(self) -> None:
-        """Subscribe to everything."""
+        """Subscribe to all topics."""
         now = time.monotonic()
         self.counter.opened()
         self._writer.take(events.LinkChanged(self._link, now, Phase.UP))
@@ -111,7 +111,7 @@ class Telemetry:
         self._sourcing.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
-        """Say so, and stop what was under way."""
+        """Report the loss, and stop open work."""
         self._subscriber.stop()
         self.services.stop()
         self._sourcing.stop()
@@ -123,7 +123,7 @@ class Telemetry:
         self._writer.take(events.LinkChanged(self._link, now, Phase.WAITING, reason, now + next_try_in))
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
-        """Decode here, or beside the loop if that takes long."""
+        """Decode a frame here, or off the loop if it is large."""
         self._heard = self._spoke = time.monotonic()
         if len(payload) < HEAVY_BYTES:
             frame = payload, is_binary, self._heard
@@ -154,18 +154,19 @@ class Telemetry:
             self._take_frame(payload, is_binary, at, done.result())
 
     def on_sent(self, payload: bytes) -> None:
-        """A frame left."""
+        """Report a sent frame to the tap."""
         if self._writer.tap is not None:
             self._writer.tap.sent(self._link, "topics", payload)
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
-        """Say which message it was, how large, and what lets it in."""
+        """Report the message that is too large, its size, and the setting that lets it in."""
         self._heard = self._spoke = time.monotonic()
         for event in self._reading.too_large(head, is_binary, size, self._heard):
             self._take(event)
 
     def _take_frame(self, payload: bytes, is_binary: bool, at: float, read: Read) -> None:
-        """Tell what a frame that came at `at` was read as. Of pieces only the whole message is recorded."""
+        """Apply the events of a frame that arrived at `at`. Of fragments only the whole message is recorded.
+        """
         if self._writer.tap is not None and not isinstance(read, operations.Fragment):
             self._writer.tap.heard(self._link, "topics", payload, is_binary, at)
         if isinstance(read, operations.ServiceResponse):
@@ -194,7 +195,7 @@ class Telemetry:
             self.on_frame(whole, False)
 
     def _take(self, rejected: events.Event) -> None:
-        """Tell what could not be read, or was not even asked for."""
+        """Apply the events of a message; report an unreadable or unrequested one."""
         if isinstance(rejected, events.MessageRejected | events.FrameRejected):
             self._log_once(rejected.text)
         self._writer.take(rejected)
@@ -206,7 +207,7 @@ class Telemetry:
             LOG.warning("%s", text)
 
     def close(self) -> None:
-        """Close for good."""
+        """Close permanently."""
         self._subscriber.stop()
         self.services.stop()
         self._sourcing.stop()

@@ -1,4 +1,4 @@
-"""The one writer: the network loop tells the store, and ten times a second that time passed."""
+"""The one writer: applies the network loop's events to the store, and a clock tick ten times a second."""
 
 import asyncio
 import logging
@@ -22,7 +22,7 @@ SWITCH_INTERVAL = 0.0005
 
 
 class Writer:
-    """Owns the thread in which the state changes. It exists without a link, too."""
+    """Owns the thread in which the state changes. It also exists without a link."""
 
     def __init__(self, store: Store, tap: Tap | None = None) -> None:
         self.store, self.tap = store, tap
@@ -35,7 +35,7 @@ class Writer:
         self._tidy = freeze
 
     def start(self) -> None:
-        """Begin to tell the time."""
+        """Start the clock ticks."""
         tune_malloc()
         sys.setswitchinterval(SWITCH_INTERVAL)
         self.loop.call_soon_threadsafe(self._start)
@@ -57,22 +57,22 @@ class Writer:
                     self._tidy()
                     self._tidy = collect
             except Exception:
-                # Without the time nothing would age: one bad tick must not be the last.
+                # Without ticks nothing would age: one that fails must not be the last.
                 LOG.exception("tick")
             due = time.monotonic() + TICK
             await asyncio.sleep(TICK)
 
     def take(self, event: Event) -> None:
-        """Tell the store what no frame brought. On the loop."""
+        """Apply an event without a frame. On the loop."""
         if self.tap is not None:
             self.tap.told(event)
         self.store.tell(event)
 
     def tell(self, event: Event) -> None:
-        """The same from any thread."""
+        """Apply an event without a frame. From any thread."""
         self.loop.call_soon_threadsafe(self.take, event)
 
     def stop(self) -> None:
-        """Stop telling the time."""
+        """Stop the clock ticks."""
         if self._ticker is not None:
             self.loop.call_soon_threadsafe(self._ticker.cancel)
