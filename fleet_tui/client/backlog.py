@@ -1,5 +1,4 @@
-"""Backlog of one connection: age of the oldest unread frame, and the frames dropped because newer ones exist.
-"""
+"""Backlog of one connection: age of the oldest unread frame, and frames dropped in favour of newer ones."""
 
 import asyncio
 import fcntl

@@ -18,8 +18,7 @@ AT_ONCE, BETWEEN = 20, 0.2
 
 
 class Publishing:
-    """Runs on the network loop. `usual` are names and types of topics that are advertised on each connection.
-    """
+    """Runs on the network loop. `usual` are names and types of topics advertised on each connection."""
 
     def __init__(self, connection: Connection, usual: Iterable[tuple[str, str]]) -> None:
         self._connection, self._usual = connection, tuple(usual)

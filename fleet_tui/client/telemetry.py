@@ -165,8 +165,8 @@ class Telemetry:
             self._take(event)
 
     def _take_frame(self, payload: bytes, is_binary: bool, at: float, read: Read) -> None:
-        """Apply the events of a frame that arrived at `at`. Of fragments only the whole message is recorded.
-        """
+        """Apply the events of a frame that arrived at `at`. Only whole messages are recorded, not
+        fragments."""
         if self._writer.tap is not None and not isinstance(read, operations.Fragment):
             self._writer.tap.heard(self._link, "topics", payload, is_binary, at)
         if isinstance(read, operations.ServiceResponse):
