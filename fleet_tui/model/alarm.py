@@ -1,7 +1,7 @@
 """Alarms with the life cycle of ISA-18.2, as a table.
 
-A condition holds or it doesn't. An alarm of a latched class stays until a person has seen it; the others go
-with their condition, and the audit log has them.
+A condition holds or it doesn't. An alarm of a latched class stays until it is acknowledged; the others end
+with their condition and remain in the audit log.
 """
 
 from collections.abc import Collection, Iterable, Sequence
@@ -12,7 +12,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 Key = tuple[str, str]
-"""Source and kind: what tells one alarm from another."""
+"""Source and kind: the identity of an alarm."""
 
 
 class Priority(Enum):
@@ -49,7 +49,7 @@ TRANSITIONS = {
     (AlarmStage.CLEARED, AlarmStep.RAISE): AlarmStage.UNACKNOWLEDGED,
     (AlarmStage.UNACKNOWLEDGED, AlarmStep.ACKNOWLEDGE): AlarmStage.ACKNOWLEDGED,
     (AlarmStage.UNACKNOWLEDGED, AlarmStep.RETURN): AlarmStage.RETURNED,
-    (AlarmStage.UNACKNOWLEDGED, AlarmStep.CLEAR): AlarmStage.CLEARED,  # not latched: it needs no one
+    (AlarmStage.UNACKNOWLEDGED, AlarmStep.CLEAR): AlarmStage.CLEARED,  # not latched: needs no acknowledgement
     (AlarmStage.UNACKNOWLEDGED, AlarmStep.SHELVE): AlarmStage.SHELVED,
     (AlarmStage.ACKNOWLEDGED, AlarmStep.WORSEN): AlarmStage.UNACKNOWLEDGED,
     (AlarmStage.ACKNOWLEDGED, AlarmStep.RETURN): AlarmStage.CLEARED,
@@ -58,21 +58,24 @@ TRANSITIONS = {
     (AlarmStage.RETURNED, AlarmStep.ACKNOWLEDGE): AlarmStage.CLEARED,
     (AlarmStage.RETURNED, AlarmStep.SHELVE): AlarmStage.SHELVED,
     (AlarmStage.SHELVED, AlarmStep.UNSHELVE): AlarmStage.UNACKNOWLEDGED,  # it still holds
-    (AlarmStage.SHELVED, AlarmStep.RETURN): AlarmStage.CLEARED,  # off the shelf, and it is over
+    (
+        AlarmStage.SHELVED,
+        AlarmStep.RETURN,
+    ): AlarmStage.CLEARED,  # no longer shelved, and its condition is over
 }
 _STEPS = {(was, now): step for (was, step), now in TRANSITIONS.items()}
 
 
 def class_of(kind: str) -> str:
-    """Return the class of alarms that a kind belongs to: a group's is that of its members."""
+    """Return the class of alarms that a kind belongs to: a group has that of its members."""
     return {"many commands": "command", "frames": "data"}.get(kind, kind.removeprefix("many "))
 
 
 class Condition(Struct, frozen=True):
-    """Something that needs a person now. `text` says it while it holds, `over` once it is over.
+    """A condition that needs a person now. `text` describes it while it holds, `over` afterwards.
 
-    It is an alarm after the monotonic second `due`. `parts` is what it is made of, where that is
-    several things (robots of a group, failed commands): a new one is news.
+    It is an alarm after the monotonic second `due`. `parts` are the members of a group (robots, failed
+    commands): a new one is news.
     """
 
     source: str
@@ -85,18 +88,18 @@ class Condition(Struct, frozen=True):
 
     @property
     def key(self) -> Key:
-        """Return what tells its alarm from another."""
+        """Return the key of its alarm."""
         return self.source, self.kind
 
     def is_news_after(self, before: "Condition") -> bool:
-        """Tell whether who has seen `before` must look again."""
+        """Tell whether an operator who has seen `before` must look again."""
         return self.priority.value < before.priority.value or not self.parts <= before.parts
 
 
 class Alarm(Struct, frozen=True):
-    """A condition's memory: `first_wall` and `last_wall` (Unix seconds) are when it was raised and
-    when it held last, `count` how often it came since then. `held_at` is monotonic: when it held
-    last; `until` too: to when it is on the shelf. `holds` is False in the off-delay as well."""
+    """An alarm and its history: `first_wall` and `last_wall` (Unix seconds) are when it was raised and when
+    it last held, `count` its occurrences since then. `held_at` (monotonic) is when it last held, `until`
+    (monotonic) the end of its shelving. `holds` is False during the off-delay as well."""
 
     condition: Condition
     first_wall: float
@@ -109,22 +112,22 @@ class Alarm(Struct, frozen=True):
 
     @property
     def key(self) -> Key:
-        """Return what tells one alarm from another."""
+        """Return the key of the alarm."""
         return self.condition.key
 
     @property
     def needs_acknowledgement(self) -> bool:
-        """Tell whether nobody has seen it yet."""
+        """Tell whether it has not been acknowledged yet."""
         return self.stage in (AlarmStage.UNACKNOWLEDGED, AlarmStage.RETURNED)
 
     @property
     def text(self) -> str:
-        """Return what it says now: the words of an alarm stand on the screen only while they are true."""
+        """Return the current text: the text of the condition is shown only while it holds."""
         return self.condition.text if self.holds else self.condition.over
 
 
 def _stepped(alarm: Alarm, step: AlarmStep) -> Alarm:
-    """The alarm after a step; one that the table doesn't have changes nothing."""
+    """Return the alarm after a step; a step that the table doesn't have changes nothing."""
     stage = TRANSITIONS.get((alarm.stage, step))
     return alarm if stage is None else replace(alarm, stage=stage)
 
@@ -163,8 +166,8 @@ def advance(
     clear_after: float = 0.0,
     latched: Collection[str] | None = None,
 ) -> tuple[Alarm, ...]:
-    """The alarms after a look at what holds now, oldest first, at most one for each condition. Alarms of the
-    classes `latched` (None: all) stay until they are acknowledged, the others go with their condition."""
+    """Return the alarms after a check of the current conditions, oldest first, at most one for each. Alarms
+    of the classes `latched` (None: all) stay until acknowledged, the others end with their condition."""
     holding = {condition.key: condition for condition in conditions}
     result: list[Alarm] = []
     for alarm in alarms:
@@ -181,13 +184,14 @@ def advance(
     result.extend(
         Alarm(condition, wall, wall, at, count=max(1, len(condition.parts))) for condition in holding.values()
     )
-    # The same object says at once that nothing changed: who keeps a history compares ten times a second.
+    # The same object means no change: the audit log compares ten times a second.
     is_same = len(result) == len(alarms) and all(map(is_, result, alarms))
     return tuple(alarms if is_same else result)
 
 
 def acknowledge(alarms: Sequence[Alarm], source: str, kind: str) -> tuple[Alarm, ...]:
-    """The alarms after a person saw one of them, or with an empty `kind` all. One that is over goes."""
+    """Return the alarms after one of them, or with an empty `kind` all, were acknowledged. One that is over
+    goes."""
     seen = (
         _stepped(alarm, AlarmStep.ACKNOWLEDGE) if not kind or alarm.key == (source, kind) else alarm
         for alarm in alarms
@@ -196,7 +200,7 @@ def acknowledge(alarms: Sequence[Alarm], source: str, kind: str) -> tuple[Alarm,
 
 
 def shelve(alarms: Sequence[Alarm], key: Key, until: float) -> tuple[Alarm, ...]:
-    """The alarms after one was put on the shelf until a monotonic second."""
+    """Return the alarms after one was shelved until a monotonic second."""
     return tuple(
         replace(_stepped(alarm, AlarmStep.SHELVE), until=until) if alarm.key == key else alarm
         for alarm in alarms
@@ -204,7 +208,7 @@ def shelve(alarms: Sequence[Alarm], key: Key, until: float) -> tuple[Alarm, ...]
 
 
 def unshelve(alarms: Sequence[Alarm], key: Key) -> tuple[Alarm, ...]:
-    """The alarms after one was taken off the shelf: it needs a person again, if it still holds."""
+    """Return the alarms after one was unshelved: it needs a person again, if it still holds."""
     taken = (
         _off_the_shelf(alarm) if alarm.key == key and alarm.stage is AlarmStage.SHELVED else alarm
         for alarm in alarms
@@ -213,8 +217,8 @@ def unshelve(alarms: Sequence[Alarm], key: Key) -> tuple[Alarm, ...]:
 
 
 class AlarmChange(Struct, frozen=True):
-    """One step of one alarm, for who keeps a history: the alarm after it, or the last that was
-    known of one that was cleared; `wall` is Unix seconds."""
+    """One step of one alarm, for a history: the alarm after it, or the last state of one that was cleared;
+    `wall` is Unix seconds."""
 
     alarm: Alarm
     was: AlarmStage
@@ -224,13 +228,13 @@ class AlarmChange(Struct, frozen=True):
 
     @property
     def word(self) -> str:
-        """The step in one word or two; an alarm that is cleared says that in `now`."""
+        """Return the step in one or two words; `now` is the final step of a cleared alarm."""
         again = self.step is AlarmStep.RAISE and self.was is AlarmStage.RETURNED
         return "raised again" if again else self.step.value
 
 
 def transitions(before: Sequence[Alarm], after: Sequence[Alarm], wall: float) -> list[AlarmChange]:
-    """Every step between the alarms before and after one event, in the order of the alarms."""
+    """Return every step between the alarms before and after one event, in the order of the alarms."""
     if before is after:
         return []
     old = {alarm.key: alarm for alarm in before}

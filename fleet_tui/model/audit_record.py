@@ -3,18 +3,17 @@
 import msgspec
 
 VERSION = 2
-"""Of the fields below. It grows when one changes its meaning; a new field leaves it as it is. Until 1, ids of
-vertices and orders were numbers; they are read as text."""
+"""Version of the fields below. It grows when one changes its meaning; a new field leaves it as it is. Before
+1, ids of vertices and orders were numbers; they are read as text."""
 
 
 class AuditRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """One change of a command, an alarm or the console itself. What is empty is not written.
+    """One change of a command, an alarm or the console itself. Empty fields are not written.
 
-    `time` is ISO 8601 with the offset. `kind` is command, alarm or console; `what` is which one of
-    these (order, pause, offline, ...), `change` what happened to it (sent, refused, raised, ...) and
-    `words` the reason, or the robot's own words. `id` is the request id of a command, `order` the
-    id of an order in the robot's queue; `start` and `end` are vertex ids, or poses in metres; `floor` is
-    the one the robot was on.
+    `time` is ISO 8601 with the offset. `kind` is command, alarm or console; `what` is its name (order, pause,
+    offline, ...), `change` the event (sent, refused, raised, ...) and `words` the reason, or the robot's own
+    words. `id` is the request id of a command, `order` the id of an order in the robot's queue; `start` and
+    `end` are vertex ids, or poses in metres; `floor` is the robot's floor.
     """
 
     version: int

@@ -1,4 +1,4 @@
-"""Commands to robots, and the life of each one from the key to its one end."""
+"""Commands to robots, and the life cycle of each from the key to its single end."""
 
 from collections.abc import Mapping
 from enum import Enum
@@ -11,49 +11,49 @@ from fleet_tui.model.order import Order, Stop
 
 
 class PlaceOrder(Struct, frozen=True, tag=True):
-    """Carry from the first of the `stops` to the last. To a single one goes the cargo on board, or the robot
-    alone where it tells of no cargo."""
+    """An order from the first of the `stops` to the last. A single one is the destination of the cargo on
+    board, or of the robot alone if it reports no cargo."""
 
     robot: str
     stops: tuple[Stop, ...]
 
     @property
     def with_cargo(self) -> bool:
-        """Tell whether it brings what is on board already."""
+        """Tell whether it carries the cargo that is on board already."""
         return len(self.stops) == 1
 
     def what(self, kind: Kind) -> str:
-        """Return what is asked of a robot of this kind, in a word or two."""
+        """Return the name of the command for a robot of this kind, in a word or two."""
         return "bring cargo" if self.with_cargo and "cargo" in kind.reports else "order"
 
     def text(self, kind: Kind, route: str) -> str:
-        """Return what is asked, with its stops; `route` are those in words."""
+        """Return the name of the command with its stops; `route` is their text."""
         if self.with_cargo and "cargo" not in kind.reports:
             return f"go to {route.removeprefix('-> ')}"
         return f"{self.what(kind)} {route}"
 
 
 class CancelOrder(Struct, frozen=True, tag=True):
-    """Take one order out of the queue."""
+    """Remove one order from the queue."""
 
     robot: str
     order_id: str
 
 
 class ClearOrders(Struct, frozen=True, tag=True):
-    """Take every order out of the queue."""
+    """Remove every order from the queue."""
 
     robot: str
 
 
 class PauseRobot(Struct, frozen=True, tag=True):
-    """Stand still until resumed."""
+    """Stop until resumed."""
 
     robot: str
 
 
 class ResumeRobot(Struct, frozen=True, tag=True):
-    """Go on after a pause."""
+    """Continue after a pause."""
 
     robot: str
 
@@ -103,14 +103,14 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.WAITING: frozenset({Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}),
     Stage.SENT: frozenset({Stage.ACCEPTED, Stage.REFUSED, Stage.NO_ANSWER, Stage.UNKNOWN}),
     Stage.ACCEPTED: _SEEN,
-    # An answer may come late; the link may go while it is waited for.
+    # An answer may be late; the link may go down meanwhile.
     Stage.NO_ANSWER: _SEEN | {Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN},
     Stage.UNKNOWN: _SEEN,
     Stage.REFUSED: frozenset(),
     Stage.NOT_SENT: frozenset(),
-    # Of an order; a pause can only be lost, and any other command has ended.
+    # Only for orders; a pause can only be lost, and any other command has ended.
     Stage.CONFIRMED: ORDER_ENDS | {Stage.WAITING},
-    # A robot that was frozen obeys when it wakes.
+    # A robot that was frozen carries out commands when it resumes.
     Stage.NOT_CONFIRMED: frozenset({Stage.LATE}),
     Stage.LATE: ORDER_ENDS | {Stage.WAITING},
     Stage.UNVERIFIABLE: frozenset({Stage.LOST}),
@@ -124,7 +124,7 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
 """The allowed transitions. A stage without a next one is an end."""
 
 OPEN = frozenset({Stage.CHECKED, Stage.WAITING, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
-"""Stages in which the outcome of a command is not known yet."""
+"""Stages in which the outcome of a command is still unknown."""
 
 FAILURES = frozenset(
     {
@@ -142,11 +142,11 @@ FAILURES = frozenset(
 
 
 UNANSWERED = "no reply expected"
-"""Words of a command that was published: only telemetry can tell what became of it."""
+"""Reason of a command that was published: only telemetry can show its result."""
 
 
 class Step(Struct, frozen=True):
-    """A command reached a stage at `at` (monotonic). `words` are the robot's own, or the reason."""
+    """The stage that a command reached at `at` (monotonic). `words` are the robot's own, or the reason."""
 
     stage: Stage
     at: float
@@ -154,11 +154,12 @@ class Step(Struct, frozen=True):
 
 
 class Baseline(Struct, frozen=True):
-    """The robot's reports when the command was given; telemetry is compared with it.
+    """The robot's reports at the time of the command; telemetry is compared with it.
 
-    `last_serial` is None where no queue had come; `request_id` is the one that the queue echoed.
-    `counted` is how far its orders had counted by its own word. `moving`: its pose had just changed. `floor`
-    is empty where it was not known."""
+    `last_serial` is None before the first queue; `request_id` is the one that the queue echoed. `counted` is
+    the robot's own count of its orders. `moving`: its pose had just changed. `floor` is empty if it was
+    unknown.
+    """
 
     last_serial: int | None = None
     moving: bool = False
@@ -169,10 +170,10 @@ class Baseline(Struct, frozen=True):
 
 class CommandRecord(Struct, frozen=True):
     """One command from the key to its end. `issued_at` is monotonic, `wall` Unix seconds; `order_id` and
-    `order_serial` are those of the order in the robot's queue that a placed one was recognised as; `name` is
-    that which this console gave it on the wire, empty where the robot names it. `leg` is the stop that it
-    leads to now, of orders whose stops this console gives one after the other. `answer`: what the robot told
-    this console of the end of a goal."""
+    `order_serial` identify the order in the robot's queue that it placed; `name` is the name that this
+    console gave it on the wire, empty if the robot names it. `leg` is the stop that it leads to now, for
+    orders whose stops this console sends one by one. `answer`: the robot's answer to this console on the
+    end of a goal."""
 
     id: int
     command: Command
@@ -188,22 +189,22 @@ class CommandRecord(Struct, frozen=True):
 
     @property
     def stage(self) -> Stage:
-        """Return where it stands."""
+        """Return the current stage."""
         return self.steps[-1].stage
 
     @property
     def words(self) -> str:
-        """Return what was said when it got there."""
+        """Return the text of the current stage."""
         return self.steps[-1].words
 
     @property
     def at(self) -> float:
-        """Since when it stands there (monotonic)."""
+        """The time at which it reached its stage (monotonic)."""
         return self.steps[-1].at
 
     @property
     def is_decided(self) -> bool:
-        """Tell whether its outcome is known. An order lives on after that, until it is done or gone."""
+        """Tell whether its outcome is known. After that, an order continues until it is done or gone."""
         return self.stage not in OPEN
 
     @property
@@ -217,26 +218,27 @@ class CommandRecord(Struct, frozen=True):
 
     @property
     def outcome(self) -> Step | None:
-        """The step that decided it, None while it is open. An order that waits here again is open again."""
+        """The step that decided it, None while it is open. An order that is back in this console's queue is
+        open again."""
         waited = max((n for n, step in enumerate(self.steps) if step.stage is Stage.WAITING), default=0)
         return next((step for step in self.steps[waited:] if step.stage not in OPEN), None)
 
     def has_further_leg(self, kind: Kind) -> bool:
-        """Tell whether stops are left that its robot does not know of yet."""
+        """Tell whether stops are left that its robot does not have yet."""
         if not kind.gives_stops or not isinstance(self.command, PlaceOrder):
             return False
         return self.leg + 1 < len(self.command.stops)
 
     def time_of(self, stage: Stage) -> float | None:
-        """When it reached a stage last, None if never."""
+        """The time at which it last reached a stage, None if never."""
         return next((step.at for step in reversed(self.steps) if step.stage is stage), None)
 
     def advanced(self, step: Step) -> "CommandRecord":
-        """The record one step on, or itself where the table does not allow that step."""
+        """Return the record one step on, or itself if the table does not allow that step."""
         if step.stage not in NEXT[self.stage]:
             return self
         return replace(self, steps=(*self.steps, step))
 
     def recognised(self, order: Order, step: Step) -> "CommandRecord":
-        """The record one step on, with the order that it placed."""
+        """Return the record one step on, with the order that it placed."""
         return replace(self.advanced(step), order_id=order.id, order_serial=order.serial)

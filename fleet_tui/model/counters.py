@@ -1,5 +1,5 @@
-"""Counters of the wire. They change with every message, so they are no part of the fleet's state:
-the network loop writes, the screen reads what it finds, and neither waits for the other."""
+"""Counters of the wire. They change with every message, so they are not part of the fleet state: the network
+loop writes, the screen reads, and neither waits for the other."""
 
 from collections import deque
 from collections.abc import Iterable
@@ -16,32 +16,32 @@ WINDOW = 5.0
 """Seconds over which rates are measured."""
 MARKS = 6
 BEATS = 60
-"""Round trips of which the spread is told: five minutes."""
+"""Round trips of which the spread is shown: five minutes."""
 LARGEST_KEPT = 1_000_000
-"""Bytes of a message that is kept whole; of a larger one its head is."""
+"""Maximum bytes of a message that is kept whole; of a larger one only the beginning is."""
 HEAD = 4096
 LOG_LINES = 500
-"""Lines of the robots' log that are kept."""
+"""Number of lines of the robots' log that are kept."""
 MOST_DIAGNOSES = 500
-"""Names under which robots report their health."""
+"""Number of names for which diagnostics are kept."""
 
 
 T = TypeVar("T")
 
 
 def snapshot(newest: deque[T]) -> tuple[T, ...]:
-    """All there is, though another thread may be adding to it."""
+    """Return a copy, though another thread may be adding to it."""
     while True:
         try:
             return tuple(newest)
-        except RuntimeError:  # it was changed in the middle
+        except RuntimeError:  # it changed during the copy
             continue
 
 
 class Flow:
-    """Something that comes again and again: how often, how much of it. Times are monotonic seconds.
+    """A repeated event: its count and size. Times are monotonic seconds.
 
-    A rate is that of the last WINDOW seconds; once a second a mark says where the count stood.
+    A rate is that of the last WINDOW seconds; a mark once a second records the counts.
     """
 
     __slots__ = ("_mark", "_marks", "at", "bytes", "count")
@@ -54,7 +54,7 @@ class Flow:
         self._mark = -inf
 
     def take(self, size: int, at: float) -> None:
-        """One more came, of so many bytes."""
+        """Count one more, of this many bytes."""
         self.count += 1
         self.bytes += size
         self.at = at
@@ -65,7 +65,7 @@ class Flow:
             self._marks.append((at, self.count, self.bytes))
 
     def rates(self, now: float) -> tuple[float, float] | None:
-        """Messages and bytes a second; None of what came only once, or never."""
+        """Messages and bytes a second; None after at most one arrival."""
         if self.at is None or self.count < 2:
             return None
         for at, count, size in snapshot(self._marks):
@@ -78,7 +78,7 @@ class Flow:
 
 
 class Raw(Struct, frozen=True, gc=False):
-    """A frame as it came, or the head of a large one; `size` is that of all of it."""
+    """A frame as it arrived, or the beginning of a large one; `size` is that of the whole."""
 
     payload: bytes
     is_binary: bool
@@ -92,15 +92,15 @@ class Raw(Struct, frozen=True, gc=False):
 
 
 class BadMessage(Struct, frozen=True):
-    """A message that could not be read, and why."""
+    """A message that could not be read, and the reason."""
 
     text: str
     raw: Raw
 
 
 class TopicCounter(Flow):
-    """One topic. `robot` and `kind` say whose and what, both empty for the robots' log and health;
-    `once`: it comes once, `on_demand`: only while its floor is shown, `on_change`: only then."""
+    """One topic. `robot` and `kind` are empty for the robots' log and diagnostics; `once`: it arrives once,
+    `on_demand`: only while its floor is shown, `on_change`: only then."""
 
     __slots__ = (
         "bad",
@@ -134,14 +134,14 @@ class TopicCounter(Flow):
         """Why it is not asked for, empty where it is."""
 
     def heard(self, payload: bytes, is_binary: bool, at: float) -> None:
-        """A frame of it came."""
+        """Count a frame."""
         size = len(payload)
         self.take(size, at)
         kept = payload if size <= LARGEST_KEPT else payload[:HEAD]
         self.last = Raw(kept, is_binary, at, size)
 
     def failed(self, text: str, raw: Raw | None = None) -> None:
-        """A frame, else the one that came last, could not be read, or not all of it."""
+        """Count a frame (default: the latest) that could not be read completely."""
         self.errors += 1
         found = raw or self.last
         if found is not None:
@@ -157,18 +157,18 @@ class RoundTrips:
         self.unanswered = 0
 
     def take(self, seconds: float, at: float) -> None:
-        """An answer came."""
+        """Count an answer."""
         self._took.append(seconds)
         self.at = at
 
     @property
     def took(self) -> tuple[float, ...]:
-        """The last ones, the newest at the end."""
+        """The latest durations, newest last."""
         return snapshot(self._took)
 
     @property
     def jitter(self) -> float:
-        """By how much two in a row differ, on average."""
+        """Mean difference of consecutive durations."""
         took = self.took
         return sum(abs(b - a) for a, b in pairwise(took)) / max(1, len(took) - 1)
 
@@ -210,18 +210,18 @@ class LinkCounter:
         self._is_up = True
 
     def lost(self, why: str, at: float) -> None:
-        """Count a lost connection. Later tries that fail lose nothing."""
+        """Count a lost connection. Later attempts that fail don't count."""
         if self._is_up:
             self._is_up, self.lost_at, self.lost_why = False, at, why
 
     def keep_one_map(self, newest: TopicCounter) -> None:
-        """Of all that comes only on demand, keep the newest whole, of the others how they begin."""
+        """Of all on-demand messages, keep the newest whole and only the beginnings of the others."""
         for topic in self.topics.values():
             if topic.on_demand and topic is not newest and topic.last is not None:
                 topic.last = structs.replace(topic.last, payload=topic.last.payload[:HEAD])
 
     def failed(self, text: str, payload: bytes, is_binary: bool, at: float) -> None:
-        """A frame came that could not be read at all."""
+        """Count a frame that could not be read at all."""
         self.unreadable += 1
         self.bad = BadMessage(text, Raw(payload[:HEAD], is_binary, at, len(payload)))
 
@@ -233,9 +233,9 @@ class LinkCounter:
         self.log.append(line)
 
     def take_health(self, diagnoses: Iterable[PartDiagnosis]) -> None:
-        """Keep the robots' diagnostics; the newest of each name counts."""
+        """Keep the robots' diagnostics, the newest of each name."""
         health = dict(self.health)
         for one in diagnoses:
             if one.name in health or len(health) < MOST_DIAGNOSES:
                 health[one.name] = one
-        self.health = health  # swapped whole: somebody may be reading
+        self.health = health  # swapped whole: another thread may be reading

@@ -1,5 +1,5 @@
-"""Facts. Each one turns the picture of the world into the next one. `at` is the monotonic time, in seconds,
-at which the fact reached us; `wall` is Unix time."""
+"""Events. Each one turns a fleet state into the next one. `at` is the monotonic time in seconds at which the
+event reached this console; `wall` is Unix time."""
 
 from collections.abc import Mapping
 
@@ -15,7 +15,7 @@ from fleet_tui.model.order import OrderQueue
 
 
 class PoseReported(Struct, frozen=True, tag=True):
-    """`stamp` is the robot's own clock in seconds, None where it gives none."""
+    """`stamp` is the robot's own clock in seconds, None if it gives none."""
 
     robot: str
     at: float
@@ -25,7 +25,7 @@ class PoseReported(Struct, frozen=True, tag=True):
 
 
 class BatteryReported(Struct, frozen=True, tag=True):
-    """Charge in per cent; `is_raw`: of a robot whose scale is not known, 0 to 1 or 0 to 100."""
+    """Charge in per cent; `is_raw`: of a robot whose scale is unknown, 0 to 1 or 0 to 100."""
 
     robot: str
     at: float
@@ -34,7 +34,7 @@ class BatteryReported(Struct, frozen=True, tag=True):
 
 
 class CargoReported(Struct, frozen=True, tag=True):
-    """Cargo on board, or none."""
+    """Whether there is cargo on board."""
 
     robot: str
     at: float
@@ -42,7 +42,7 @@ class CargoReported(Struct, frozen=True, tag=True):
 
 
 class ObstacleReported(Struct, frozen=True, tag=True):
-    """Seconds in contact with an obstacle; 0 is none."""
+    """Seconds in contact with an obstacle; 0 for no contact."""
 
     robot: str
     at: float
@@ -50,7 +50,7 @@ class ObstacleReported(Struct, frozen=True, tag=True):
 
 
 class QueueReported(Struct, frozen=True, tag=True):
-    """The robot's whole queue of orders; `fault` says what of it was left out."""
+    """The robot's whole queue of orders; `fault` describes the parts that were dropped."""
 
     robot: str
     at: float
@@ -59,7 +59,7 @@ class QueueReported(Struct, frozen=True, tag=True):
 
 
 class PausedReported(Struct, frozen=True, tag=True):
-    """The robot itself says whether it is paused."""
+    """The robot's own report of whether it is paused."""
 
     robot: str
     at: float
@@ -78,7 +78,8 @@ class FrameReceived(Struct, frozen=True, tag=True):
 
 
 class GraphReceived(Struct, frozen=True, tag=True):
-    """A robot's route graph of a floor. `faults` counts what in it was left out, `fault` says what."""
+    """A robot's route graph of a floor. `faults` counts the parts that were dropped, `fault` describes
+    them."""
 
     robot: str
     floor: str
@@ -98,7 +99,7 @@ class LabelsReceived(Struct, frozen=True, tag=True):
 
 
 class GridReceived(Struct, frozen=True, eq=False, tag=True):
-    """A robot's live map of a floor, ready to draw; without a robot the one that all share."""
+    """A robot's live map of a floor, ready to draw; with no robot, the one that all share."""
 
     robot: str
     floor: str
@@ -109,22 +110,22 @@ ChartReceived = FrameReceived | GraphReceived | LabelsReceived | GridReceived
 
 
 class MessageRejected(Struct, frozen=True, tag=True):
-    """A message about a robot that could not be taken; `text` names the topic and the field."""
+    """A rejected message about a robot; `text` names the topic and the field."""
 
     robot: str
     text: str
 
 
 class FrameRejected(Struct, frozen=True, tag=True):
-    """A frame that no robot can be blamed for."""
+    """A rejected frame that belongs to no known robot."""
 
     link: str
     text: str
 
 
 class FloorMapLoaded(Struct, frozen=True, eq=False, tag=True):
-    """A floor's configured map file: its grid, or why there is none. `tied` is False for a plain
-    image, which lies where map_metadata says."""
+    """A floor's configured map file: its grid, or the reason it could not be read. `tied` is False for a
+    plain image, which is placed by map_metadata."""
 
     floor: str
     grid: OccupancyGrid | None
@@ -133,8 +134,8 @@ class FloorMapLoaded(Struct, frozen=True, eq=False, tag=True):
 
 
 class FloorGraphLoaded(Struct, frozen=True, tag=True):
-    """A floor's configured graph file: the graph and its labels by vertex id. `problem`: why there is none,
-    or what of it was left out."""
+    """A floor's configured graph file: the graph and its labels by vertex id. `problem`: the reason it could
+    not be read, or the parts that were dropped."""
 
     floor: str
     graph: RouteGraph | None
@@ -153,14 +154,14 @@ class LinkChanged(Struct, frozen=True, tag=True):
 
 
 class LinkHeard(Struct, frozen=True, tag=True):
-    """Something, whatever it was, came from the bridge."""
+    """Any message arrived from the bridge."""
 
     link: str
     at: float
 
 
 class CommandPathChanged(Struct, frozen=True, tag=True):
-    """Commands would, or would not, get through now; `connected`: there is a connection for them."""
+    """Whether commands would get through now; `connected`: there is a connection for them."""
 
     link: str
     path: CommandPath
@@ -169,14 +170,14 @@ class CommandPathChanged(Struct, frozen=True, tag=True):
 
 
 class MessagesUnsourced(Struct, frozen=True, tag=True):
-    """The bridge lacks the messages of a ROS package; empty where it has what is asked for."""
+    """The bridge lacks the messages of a ROS package; empty if it has all requested ones."""
 
     link: str
     package: str
 
 
 class CommandIssued(Struct, frozen=True, tag=True):
-    """An operator gave a command, and it passed the checks: for this floor, else the one its robot is on."""
+    """An operator's command that passed the checks: for this floor, else for its robot's current one."""
 
     id: int
     command: Command
@@ -186,8 +187,8 @@ class CommandIssued(Struct, frozen=True, tag=True):
 
 
 class CommandAdvanced(Struct, frozen=True, tag=True):
-    """The link brought a command a stage further. `name`: that under which the robot will list the order that
-    was sent, empty where this console does not name it."""
+    """A command reached a further stage. `name`: the name under which the robot will list the order, empty if
+    this console does not name it."""
 
     id: int
     stage: Stage
@@ -197,14 +198,14 @@ class CommandAdvanced(Struct, frozen=True, tag=True):
 
 
 class AlarmAcknowledged(Struct, frozen=True, tag=True):
-    """An operator has seen an alarm; with `source` and `kind` empty, all of them."""
+    """An operator acknowledged an alarm; with `source` and `kind` empty, all of them."""
 
     source: str = ""
     kind: str = ""
 
 
 class AlarmShelved(Struct, frozen=True, tag=True):
-    """An operator does not want to hear of an alarm until a monotonic second."""
+    """An operator shelved an alarm until a monotonic second."""
 
     source: str
     kind: str
@@ -212,14 +213,14 @@ class AlarmShelved(Struct, frozen=True, tag=True):
 
 
 class AlarmUnshelved(Struct, frozen=True, tag=True):
-    """The end of that, before its time."""
+    """An operator unshelved an alarm before its time."""
 
     source: str
     kind: str
 
 
 class TimePassed(Struct, frozen=True, tag=True):
-    """The writer's clock. `behind`: seconds that the oldest message has waited to be read."""
+    """The writer's clock. `behind`: seconds that the oldest unread message has waited."""
 
     at: float
     wall: float

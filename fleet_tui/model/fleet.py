@@ -1,4 +1,4 @@
-"""The one picture of the world."""
+"""The fleet state: everything known at one instant."""
 
 from collections.abc import Mapping
 
@@ -13,15 +13,15 @@ from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.text.durations import age
 
 CONTACT = 3.0
-"""Seconds in contact from which an obstacle is shown at the robot; shorter ones are part of every drive."""
+"""Seconds in contact from which an obstacle is shown at the robot; shorter ones occur on every drive."""
 
 
 class Limits(Struct, frozen=True):
-    """When something needs a person, and when no longer: seconds and per cent.
+    """Alarm limits: seconds and per cent.
 
-    A battery alarm ends `battery_band` above its limit, any alarm when its condition has been away
-    for `clear_after`; `shelve_for` is how long one stays on the shelf; alarms of the classes `latched` stay
-    until they are acknowledged.
+    A battery alarm ends `battery_band` above its limit, any alarm when its condition has been absent for
+    `clear_after`; `shelve_for` is the duration of shelving; alarms of the classes `latched` stay until they
+    are acknowledged.
     """
 
     offline_after: float = 5.0
@@ -39,9 +39,9 @@ class Limits(Struct, frozen=True):
 
 
 class Floor(Struct, frozen=True, eq=False):
-    """A floor of the config. `grid` is its configured map file; `tied` is False where that is a
-    plain image which lies as map_metadata says; `problem` is why it can't be shown, `graph_problem` the same
-    of its graph file; `live` is the map that robots share."""
+    """A floor of the config. `grid` is its configured map file; `tied` is False if that is a plain image
+    placed by map_metadata; `problem` is the reason it can't be shown, `graph_problem` that of its graph
+    file; `live` is the map that robots share."""
 
     name: str
     frame_id: str
@@ -53,9 +53,9 @@ class Floor(Struct, frozen=True, eq=False):
 
 
 class FleetState(Struct, frozen=True, eq=False):
-    """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick;
-    `began` is since when each condition holds, alarm or not yet; `behind`: seconds by which this console
-    is late in reading what has come, for which it blames no robot."""
+    """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick; `began`
+    is the start of each condition, alarm or not yet; `behind`: seconds by which this console reads
+    messages late, which count against no robot."""
 
     floors: Mapping[str, Floor]
     robots: Mapping[str, Robot]
@@ -70,26 +70,26 @@ class FleetState(Struct, frozen=True, eq=False):
 
     @property
     def patience(self) -> float:
-        """Seconds of silence after which a robot counts as offline. What this console has not read yet is not
-        held against it."""
+        """Seconds of silence after which a robot counts as offline. Messages still unread by this console
+        don't count against it."""
         return self.limits.offline_after + self.behind
 
     def is_online(self, robot: Robot) -> bool:
-        """Tell whether it spoke within the limit."""
+        """Tell whether its last message is within the limit."""
         return robot.heard is not None and self.now - robot.heard <= self.patience
 
     def was_obstructed(self, robot: Robot) -> bool:
-        """Tell whether by its last word it was in contact with an obstacle for a while."""
+        """Tell whether its last report was a lasting contact with an obstacle."""
         least = min(CONTACT, self.limits.obstacle_after)
         return robot.obstacle is not None and robot.obstacle.value > least
 
     def is_obstructed(self, robot: Robot) -> bool:
-        """The same, where that word is fresh."""
+        """Tell whether a fresh report says that it is in lasting contact with an obstacle."""
         return self.was_obstructed(robot) and self.is_fresh(robot, "obstacle")
 
     def pause(self, robot: Robot) -> bool | None:
-        """Tell whether it is paused, None where nothing tells: the robot's own fresh word where it gives one,
-        else our accepted pause."""
+        """Tell whether it is paused, None if unknown: by the robot's own fresh report if it sends one, else
+        by our accepted pause."""
         if robot.paused is not None:
             return robot.paused.value if self.is_fresh(robot, "paused") else None
         return True if robot.paused_by_us else None
@@ -99,8 +99,8 @@ class FleetState(Struct, frozen=True, eq=False):
         return self.pause(robot) is True
 
     def is_fresh(self, robot: Robot, value: str) -> bool:
-        """Tell whether a value, a field of Robot, has come and still holds: for as long as its kind allows,
-        and never of a robot that is offline."""
+        """Tell whether a value, a field of Robot, has arrived and still holds: for as long as its kind
+        allows, and never while the robot is offline."""
         reading: Reading[object] | None = getattr(robot, value)
         if reading is None or not self.is_online(robot):
             return False
@@ -108,34 +108,34 @@ class FleetState(Struct, frozen=True, eq=False):
         return self.now - reading.at <= silence + self.behind
 
     def is_old(self, robot: Robot, value: str) -> bool:
-        """Tell whether a value has come, and no longer holds."""
+        """Tell whether a value has arrived, and no longer holds."""
         return getattr(robot, value) is not None and not self.is_fresh(robot, value)
 
     @property
     def unacknowledged(self) -> int:
-        """Return how many alarms nobody has seen."""
+        """Return the number of unacknowledged alarms."""
         return sum(alarm.needs_acknowledgement for alarm in self.alarms)
 
     @property
     def shelved(self) -> int:
-        """Return how many alarms somebody put on the shelf."""
+        """Return the number of shelved alarms."""
         return sum(alarm.stage is AlarmStage.SHELVED for alarm in self.alarms)
 
 
 def with_robot(state: FleetState, robot: Robot) -> FleetState:
-    """Return the state with a robot as it is now, and when bad data came of it last."""
+    """Return the state with an updated robot, and the time of its last bad data."""
     if robot.faults > state.robots[robot.name].faults:
         robot = replace(robot, fault_at=state.now)
     return replace(state, robots={**state.robots, robot.name: robot})
 
 
 def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:
-    """`obstacle 4.2 s` stands only while it is true; after that it is a thing of the past."""
+    """Return `obstacle 4.2 s` while the contact lasts; afterwards in the past tense."""
     if state.is_old(robot, "obstacle"):
         return f"contact for {contact.value:.1f} s, {age(state.now - contact.at)} ago"
     return f"obstacle {contact.value:.1f} s"
 
 
 def behind_text(state: FleetState) -> str:
-    """Say how far this console is behind."""
+    """Return the text of this console's delay."""
     return f"this console is {state.behind:.1f} s behind"

@@ -1,4 +1,4 @@
-"""Poses, quaternions and how a map's pixels lie in the world. Metres and radians throughout."""
+"""Poses, quaternions and the placement of a map's pixels in the world. Metres and radians throughout."""
 
 import math
 
@@ -20,7 +20,7 @@ class Pose(Struct, frozen=True):
 
     @property
     def inverse(self) -> "Pose":
-        """Return the pose that leads back: `pose.after(pose.inverse)` is the origin."""
+        """Return the inverse pose: `pose.after(pose.inverse)` is the origin."""
         cos, sin = math.cos(self.yaw), math.sin(self.yaw)
         return Pose(-cos * self.x - sin * self.y, sin * self.x - cos * self.y, -self.yaw)
 
@@ -28,7 +28,7 @@ class Pose(Struct, frozen=True):
 def yaw_of_quaternion(x: float, y: float, z: float, w: float) -> float:
     """The yaw in radians of a quaternion, which need not be a unit one.
 
-    Raises ValueError for a quaternion of length zero, which is no rotation at all.
+    Raises ValueError for a quaternion of length zero, which is no rotation.
     """
     norm = x * x + y * y + z * z + w * w
     if not math.isfinite(norm) or norm < 1e-12:

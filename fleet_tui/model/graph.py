@@ -1,4 +1,4 @@
-"""The route graph robots drive on: vertices, edges, labels, shortest paths."""
+"""The route graph that robots drive on: vertices, edges, labels, shortest paths."""
 
 import heapq
 import math
@@ -47,7 +47,7 @@ class RouteGraph(Struct, frozen=True, dict=True):
 
     @cached_property
     def neighbours(self) -> Mapping[str, tuple[tuple[str, float], ...]]:
-        """For each vertex id the reachable ids with the length in metres of the way there."""
+        """Return, for each vertex id, the reachable ids with their distance in metres."""
         found: dict[str, list[tuple[str, float]]] = {id_: [] for id_ in self.vertices}
         for edge in self.edges:
             start, end = self.vertices.get(edge.start), self.vertices.get(edge.end)
@@ -60,15 +60,15 @@ class RouteGraph(Struct, frozen=True, dict=True):
         return {id_: tuple(ways) for id_, ways in found.items()}
 
     def path(self, start: str, end: str) -> tuple[str, ...]:
-        """The shortest way as vertex ids, both ends included; empty if there is none."""
+        """The shortest path as vertex ids, both ends included; empty if none exists."""
         if start not in self.vertices or end not in self.vertices:
             return ()
         return shortest_path(self.neighbours, start, end)
 
 
 def shortest_path(neighbours: Mapping[Id, Iterable[tuple[Id, float]]], start: Id, end: Id) -> tuple[Id, ...]:
-    """Return the shortest way over `neighbours` (each with the metres to it), both ends included; empty if
-    there is none."""
+    """Return the shortest path over `neighbours` (each with the metres to it), both ends included; empty if
+    none exists."""
     reached: dict[Id, tuple[float, Id]] = {start: (0.0, start)}
     queue = [(0.0, start)]
     while queue:

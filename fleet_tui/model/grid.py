@@ -14,10 +14,10 @@ MAX_PIXELS = 100_000_000
 
 
 class OccupancyGrid:
-    """A map ready to draw. `levels[k]` is uint8 of shape (ceil(height / 2**k), ceil(width / 2**k)),
-    row 0 at the top; an entry of level k is the maximum of the 2**k x 2**k cells it covers.
+    """A map ready to draw. `levels[k]` is uint8 of shape (ceil(height / 2**k), ceil(width / 2**k)), row 0 at
+    the top; an entry of level k is the maximum of the 2**k x 2**k cells it covers.
 
-    No dataclass: recordings keep it in a form of its own.
+    No dataclass: recordings have their own format for it.
     """
 
     __slots__ = ("frame", "levels")

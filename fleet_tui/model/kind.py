@@ -1,4 +1,4 @@
-"""Kinds of robots: what of the model a robot ever reports and accepts."""
+"""Kinds of robots: the parts of the model that a robot can report and accept."""
 
 from collections.abc import Mapping
 from math import inf
@@ -6,21 +6,20 @@ from math import inf
 from msgspec import Struct, field
 
 ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME = "order", "order to", "cancel", "clear", "pause", "resume"
-"""What a robot may accept: an order from one place to another, one to a place alone, and so on."""
+"""Requests that a robot may accept: an order from one place to another, one to a place alone, and so on."""
 
 _NOUNS = {ORDER: "order with a start", ORDER_TO: "order without a start"}
 
 
 class Kind(Struct, frozen=True):
-    """Capabilities of a robot by its kind and profile. `reports` are the values that ever come of it, by the
-    names of Robot's fields; `accepts` what can be asked of it. `silence`: seconds after which a value that
-    stays away is old, infinite where it comes only when it changes; for others `FleetState.patience`
-    counts. `unset`: by what is not accepted the key of the profile that is empty for it.
-    `frames_are_floors`: the frame of its poses names the floor. `tells_ends`: it lists how an order ended.
-    `keeps_goals`: it drives one goal at a time and keeps no queue: this console does. `holds`: to pause it is
-    to cancel its goal, which this console keeps and gives again. `takes_stops`: one order leads to any number
-    of stops; `gives_stops`: of those this console gives one after the other. `changes_floors`: an order can
-    lead it to another floor."""
+    """Capabilities of a robot by its kind and profile. `reports` are the values it can report, by the names
+    of Robot's fields; `accepts` the requests it takes. `silence`: seconds after which a missing value is
+    old, infinite for one sent only on change; for others `FleetState.patience` counts. `unset`: by
+    unaccepted request the key of the profile that is empty. `frames_are_floors`: the frame of its poses
+    names the floor. `tells_ends`: it lists how an order ended. `keeps_goals`: it drives one goal at a time
+    and has no queue: this console keeps it. `holds`: a pause cancels its goal, which this console keeps
+    and sends again. `takes_stops`: one order leads to any number of stops; `gives_stops`: this console
+    sends those one by one. `changes_floors`: an order can lead it to another floor."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -36,11 +35,11 @@ class Kind(Struct, frozen=True):
     changes_floors: bool = True
 
     def can(self, verb: str) -> bool:
-        """Tell whether it accepts what a verb asks; an order with or without a start."""
+        """Tell whether it accepts the request of a verb; an order with or without a start."""
         return verb in self.accepts or (verb == ORDER and ORDER_TO in self.accepts)
 
     def lack(self, asked: str) -> str:
-        """Say that it can't be asked for something that it does not accept."""
+        """Return the text for a request that it does not accept."""
         if asked in self.unset:
             return f"{self.unset[asked]} is empty: no {_NOUNS.get(asked, asked)}"
         noun = _NOUNS.get(asked, asked)
@@ -50,13 +49,13 @@ class Kind(Struct, frozen=True):
 
     @property
     def lists_orders(self) -> bool:
-        """Tell whether such a robot ever says what it is to do."""
+        """Tell whether such a robot ever reports its orders."""
         return "queue" in self.reports
 
     def silence_of(self, value: str, usual: float) -> float:
-        """Return after how many seconds a value is old."""
+        """Return the seconds after which a value is old."""
         return self.silence.get(value, usual)
 
     def expects(self, value: str) -> bool:
-        """Tell whether a value must come: it is reported, and not only when it changes."""
+        """Tell whether a value must arrive regularly: it is reported, and not only on change."""
         return value in self.reports and self.silence_of(value, 0.0) < inf

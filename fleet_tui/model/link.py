@@ -1,4 +1,4 @@
-"""The state of one bridge, as an operator needs to know it."""
+"""The state of one bridge, as shown to an operator."""
 
 from enum import Enum
 
@@ -14,8 +14,8 @@ class Phase(Enum):
 
 
 class CommandPath(Enum):
-    """The state of the command path, found out on a connection of its own. UNREGISTERED: the bridge
-    answers, and services of robots that were there no longer exist."""
+    """The state of the command path, measured on a separate connection. UNREGISTERED: the bridge answers, but
+    earlier services of robots no longer exist."""
 
     UNTRIED = "untried"
     ALIVE = "alive"
@@ -27,15 +27,14 @@ NO_WAY = frozenset({CommandPath.UNREGISTERED, CommandPath.DEAD})
 """States in which commands don't reach all robots."""
 
 OF_BAG = "rosbag://"
-"""How the address begins of what is no bridge, but the file that a recording was made of."""
+"""Prefix of the address of a recorded file, instead of a bridge."""
 
 
 class LinkState(Struct, frozen=True):
-    """A bridge: `since` is when the phase began, `next_try` when it is tried again, both
-    monotonic seconds; `reason` says in plain words why there is no link; `commands_connected`: there is
-    a connection for commands, tried or not; `fault_at` is when a bad frame came last; `late` are the
-    seconds by which the poses that come over it are late, `unsourced` the package whose messages the bridge
-    was started without."""
+    """A bridge: `since` is the start of the phase, `next_try` the next attempt, both monotonic seconds;
+    `reason` is the reason for no link in plain words; `commands_connected`: there is a connection for
+    commands, tested or not; `fault_at` is the time of the last bad frame; `late` are the seconds by which
+    its poses are late, `unsourced` the package whose messages the bridge lacks."""
 
     name: str
     url: str
@@ -55,19 +54,19 @@ class LinkState(Struct, frozen=True):
 
     @property
     def unsourced_text(self) -> str:
-        """Return what to do about messages that the bridge lacks, empty where it has all."""
+        """Return the remedy for messages that the bridge lacks, empty if it has all."""
         if not self.unsourced:
             return ""
         return f"rosbridge lacks package {self.unsourced}: source its workspace and restart rosbridge"
 
     @property
     def is_starting(self) -> bool:
-        """Tell whether it is tried for the first time: nothing speaks against it yet."""
+        """Tell whether this is the first connection attempt: nothing has failed yet."""
         if self.phase is Phase.UP:
             return not self.commands_connected and self.command_path is CommandPath.UNTRIED
         return self.phase is Phase.CONNECTING and not self.reason
 
     @property
     def is_bag(self) -> bool:
-        """Tell whether there never was a bridge: what is shown was made of a ROS bag."""
+        """Tell whether the source is a ROS bag instead of a bridge."""
         return self.url.startswith(OF_BAG)

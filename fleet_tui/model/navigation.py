@@ -1,4 +1,4 @@
-"""Navigation goals of robots that have no queue, and how far they are with them."""
+"""Navigation goals of robots that have no queue, and their progress."""
 
 import math
 
@@ -8,14 +8,13 @@ from fleet_tui.model.order import OrderState, Stop
 
 
 class Goal(Struct, frozen=True):
-    """A goal of an action. `id` is short, for people; `uuid` as it is on the wire. `action` is its key in the
-    vocabulary; `stamp` the second at which it was taken, by the robot's clock; `stops` where it leads to, as
-    far as that is known; `serial` grows with each goal seen. `leads`: it drives by goals of its own, of which
-    each `is_leg`: another goal of the same robot gave it, `is_ours`: this console did. `begun_at` and
-    `ended_at` are when it was first seen to be driven and to be over (monotonic), infinitely long ago if that
-    was before. `label` says what it does where it leads to no stop; `listed_at` is when its action server
-    listed it last (monotonic); `is_ending`: it is being cancelled; `said` are the robot's words on how it
-    ended."""
+    """A goal of an action. `id` is short, for people; `uuid` as on the wire. `action` is its key in the
+    vocabulary; `stamp` the second of its acceptance by the robot's clock; `stops` its destinations as far
+    as known; `serial` grows with each goal seen. `leads`: it drives by goals of its own, of which each
+    `is_leg`: another goal of the same robot gave it, `is_ours`: this console did. `begun_at` and
+    `ended_at` are when it was first seen active and ended (monotonic), minus infinity if that was earlier.
+    `label` describes it if it has no stop; `listed_at` is when its action server listed it last
+    (monotonic); `is_ending`: it is being cancelled; `said` is the robot's text on its end."""
 
     id: str
     uuid: str
@@ -39,7 +38,7 @@ class Goal(Struct, frozen=True):
 
 class Progress(Struct, frozen=True):
     """Progress of a goal: metres left, seconds left and since its start, recoveries so far, and the number of
-    the stop that it drives to, each None where it is not told. `goal` is its short id."""
+    the current stop, each None if not reported. `goal` is its short id."""
 
     goal: str
     metres: float | None = None
@@ -50,8 +49,8 @@ class Progress(Struct, frozen=True):
 
 
 class Blocked(Struct, frozen=True):
-    """A robot that its collision monitor holds back, and since when this console has seen it (monotonic).
-    `action` is stop, slowdown, approach or limit, empty for none; `polygon` the zone that saw something."""
+    """A robot held back by its collision monitor, and when this console first saw that (monotonic). `action`
+    is stop, slowdown, approach or limit, empty for none; `polygon` the zone with the obstacle."""
 
     action: str
     polygon: str
@@ -59,12 +58,12 @@ class Blocked(Struct, frozen=True):
 
     @property
     def is_stopped(self) -> bool:
-        """Tell whether it stands because of it."""
+        """Tell whether the monitor stops it."""
         return self.action == "stop"
 
 
 def blocked_text(blocked: Blocked, now: float) -> str:
-    """Write that a robot is held back: how long is counted here, from the first message that told it."""
+    """Return the text of a robot held back, with the seconds since this console's first message of it."""
     if blocked.is_stopped:
         return f"blocked {now - blocked.since:.1f} s (seen)"
     return f"slowed by its collision monitor ({blocked.action})"

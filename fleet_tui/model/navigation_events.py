@@ -1,5 +1,5 @@
-"""Facts about navigating robots and the orders that wait for them. `at` is the monotonic second at which a
-fact reached us."""
+"""Events of navigating robots and the orders that wait for them. `at` is the monotonic second at which the
+event reached this console."""
 
 from msgspec import Struct
 
@@ -9,7 +9,7 @@ from fleet_tui.model.navigation import Goal, Progress
 
 
 class OdometryReported(Struct, frozen=True, tag=True):
-    """A robot's pose by its wheels, in a frame of its own that drifts."""
+    """A robot's pose by wheel odometry, in its own drifting frame."""
 
     robot: str
     at: float
@@ -18,8 +18,8 @@ class OdometryReported(Struct, frozen=True, tag=True):
 
 
 class LocalisationReported(Struct, frozen=True, tag=True):
-    """A robot's last localised pose on its map. `variance`: of x and y together, in square metres,
-    None where it gives none."""
+    """A robot's last localised pose on its map. `variance`: of x and y together, in square metres, None if it
+    gives none."""
 
     robot: str
     at: float
@@ -30,7 +30,7 @@ class LocalisationReported(Struct, frozen=True, tag=True):
 
 
 class BlockedReported(Struct, frozen=True, tag=True):
-    """A collision monitor holds the robot back, or no longer: `action` is empty then."""
+    """Whether a collision monitor holds the robot back: `action` is empty if not."""
 
     robot: str
     at: float
@@ -47,7 +47,7 @@ class ProgressReported(Struct, frozen=True, tag=True):
 
 
 class GoalsReported(Struct, frozen=True, tag=True):
-    """All goals that an action server lists, the oldest first; `fault` says what of them was left out."""
+    """All goals that an action server lists, oldest first; `fault` describes those that were dropped."""
 
     robot: str
     at: float
@@ -57,8 +57,7 @@ class GoalsReported(Struct, frozen=True, tag=True):
 
 
 class GoalsUnknown(Struct, frozen=True, tag=True):
-    """Goals that were under way, by their ids on the wire, and that their action server says it does not
-    know."""
+    """Active goals, by their ids on the wire, that their action server reports as unknown."""
 
     robot: str
     at: float
@@ -74,7 +73,7 @@ class PlanReported(Struct, frozen=True, tag=True):
 
 
 class TargetReported(Struct, frozen=True, tag=True):
-    """The target of a goal that a robot has just begun, whoever gave it."""
+    """The target of a goal that a robot has just begun, from any client."""
 
     robot: str
     at: float
@@ -82,14 +81,14 @@ class TargetReported(Struct, frozen=True, tag=True):
 
 
 class Alive(Struct, frozen=True, tag=True):
-    """A robot gave a sign of life."""
+    """A robot's sign of life."""
 
     robot: str
     at: float
 
 
 class FloorReported(Struct, frozen=True, tag=True):
-    """The floor a robot is on, by its own word."""
+    """The floor a robot is on, as it reports."""
 
     robot: str
     at: float
@@ -97,7 +96,7 @@ class FloorReported(Struct, frozen=True, tag=True):
 
 
 class Unmeasured(Struct, frozen=True, tag=True):
-    """The robot speaks of a value, a field of Robot, and does not measure it."""
+    """The robot reports that it does not measure a value, a field of Robot."""
 
     robot: str
     at: float
@@ -105,7 +104,7 @@ class Unmeasured(Struct, frozen=True, tag=True):
 
 
 class GoalAnswered(Struct, frozen=True, tag=True):
-    """The end of a goal as the robot told the console that gave it: DONE or FAILED, with its words."""
+    """The end of a goal as the robot answered to this console: DONE or FAILED, with its text."""
 
     id: int
     stage: Stage
@@ -114,7 +113,7 @@ class GoalAnswered(Struct, frozen=True, tag=True):
 
 
 class QueueHeld(Struct, frozen=True, tag=True):
-    """The orders that this console keeps for a robot stay until the operator lets it go on."""
+    """The orders that this console keeps for a robot are held until the operator releases them."""
 
     robot: str
     reason: str

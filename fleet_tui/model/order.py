@@ -1,4 +1,4 @@
-"""Transport orders as a robot reports them, whatever its stack calls their states."""
+"""Transport orders as robots report them, in states common to all stacks."""
 
 import re
 from collections.abc import Callable
@@ -30,19 +30,19 @@ BEGUN = frozenset({OrderState.IN_PROCESS, OrderState.PAUSED})
 PENDING = BEGUN | {OrderState.QUEUED}
 """States of an order that will still be driven."""
 OVER = frozenset(OrderState) - PENDING
-"""States of an order that is only still listed."""
+"""States of an order that is over but still listed."""
 
 
 class Stop(Struct, frozen=True):
-    """A place that an order leads to: a vertex by its id, or a pose; exactly one of both."""
+    """A destination of an order: a vertex by its id, or a pose; exactly one of both."""
 
     vertex: str = ""
     pose: Pose | None = None
 
 
 def natural(id_: str) -> list[tuple[int, str]]:
-    """A key that sorts ids as a person does: 2 before 10."""
-    # Text and numbers take turns; of two numbers the longer one is the larger.
+    """A key that sorts ids naturally: 2 before 10."""
+    # Text and numbers alternate; of two numbers the longer one is the larger.
     parts = enumerate(_DIGITS.split(id_))
     return [(len(part.lstrip("0")), part.lstrip("0")) if n % 2 else (0, part) for n, part in parts]
 
@@ -58,23 +58,24 @@ def vertices_of(stops: tuple[Stop, ...]) -> tuple[str, ...]:
 
 
 def route_text(stops: tuple[Stop, ...], name: Callable[[str], str]) -> str:
-    """Write stops as `A -> B`, a single one as `-> B`, none as `-> ?`; `name` gives that of a vertex id."""
+    """Return stops as `A -> B`, a single one as `-> B`, none as `-> ?`; `name` returns that of a vertex
+    id."""
     names = [name(stop.vertex) if stop.pose is None else pose_text(stop.pose) for stop in stops]
     return " -> ".join(names) if len(names) > 1 else f"-> {names[0] if names else '?'}"
 
 
 def pose_text(pose: Pose) -> str:
-    """Write where a pose is, in metres."""
+    """Return the text of a pose, in metres."""
     return f"({pose.x:.1f}, {pose.y:.1f})"
 
 
 class Order(Struct, frozen=True):
-    """Go to the `stops` one after the other; none: they are not known.
+    """An order to the `stops` in sequence; empty if unknown.
 
-    `state` is None where the robot's own `word` for it says nothing to us. `serial` grows with each order
-    that the robot takes: a new order has a higher one than all before it. `taken_at`: the monotonic second at
-    which it took it, None where it does not tell. `label` says what it is where it leads to no stop. `name`
-    is what it is called on the wire, where that is not the id; `said` the robot's words on how it ended.
+    `state` is None if the robot's own `word` for it is unknown. `serial` grows with each order that the robot
+    takes: a new order has a higher one than all before it. `taken_at`: the monotonic second of its
+    acceptance, None if not reported. `label` describes it if it has no stop. `name` is its name on the wire,
+    if not the id; `said` the robot's text on its end.
     """
 
     id: str
@@ -89,29 +90,29 @@ class Order(Struct, frozen=True):
 
     @property
     def is_over(self) -> bool:
-        """Tell whether it is only still listed."""
+        """Tell whether it is over and only still listed."""
         return self.state in OVER
 
     @property
     def start(self) -> Stop | None:
-        """The first stop, None where the robot starts from wherever it is."""
+        """The first stop, None if the robot starts from its current place."""
         return self.stops[0] if len(self.stops) > 1 else None
 
     @property
     def end(self) -> Stop | None:
-        """The last stop, None where it is not known."""
+        """The last stop, None if unknown."""
         return self.stops[-1] if self.stops else None
 
     @property
     def state_text(self) -> str:
-        """Its state in our words, else in the robot's own."""
+        """Return its state in this console's words, else in the robot's own."""
         return self.state.value if self.state else self.word
 
 
 class OrderQueue(Struct, frozen=True):
     """A robot's orders. `last_serial` is the serial of the newest order that it ever took; `current_id` is
-    empty for none; `request_id` is the request that placed the newest order, 0 where the robot does not
-    echo it."""
+    empty for none; `request_id` is the request that placed the newest order, 0 if the robot does not echo
+    it."""
 
     last_serial: int
     current_id: str
@@ -120,20 +121,20 @@ class OrderQueue(Struct, frozen=True):
 
     @property
     def current(self) -> Order | None:
-        """The order being driven."""
+        """The current order."""
         return next((order for order in self.orders if self.is_current(order)), None)
 
     def is_current(self, order: Order) -> bool:
-        """Tell whether this order is the one being driven."""
+        """Tell whether this order is the current one."""
         return order.id == self.current_id != ""
 
     @property
     def open(self) -> tuple[Order, ...]:
-        """The orders that will still be driven, as far as their states tell."""
+        """Return the orders that will still be driven, as far as their states show."""
         return tuple(order for order in self.in_sequence() if not order.is_over)
 
     def in_sequence(self) -> tuple[Order, ...]:
-        """The orders as they will be driven: the current one first."""
+        """Return the orders in driving sequence: the current one first."""
         current = self.current
         if current is None:
             return self.orders

@@ -1,6 +1,6 @@
-"""Order ends: what the queue and the pose show of an order that is no longer driven.
+"""Order ends: inferred from queue and pose for an order that is no longer driven.
 
-A robot of the source only shows that an order is gone. It was done unless something speaks against it:
+A robot of the source only shows that an order is gone. It counts as done unless there is evidence against it:
 one rule, for the orders of this console and for all others.
 """
 
@@ -14,12 +14,12 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.order import BEGUN, Order, OrderQueue, OrderState
 
 ARRIVES = 2.0
-"""Metres from its last vertex within which a robot was, if it drove the order and did not just lose it."""
+"""Metres from its last vertex within which a robot must have been to count as having driven the order."""
 SEEN_AGAIN = 0.5
-"""Seconds at its end after which that is kept anew: poses come ten times a second."""
+"""Seconds at its end after which that is recorded again: poses arrive ten times a second."""
 LEFT_WITHIN = 3.0
-"""Seconds before a queue that still shows an order in which the robot may have been at its end. Before that
-it was there for something else: many orders begin where they end, and fetch from elsewhere."""
+"""Seconds before a queue that still shows an order in which a visit to its end counts. Earlier visits had
+another cause: many orders begin where they end, and fetch from elsewhere."""
 BLIND_AFTER = 5.0
 """Seconds without a queue after which an order may have been driven unseen."""
 
@@ -27,13 +27,13 @@ NOT_LISTED = "no longer listed, end not reported: may have been completed"
 STARTED_OVER = "the robot's order ids started over"
 
 Away = Callable[[Order], tuple[float, float] | None]
-"""Metres from the robot to an order's last stop, infinite on another floor, and the monotonic second at
-which that was heard; None where unknown."""
+"""Metres from the robot to an order's last stop, infinite on another floor, and the monotonic second of that
+report; None if unknown."""
 
 
 class OrderTrace(Struct, frozen=True):
-    """An order in the queue: whether it was `begun`; `arrived_at` is when, since then, the robot was at its
-    end last (monotonic); `request_id` is what the queue echoed while it was the newest, 0 for nothing."""
+    """An order in the queue: whether it was `begun`; `arrived_at` is when the robot was last at its end since
+    then (monotonic); `request_id` is the queue's echo while it was the newest, 0 for none."""
 
     order: Order
     begun: bool = False
@@ -47,8 +47,8 @@ class OrderTrace(Struct, frozen=True):
 
 
 class GoneOrder(Struct, frozen=True):
-    """An order that left the queue, or is listed as ended, at a monotonic second: which of ORDER_ENDS it
-    was, and what showed it."""
+    """An order that left the queue, or is listed as ended, at a monotonic second: one of ORDER_ENDS, and the
+    evidence."""
 
     order: Order
     at: float
@@ -57,7 +57,7 @@ class GoneOrder(Struct, frozen=True):
 
 
 def trace_movement(traces: Mapping[str, OrderTrace], away: Away) -> Mapping[str, OrderTrace]:
-    """Keep when a robot was at the end of an order that it has begun."""
+    """Record the time at which a robot was at the end of an order that it has begun."""
     arrived = {
         id_: replace(trace, arrived_at=seen[1])
         for id_, trace in traces.items()
@@ -79,8 +79,8 @@ def trace_queue(
     away: Away,
     tells_ends: bool = False,
 ) -> tuple[Mapping[str, OrderTrace], list[GoneOrder]]:
-    """Compare a queue with the orders that were open before it; `before`: when the queue came last, and its
-    last serial then; `tells_ends`: such a robot lists how an order ended.
+    """Compare a queue with the orders that were open before it; `before`: time of the last queue and its last
+    serial; `tells_ends`: such a robot lists how an order ended.
 
     Returns the orders that are open now, and those that have ended.
     """
@@ -162,11 +162,11 @@ _ENDS = {
 
 
 def listed_end(order: Order, at: float) -> GoneOrder:
-    """The end of an order that the robot lists as over."""
+    """Return the end of an order that the robot lists as over."""
     assert order.state is not None
     return GoneOrder(order, at, _ENDS[order.state], order.said or "as reported by the robot")
 
 
 def latest(gone: Iterable[GoneOrder], order_id: str, since: float) -> GoneOrder | None:
-    """Find how an order ended at or after a monotonic second, None while it has not."""
+    """Find the end of an order at or after a monotonic second, None if it has not ended."""
     return next((one for one in gone if one.order.id == order_id and one.at >= since), None)

@@ -4,8 +4,8 @@ from msgspec import Struct
 
 
 class Problem(Struct, frozen=True):
-    """`check` is the name of what was looked at. `blocks`: an error, the command is never sent; else a
-    warning, which a person may override."""
+    """`check` is the name of the check. `blocks`: an error, the command is never sent; else a warning, which
+    a person may override."""
 
     check: str
     text: str

@@ -1,4 +1,4 @@
-"""One robot as far as it is known: each value with the time it was true."""
+"""One robot as far as it is known: each value with its time."""
 
 import math
 from collections.abc import Mapping
@@ -27,7 +27,7 @@ class Reading(Struct, Generic[T], frozen=True):
 
 
 class StampClock(Struct, frozen=True):
-    """A robot's clock against ours: `offset` is the freshest (arrival - stamp) seen, in seconds."""
+    """A robot's clock relative to ours: `offset` is the freshest (arrival - stamp) seen, in seconds."""
 
     offset: float
     stamp: float
@@ -35,7 +35,7 @@ class StampClock(Struct, frozen=True):
 
 
 class RobotMap(Struct, frozen=True, eq=False):
-    """A floor as one robot knows it. The live `grid` is there only where it was subscribed."""
+    """A floor as one robot knows it. The live `grid` is set only if it was subscribed."""
 
     frame: MapFrame | None = None
     graph: RouteGraph | None = None
@@ -43,7 +43,7 @@ class RobotMap(Struct, frozen=True, eq=False):
     grid: OccupancyGrid | None = None
 
     def name_of(self, vertex: str) -> str | None:
-        """The label of a vertex, else its id; None where the graph has no such vertex."""
+        """The label of a vertex, else its id; None if the graph has no such vertex."""
         if vertex in self.labels:
             return self.labels[vertex]
         known = self.graph is not None and vertex in self.graph.vertices
@@ -52,20 +52,19 @@ class RobotMap(Struct, frozen=True, eq=False):
 
 class Robot(Struct, frozen=True, eq=False):
     """`number` counts from 1 in the order of the config; `heard` is the effective time of the last telemetry;
-    `floor` is the one whose frame its pose names; `paused_at` is where it stood when it accepted our own
-    pause; `standing` is the pose it has not left, and since when; `place` is coarser: where it got to, and
-    since when it gets no further; `jumps` are the metres of its pose's last leaps that no robot drives, each
-    with its time; `fault_at` is when bad data came last; `says_paused`: it has a topic for that, heard or
-    not; `traces` are the orders in its queue by id, `gone` those that left it, the newest last;
-    `pause_lost_at` is when it started anew while under our own pause, which that ended; `goals` are those
-    that its action servers list, by action; `odometry` is its newest pose by its wheels, `located` where it
-    found itself on the map last, `anchor` where on the map the frame of its wheels begins; `variance` that of
-    its place in square metres; `own_floor` the floor it says that it is on; `held` is why this console sends
-    it no order that waits here, empty while it does, and `released_at` when the operator let it go on last;
-    `named` is a goal that this console gave under a name of its own, and that was not listed yet; `target`
-    where it said last that a goal leads to which it had just begun; `unmeasured` are values that it says it
-    does not measure; `counts_percent`: its battery was seen to count to 100; `size` is its length and width
-    in metres, None where the config does not say it."""
+    `floor` is the one named by the frame of its pose; `paused_at` is its pose when it accepted our own
+    pause; `standing` is the pose it has not left, and since when; `place` is coarser: its place of last
+    progress, and since when; `jumps` are the metres of recent impossible jumps of its pose, each with its
+    time; `fault_at` is the time of its last bad data; `says_paused`: it has a topic for that, received or
+    not; `traces` are the orders in its queue by id, `gone` those that left it, newest last;
+    `pause_lost_at` is when a restart ended our own pause; `goals` are those that its action servers list,
+    by action; `odometry` is its newest pose by its wheels, `located` its last localised pose on the map,
+    `anchor` the origin of its wheel frame on the map; `variance` that of its position in square metres;
+    `own_floor` the floor it reports; `held` is the reason that this console sends it no waiting order,
+    empty while it does, and `released_at` when the operator last released them; `named` is a goal that
+    this console named and that is not listed yet; `target` the last reported target of a goal it had just
+    begun; `unmeasured` are values that it reports as not measured; `counts_percent`: its battery was seen
+    to count to 100; `size` is its length and width in metres, None if not configured."""
 
     name: str
     number: int
@@ -112,16 +111,16 @@ class Robot(Struct, frozen=True, eq=False):
 
     @property
     def has_cargo(self) -> bool:
-        """Tell whether it says that it carries something."""
+        """Tell whether it reports cargo on board."""
         return self.cargo is not None and self.cargo.value
 
     @property
     def orders(self) -> OrderQueue:
-        """The queue as last reported, empty if never."""
+        """Return the queue as last reported, empty if never."""
         return self.queue.value if self.queue else OrderQueue(0, "", ())
 
     def name_of(self, vertex: str) -> str | None:
-        """The label or id of a vertex in any of this robot's graphs, None where none has it.
+        """The label or id of a vertex in any of this robot's graphs, None if none has it.
 
         Ids of different floors may be the same: the floor it is on comes first.
         """
@@ -131,10 +130,10 @@ class Robot(Struct, frozen=True, eq=False):
         return next((name for name in names if name is not None), None)
 
     def knows_all_graphs(self) -> bool:
-        """Tell whether every floor's graph has come, so that a vertex in none of them does not exist."""
+        """Tell whether every floor's graph has arrived, so that a vertex in none of them does not exist."""
         return bool(self.charts) and all(chart.graph is not None for chart in self.charts.values())
 
 
 def with_fault(robot: Robot, text: str, count: int = 1) -> Robot:
-    """The robot with bad data counted and the newest named."""
+    """Return the robot with bad data counted and the newest kept."""
     return replace(robot, faults=robot.faults + count, last_fault=truncate(text))

@@ -22,8 +22,8 @@ _SEVERITIES = dict(zip((1, 2, 4, 8, 16), Severity, strict=True)) | dict(
 
 
 class LogLine(Struct, frozen=True):
-    """A line of /rosout that came at `at` (monotonic seconds); `level` is ROS 1's or ROS 2's number,
-    `stamp` the Unix second at which it was written, by its node's clock."""
+    """A line of /rosout received at `at` (monotonic seconds); `level` is ROS 1's or ROS 2's number, `stamp`
+    the Unix second at which its node wrote it, by its own clock."""
 
     at: float
     level: int
@@ -33,7 +33,7 @@ class LogLine(Struct, frozen=True):
 
     @property
     def severity(self) -> Severity | None:
-        """None for a number that neither ROS knows."""
+        """Return the severity, None for a number that neither ROS defines."""
         return _SEVERITIES.get(self.level)
 
 
