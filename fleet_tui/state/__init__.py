@@ -1,1 +1,1 @@
-"""The state of the fleet: the store, and how each event changes it."""
+"""The state of the fleet: the store, and the effect of each event."""

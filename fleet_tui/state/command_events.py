@@ -1,4 +1,4 @@
-"""Facts about commands: how each one changes what is known of it."""
+"""Events of commands: the effect of each on the state."""
 
 from typing import assert_never
 
@@ -27,7 +27,7 @@ COMMANDS_KEPT = 200
 
 
 def confirm_commands(state: FleetState) -> FleetState:
-    """One after the other: an order in a queue is the doing of one command only."""
+    """Confirm commands in sequence: each order in a queue belongs to one command only."""
     for record in state.commands:
         looked = follow_up(state, record) if record.is_decided else confirm(state, record)
         if looked is not record:
@@ -38,7 +38,7 @@ def confirm_commands(state: FleetState) -> FleetState:
 
 
 def _at_stop(state: FleetState, record: CommandRecord) -> FleetState:
-    """Its goal led to one stop, and only there is it done."""
+    """Return its goal's stop: the goal led to one stop, and is done only there."""
     robot, command = state.robots[record.command.robot], record.command
     assert isinstance(command, PlaceOrder) and record.order_id is not None
     stop = command.stops[record.leg : record.leg + 1]
@@ -51,7 +51,7 @@ def _with_record(state: FleetState, record: CommandRecord) -> FleetState:
 
 
 def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
-    """Note our own pause: where no topic tells it, that is all that is known."""
+    """Record our own pause: without a topic for it, nothing else is known."""
     robot = state.robots.get(record.command.robot)
     if robot is None or record.stage not in (Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE):
         return state
@@ -71,7 +71,7 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
 
 
 def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetState:
-    """A command ends once: whatever else comes for it changes nothing."""
+    """Advance a command. It ends once: later events for it change nothing."""
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None or (event.stage is Stage.WAITING and not isinstance(found.command, PlaceOrder)):
         return state
@@ -92,7 +92,7 @@ def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetSt
 
 
 def take_answer(state: FleetState, event: navigation_events.GoalAnswered) -> FleetState:
-    """Keep what the robot told of the end of a goal."""
+    """Record the robot's answer on the end of a goal."""
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None:
         return state
@@ -101,8 +101,8 @@ def take_answer(state: FleetState, event: navigation_events.GoalAnswered) -> Fle
 
 
 def _late_or(stage: Stage, state: FleetState, record: CommandRecord) -> Stage:
-    """The stage that an answer leads to. Where no topic tells a pause, an answer long after the command is
-    the only sign that it was carried out."""
+    """Return the stage that an answer leads to. Without a topic for pauses, a late answer is the only sign
+    that the command was carried out."""
     robot = state.robots.get(record.command.robot)
     late = stage is Stage.ACCEPTED and record.stage is Stage.NOT_CONFIRMED
     untold = robot is not None and not robot.says_paused
@@ -110,7 +110,7 @@ def _late_or(stage: Stage, state: FleetState, record: CommandRecord) -> Stage:
 
 
 def _is_in_queue(state: FleetState, record: CommandRecord) -> bool:
-    """Tell whether the order it placed is still there: who gave it must be known as long."""
+    """Tell whether the order it placed is still queued: until then its origin must be known."""
     robot = state.robots.get(record.command.robot)
     return robot is not None and any(order.id == record.order_id for order in robot.orders.orders)
 
@@ -130,7 +130,7 @@ def issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
         replace(known, floor=event.floor or known.floor),
     )
     commands = (*state.commands, record)
-    # What is under way, or in a queue, stays, however much there is.
+    # Open commands, and orders in a queue, stay, however many there are.
     surplus = len(commands) - COMMANDS_KEPT
     if surplus > 0:
         old = [one.id for one in commands if one.is_decided and not _is_in_queue(state, one)][:surplus]
@@ -139,6 +139,6 @@ def issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
 
 
 def hold_queue(state: FleetState, event: navigation_events.QueueHeld) -> FleetState:
-    """Keep the orders that wait here from leaving."""
+    """Hold the orders that wait here."""
     robot = state.robots.get(event.robot)
     return state if robot is None else with_robot(state, replace(robot, held=truncate(event.reason)))

@@ -11,7 +11,7 @@ from fleet_tui.text.limits import truncate
 
 
 def apply_to_floor(state: FleetState, event: events.FloorMapLoaded | events.FloorGraphLoaded) -> FleetState:
-    """Return the state after a fact about a floor."""
+    """Return the state after an event of a floor."""
     floor = state.floors[event.floor]
     match event:
         case events.FloorMapLoaded():
@@ -25,7 +25,8 @@ def apply_to_floor(state: FleetState, event: events.FloorMapLoaded | events.Floo
 
 
 def _given(robot: Robot, event: events.FloorGraphLoaded) -> Robot:
-    """Give the graph to a robot of the floor that publishes none itself. All of them share one object."""
+    """Return the robot with the graph, if it is on the floor and publishes none itself. All share one
+    object."""
     chart = robot.charts.get(event.floor)
     if chart is None or event.graph is None or "graph" in robot.kind.reports:
         return robot

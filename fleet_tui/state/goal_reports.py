@@ -1,4 +1,4 @@
-"""Reports of goals: which ones a robot's action servers list, and where each leads to."""
+"""Reports of goals: those that a robot's action servers list, and their targets."""
 
 import math
 from collections.abc import Collection
@@ -14,7 +14,7 @@ from fleet_tui.rules.commands.goals import active, queue_of, with_reported, with
 from fleet_tui.state.reports import apply_report
 
 JUST_BEGUN = 1.0
-"""Seconds within which a goal that begins is listed and its target is told, in whichever order."""
+"""Seconds within which a new goal is listed and its target is reported, in either order."""
 AT_VERTEX = 0.5
 """Metres from a vertex within which a path ends at it."""
 
@@ -51,13 +51,13 @@ def _take_goals(robot: Robot, event: navigation_events.GoalsReported) -> Robot:
 
 
 def _take_target(robot: Robot, event: navigation_events.TargetReported) -> Robot:
-    """A goal that has just begun leads there; it may be listed before that is told, or after."""
+    """Assign the target to a goal that has just begun; it may be listed before or after."""
     robot = replace(robot, target=Reading(event.pose, event.at))
     return _led_to(robot, event.pose, event.at - JUST_BEGUN)
 
 
 def _led_to(robot: Robot, pose: Pose, since: float) -> Robot:
-    """Note where the goal leads to that was first seen to be driven at `since` or later."""
+    """Record the target of the goal that was first seen active at `since` or later."""
     begun = {goal.id for goal in active(robot.goals) if goal.begun_at is not None and goal.begun_at >= since}
     current = robot.orders.current
     if current is None or current.id not in begun or current.stops or current.label:
@@ -66,7 +66,7 @@ def _led_to(robot: Robot, pose: Pose, since: float) -> Robot:
 
 
 def _with_queue(robot: Robot, at: float, fault: str = "") -> Robot:
-    """Compare the goals with those of before as a queue is compared; the message is latched, and no life."""
+    """Compare the goals with the earlier ones like a queue; the message is latched, so no sign of life."""
     offset, last = robot.clock.offset if robot.clock else None, robot.orders.last_serial
     queue = queue_of(robot.goals, at, offset, last)
     heard = robot.heard
@@ -79,15 +79,15 @@ def _without_goals(robot: Robot, uuids: Collection[str], at: float) -> Robot:
 
 
 def without_unlisted(robot: Robot, since: float, now: float) -> Robot:
-    """Let go the goals that nothing was heard of since the link came up, at `since`: lists are latched, so
-    an action server that lists none was started anew, and its goals went with it."""
+    """Drop the goals not reported since the link came up, at `since`: lists are latched, so an action server
+    that lists none was restarted, and its goals are gone."""
     heard = robot.progress.value.goal if robot.progress and robot.progress.at >= since else ""
     gone = [goal.uuid for goal in active(robot.goals) if goal.listed_at < since and goal.id != heard]
     return _without_goals(robot, gone, now) if gone else robot
 
 
 def without_ended(robot: Robot, now: float) -> Robot:
-    """Let go the goals that ended a while ago: no message of their action server tells it."""
+    """Drop the goals that ended a while ago: their action server sends no message for that."""
     if robot.queue is None or not any(order.is_over for order in robot.orders.orders):
         return robot
     offset, last = robot.clock.offset if robot.clock else None, robot.orders.last_serial
@@ -98,7 +98,8 @@ def without_ended(robot: Robot, now: float) -> Robot:
 
 
 def know_stops(robot: Robot, order_id: str, stops: tuple[Stop, ...], is_ours: bool = False) -> Robot:
-    """Note where a goal leads to, which its action server does not tell, and whether this console gave it."""
+    """Record the target of a goal, which its action server does not report, and whether this console gave
+    it."""
     goals = with_stops(robot.goals, order_id, stops, is_ours)
     if goals == robot.goals or robot.queue is None:
         return robot
@@ -114,7 +115,7 @@ def know_stops(robot: Robot, order_id: str, stops: tuple[Stop, ...], is_ours: bo
 
 
 def _take_plan(robot: Robot, event: navigation_events.PlanReported) -> Robot:
-    """The path ends where a goal of unknown target leads to."""
+    """Use the end of the path as the target of a goal of unknown target."""
     current = robot.orders.current
     if current is None or current.stops or current.label:
         return robot

@@ -1,4 +1,4 @@
-"""Facts about links: how each one changes what is known of its bridge."""
+"""Events of links: the effect of each on its bridge's state."""
 
 from typing import assert_never
 
@@ -23,7 +23,7 @@ def _with_link(state: FleetState, link: LinkState) -> FleetState:
 
 
 def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
-    """While it is tried again and again, `since` stays the moment of the loss."""
+    """Change the phase; during repeated attempts `since` stays the time of the loss."""
     link = state.links[event.link]
     same_side = (link.phase is Phase.UP) == (event.phase is Phase.UP)
     return _with_link(
@@ -40,7 +40,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
 
 
 def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
-    """Apply one fact about a link."""
+    """Apply one event of a link."""
     if isinstance(event, events.LinkChanged):
         return _change_link(state, event)
     link = state.links[event.link]

@@ -1,4 +1,4 @@
-"""Reports of navigating robots: how each one changes what is known of its robot."""
+"""Reports of navigating robots: the effect of each on its robot."""
 
 from typing import assert_never
 
@@ -43,7 +43,8 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
 
 
 def _merged(robot: Robot, told: Progress) -> Progress:
-    """Of a goal with several stops one message tells the stop, others how far its leg is."""
+    """Merge progress messages: of a goal with several stops one gives the stop, others the distance on its
+    leg."""
     if robot.progress is None:
         return told
     known = robot.progress.value
@@ -55,12 +56,12 @@ def _merged(robot: Robot, told: Progress) -> Progress:
 
 
 def _take_odometry(robot: Robot, event: navigation_events.OdometryReported) -> Robot:
-    """A robot moves as its wheels tell, from where its localisation put it last."""
+    """Move a robot by its wheel odometry, from its last localised pose."""
     robot = replace(robot, odometry=event.pose)
     if robot.anchor is None and robot.located is not None:
         robot = replace(robot, anchor=robot.located.after(event.pose.inverse))
     if robot.anchor is None:
-        # It lives, though nobody knows where.
+        # It is alive, but its position is unknown.
         clock = robot.clock if event.stamp is None else set_clock(robot.clock, event.at, event.stamp)
         return heard_at(replace(robot, clock=clock), event.at)
     placed = robot.anchor.after(event.pose)
@@ -68,8 +69,8 @@ def _take_odometry(robot: Robot, event: navigation_events.OdometryReported) -> R
 
 
 def _take_localisation(robot: Robot, event: navigation_events.LocalisationReported) -> Robot:
-    """The last value is latched: it is no sign of life, and may be old. Where wheels tell, they say when the
-    robot was there."""
+    """Apply a localised pose. It is latched: no sign of life, and possibly old. With wheel odometry, that
+    gives its time."""
     if event.variance is not None:
         robot = replace(robot, variance=Reading(event.variance, event.at))
     frame_id = truncate(event.frame_id.lstrip("/"), LONGEST_NAME)

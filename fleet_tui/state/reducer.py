@@ -28,9 +28,9 @@ from fleet_tui.state.navigation_reports import apply_navigation
 from fleet_tui.state.reports import apply_chart, apply_report
 
 RELISTED_WITHIN = 10.0, 15.0
-"""Seconds after a link came up within which a robot that is heard has listed the goals that it has."""
+"""Seconds after a link came up within which an active robot has listed its goals."""
 LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
-"""Live maps, and their cells: one robot's map is looked at, and asked for again when another's was."""
+"""Limits of kept live maps and their cells: a dropped one is requested again when it is shown."""
 
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
@@ -55,7 +55,7 @@ def _without_ended(state: FleetState) -> FleetState:
 
 
 def _left(state: FleetState, robot: Robot) -> Robot:
-    """A robot with the goals that are still there."""
+    """Return a robot without the goals that are gone."""
     link = state.links[robot.link]
     earliest, latest = RELISTED_WITHIN
     is_due = link.phase is Phase.UP and earliest <= state.now - link.since < latest
@@ -65,7 +65,7 @@ def _left(state: FleetState, robot: Robot) -> Robot:
 
 
 def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
-    """Of the other live maps none is kept where all would be too much."""
+    """Drop all other live maps if they would be too large together."""
     grids = [chart.grid for robot in state.robots.values() for chart in robot.charts.values() if chart.grid]
     cells = sum(grid.frame.width * grid.frame.height for grid in [event.grid, *grids])
     if cells <= LIVE_CELLS_KEPT and len(grids) < LIVE_MAPS_KEPT:
@@ -85,7 +85,8 @@ def _with_robots_map(state: FleetState, event: events.GridReceived) -> FleetStat
 
 
 def _with_live_map(state: FleetState, event: events.GridReceived) -> FleetState:
-    """One map serves all robots of a floor. That of another floor is asked for again when it is looked at."""
+    """Store a floor's live map, shared by its robots. That of another floor is requested again when it is
+    shown."""
     if event.robot or event.floor not in state.floors:
         return state
     floors = {
@@ -96,7 +97,8 @@ def _with_live_map(state: FleetState, event: events.GridReceived) -> FleetState:
 
 
 def _shared(state: FleetState, event: events.GraphReceived) -> events.GraphReceived:
-    """With the graph that another robot has, if it is the same: one serves all, and what is made of it."""
+    """Return the event with the equal graph of another robot, if any: one object, and one drawing of it,
+    serve all."""
     for robot in state.robots.values():
         chart = robot.charts.get(event.floor)
         if chart is not None and chart.graph == event.graph:
@@ -140,8 +142,7 @@ def _moved(state: FleetState, robot: Robot) -> FleetState:
 
 
 def _floor_of(state: FleetState, robot: Robot) -> str | None:
-    """The floor a robot is on: by the frame of its poses, else as it tells, else the only one it can be
-    on."""
+    """The floor a robot is on: by the frame of its poses, else as it reports, else the only possible one."""
     if robot.kind.frames_are_floors:
         named = (floor.name for floor in state.floors.values() if floor.frame_id == robot.frame_id)
         return next(named, None)
@@ -165,7 +166,7 @@ def _after_operator(
 
 
 def apply(state: FleetState, event: events.Event) -> FleetState:
-    """The state after one fact."""
+    """Return the state after one event."""
     if isinstance(event, events.Telemetry | Navigation | events.ChartReceived | events.MessageRejected):
         return _apply_to_robot(state, event)
     match event:

@@ -1,4 +1,4 @@
-"""Reports of robots: how each one changes what is known of its robot."""
+"""Reports of robots: the effect of each on its robot."""
 
 import math
 from functools import partial
@@ -16,18 +16,18 @@ from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 # A robot whose clock runs slower than ours by this share must not age into "offline" over days.
 CLOCK_DRIFT = 1e-3
-# Stamps of one robot never run backwards unless its clock was set.
+# Stamps of one robot never go backwards unless its clock was set.
 CLOCK_STEP = 0.5
 # A robot brakes after it accepted a pause; further than this, it drives.
 BRAKING_DISTANCE = 0.5
 JUMPS_KEPT = 100
-# Ended orders are kept for the commands that placed them, which are looked at ten times a second.
+# Ended orders are kept for the commands that placed them, which are checked ten times a second.
 GONE_FOR, GONE_KEPT = 60.0, 2 * MOST_ORDERS
 TRACES_KEPT = 2 * MOST_ORDERS
 
 
 def set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
-    """Compare a robot's clock with ours, by a message of `stamp` that came `at`."""
+    """Compare a robot's clock with ours, by a message of `stamp` that arrived `at`."""
     offset = at - stamp
     if clock is None or stamp < clock.stamp - CLOCK_STEP:
         return StampClock(offset, stamp, at)
@@ -54,8 +54,8 @@ def _jumps(robot: Robot, pose: Pose, frame_id: str, at: float) -> tuple[Reading[
 
 
 def _drives_on(robot: Robot, pose: Pose) -> bool:
-    """Tell whether it moves though we paused it. Where a pause is that this console holds back what is next,
-    it lasts however the robot is moved."""
+    """Tell whether it moves despite our pause. If the pause is only that this console holds back the next
+    goal, it lasts however the robot is moved."""
     at = robot.paused_at
     if at is None or robot.kind.holds:
         return False
@@ -63,11 +63,11 @@ def _drives_on(robot: Robot, pose: Pose) -> bool:
 
 
 def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
-    """Return what arrives late must not look new: the pose is as old as its stamp lags the freshest."""
+    """Apply a pose, as old as its stamp lags the freshest: one that arrives late must not look new."""
     clock, true_at = robot.clock, event.at
     if event.stamp is not None:
         clock = set_clock(clock, event.at, event.stamp)
-        # Of a stamp beyond all measure the sum is rounded by minutes: nothing was true after it came.
+        # For an extreme stamp the sum is off by minutes: no value is newer than its arrival.
         true_at = min(event.at, event.stamp + clock.offset)
     pose, frame_id = Reading(event.pose, true_at), truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     standing = robot.standing
@@ -92,7 +92,8 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
 
 
 def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
-    """One line for each order of the queue that names a vertex no graph of the robot has."""
+    """Return one line for each order of the queue that names a vertex missing from every graph of the
+    robot."""
     if not robot.knows_all_graphs():
         return []
     return [
@@ -107,7 +108,7 @@ def _metres_to_end(robot: Robot, order: Order) -> tuple[float, float] | None:
     chart, end = robot.charts.get(robot.floor or ""), order.end
     if robot.pose is None or end is None or (end.pose is None and (chart is None or chart.graph is None)):
         return None
-    # Like the queue's, the time of arrival: a bridge may be late with both.
+    # Like the queue's, the arrival time: a bridge may be late with both.
     at = max(robot.pose.at, robot.clock.at if robot.clock else robot.pose.at)
     place = end.pose or (chart.graph.vertices.get(end.vertex) if chart and chart.graph else None)
     if place is None:
@@ -116,14 +117,15 @@ def _metres_to_end(robot: Robot, order: Order) -> tuple[float, float] | None:
 
 
 def _without_lost_pause(robot: Robot, event: events.QueueReported) -> Robot:
-    """A robot whose orders are counted anew was started anew: nothing that was asked of it holds any more."""
+    """Drop the pause of a robot whose order count restarted: the robot was restarted, so no earlier request
+    holds."""
     if not robot.paused_by_us or event.queue.last_serial >= robot.orders.last_serial:
         return robot
     return replace(robot, paused_by_us=False, paused_at=None, pause_lost_at=event.at)
 
 
 def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
-    """An order to nowhere is counted once, when it first shows."""
+    """Apply a queue. An order to an unknown vertex is counted once, when it first appears."""
     queue, at = event.queue, event.at
     before = set(lost_vertices(robot, robot.orders))
     for line in lost_vertices(robot, queue):
@@ -135,7 +137,7 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
     )
     robot = replace(_without_lost_pause(robot, event), queue=Reading(queue, at))
     if event.fault:
-        # Orders were left out of it: whether the others are gone is unknown.
+        # Orders were dropped from it: whether the others are gone is unknown.
         older = {id_: trace for id_, trace in robot.traces.items() if id_ not in traces}
         kept = list((older | dict(traces)).items())[-TRACES_KEPT:]
         return with_fault(replace(robot, traces=dict(kept)), event.fault)
@@ -144,7 +146,8 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
 
 
 def _take_battery(robot: Robot, event: events.BatteryReported) -> Robot:
-    """The first value above 1 tells, for good, that a robot of unknown scale counts in per cent."""
+    """Apply a charge. The first value above 1 shows, permanently, that a robot of unknown scale counts in per
+    cent."""
     percent, counts_percent = event.percent, robot.counts_percent
     if event.is_raw:
         counts_percent = counts_percent or percent > 1.0
@@ -173,7 +176,7 @@ def apply_report(robot: Robot, event: events.Telemetry) -> Robot:
 
 
 def apply_chart(robot: Robot, event: events.ChartReceived) -> Robot:
-    """Apply what a robot tells of a floor to it."""
+    """Apply a robot's report about a floor to it."""
     chart = robot.charts.get(event.floor, RobotMap())
     match event:
         case events.FrameReceived():

@@ -10,21 +10,21 @@ Watcher = Callable[[FleetState, FleetState], None]
 
 
 class Store:
-    """Holds the newest state. Only the writer's thread calls `tell`; any thread reads `state`,
-    which is one reference, swapped whole. A watcher is called with the state before and after a
-    fact that changed a command or an alarm, before anything else happens."""
+    """Holds the newest state. Only the writer's thread calls `tell`; any thread reads `state`, which is one
+    reference, swapped whole. A watcher is called with the state before and after an event that changed a
+    command or an alarm, before anything else happens."""
 
     def __init__(self, state: FleetState) -> None:
         self.state = state
         self.watchers: list[Watcher] = []
 
     def tell(self, event: Event) -> None:
-        """Take one fact into the picture."""
+        """Apply one event."""
         before, self.state = self.state, apply(self.state, event)
         if before.commands is not self.state.commands or before.alarms is not self.state.alarms:
             for watcher in self.watchers:
                 watcher(before, self.state)
 
     def put(self, state: FleetState) -> None:
-        """Put the picture of another moment in its place, as a replay does. No watcher is called."""
+        """Replace the state with that of another moment, as a replay does. No watcher is called."""
         self.state = state
