@@ -1,1 +1,1 @@
-"""Adapters: what robots say and take, one folder for each kind. Pure."""
+"""Adapters: the messages that robots send and accept, one folder per kind. Pure."""

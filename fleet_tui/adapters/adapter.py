@@ -1,4 +1,4 @@
-"""The seam: what a kind of robots reports, what it accepts, and how both are said."""
+"""The adapter protocol: reports and requests of a kind of robots, and their messages."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal, NamedTuple, Protocol
@@ -12,14 +12,13 @@ from fleet_tui.model.robot import Robot
 
 
 class Feed(NamedTuple):
-    """One topic to listen to. `robots` are all those it tells of, usually one; `key` is which of their
-    values.
+    """One topic to subscribe to. `robots` are all those it reports on, usually one; `key` names the value.
 
-    `rate_ms`: milliseconds between two messages, 0 for every one. `latched`: its last message comes to who
-    subscribes late. `wanted_for`: only while that is wanted, a `map` that somebody looks at, or the `target`
-    of a goal that nothing else tells. `large`: asked for as CBOR and decoded beside the loop. `fast`: comes
-    as often as poses do. `silent`: nothing may come for hours, and all is well. `is_shared`: one topic may
-    tell of all robots."""
+    `rate_ms`: milliseconds between two messages, 0 for every one. `latched`: late subscribers get its last
+    message. `wanted_for`: subscribed only while that is needed, a `map` on screen, or the `target` of a goal
+    that no other topic reports. `large`: requested as CBOR and decoded off the loop. `fast`: as frequent as
+    poses. `silent`: may rightly send nothing for hours. `is_shared`: one topic may report on all robots.
+    """
 
     key: str
     robots: tuple[str, ...]
@@ -36,12 +35,12 @@ class Feed(NamedTuple):
 
     @property
     def robot(self) -> str:
-        """The first robot it tells of."""
+        """The first robot it reports on."""
         return self.robots[0]
 
     @property
     def on_demand(self) -> bool:
-        """Tell whether it is asked for only now and then."""
+        """Tell whether it is subscribed only on demand."""
         return bool(self.wanted_for)
 
 
@@ -62,8 +61,8 @@ class ActionGoal(NamedTuple):
 
 
 class Publication(NamedTuple):
-    """A message on a topic. Nothing answers to it. `name` is that under which the robot will list the order
-    that it gives, if it gives one. To be taken twice does nothing more than to be taken once."""
+    """A message on a topic, without an answer. `name` is the name under which the robot will list the order
+    that it gives, if any. A second delivery has no further effect."""
 
     address: str
     type: str
@@ -75,7 +74,7 @@ Outgoing = ServiceCall | ActionGoal | Publication
 
 
 class Limit(NamedTuple):
-    """Megabytes of the largest message that a link takes, and the key of the config that says so."""
+    """Megabytes of the largest message that a link accepts, and the config key of that limit."""
 
     megabytes: float
     key: str
@@ -83,7 +82,7 @@ class Limit(NamedTuple):
 
 class Site(NamedTuple):
     """Settings of a configuration that adapters use: milliseconds between messages, seconds of silence after
-    which a robot counts as offline, and the table that its profile stands in."""
+    which a robot counts as offline, and the name of its profile's table."""
 
     pose_ms: int = 100
     status_ms: int = 500
@@ -92,22 +91,21 @@ class Site(NamedTuple):
 
 
 class Adapter(Protocol):
-    """One kind of robots under the names of one profile. Pure, and without a memory: what has to be
-    remembered is in the state of the robot."""
+    """One kind of robots under the names of one profile. Pure and stateless: all state is in the robot's."""
 
     @property
     def kind(self) -> Kind:
-        """Return what these robots report and accept."""
+        """Return the capabilities of these robots."""
 
     @property
     def names(self) -> Names:
         """The names of their topics, services and actions."""
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
-        """Return what to listen to, the most urgent first."""
+        """Return the topics to subscribe to, the most urgent first."""
 
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[Event]:
-        """Return what a message, still encoded, tells. `at`: monotonic seconds. Raises WireError."""
+        """Return the events of a message, still encoded. `at`: monotonic seconds. Raises WireError."""
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service that is called, the most urgent first."""
@@ -116,23 +114,23 @@ class Adapter(Protocol):
         """Return name and type of each topic that commands are published on."""
 
     def probes(self, robot: str) -> Iterable[Probe]:
-        """Return what a doctor looks at beside topics and services."""
+        """Return the doctor's checks beside topics and services."""
 
     def outgoing(
         self, command: Command, command_id: int, robot: Robot, unique: str = ""
     ) -> Sequence[Outgoing]:
-        """Return what carries a command, in the order in which it must leave. `unique`: 32 hexadecimal digits
-        for a name that nothing else has. Raises CommandError for one that must not leave."""
+        """Return the calls and messages of a command, in the order of sending. `unique`: 32 hexadecimal
+        digits for a unique name. Raises CommandError for one that must not be sent."""
 
     def outcome(
         self, command: Command, values: object, result: bool, status: int | None = None
     ) -> tuple[Stage, str]:
-        """Return what an answer means for a command, with the robot's own words. `result` is False where the
-        bridge did not pass it on; `status` is that of a goal (action_msgs/GoalStatus), None for a call: of an
-        order that has ended it is DONE or FAILED, of one that was not taken REFUSED."""
+        """Return the stage of a command that an answer leads to, with the robot's own text. `result` is False
+        if the bridge did not pass it on; `status` is that of a goal (action_msgs/GoalStatus), None for a
+        call: of an ended order it is DONE or FAILED, of a rejected one REFUSED."""
 
     def learned(
         self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
     ) -> Iterable[Event]:
-        """Return what the answer to a call that left at `sent_at` tells of its robot, beside how the command
-        went. Both times are monotonic seconds."""
+        """Return the events in the answer to a call that left at `sent_at`, besides the result of the
+        command. Both times are monotonic seconds."""

@@ -1,4 +1,4 @@
-"""Answers to service calls: what of a command they tell."""
+"""Answers to service calls: their meaning for a command."""
 
 import re
 from collections.abc import Sequence
@@ -7,7 +7,7 @@ from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.text.limits import truncate
 
 LONGEST_JUDGED = 100_000
-"""Characters of an answer in which words of refusal are looked for: in 8 MB it would take seconds."""
+"""Characters of an answer that are searched for words of refusal: 8 MB would take seconds."""
 
 
 _NEVER_ARRIVED = re.compile(
@@ -15,16 +15,16 @@ _NEVER_ARRIVED = re.compile(
     r"|does not have a field|message requires an? |is not a primitive type|not supported between instances"
     r"|^Unable to (communicate with|import)"
 )
-"""What a bridge says of a call that it did not pass on. Whatever else failed may have run: the node died
-or its handler threw in the middle, or the bridge did not wait any longer."""
+"""A bridge's messages for a call that it did not pass on. Any other failure may have run: the node died, its
+handler raised an exception midway, or the bridge timed out."""
 _THREW = re.compile(r"^service .*responded with an error: ")
-"""How a bridge introduces what a handler threw: that may contain the same words."""
+"""A bridge's prefix of an exception in a handler: the rest may contain the same words."""
 
 _ALREADY = {
     PauseRobot: re.compile(r"\balready paused\b", re.IGNORECASE),
     ResumeRobot: re.compile(r"\balready running\b|\bnot paused\b", re.IGNORECASE),
 }
-"""Words with which a robot declines what is the case: it is as it was asked to be."""
+"""Words with which a robot declines a request that is already fulfilled."""
 
 
 def said(values: object) -> str:
@@ -38,9 +38,9 @@ def said(values: object) -> str:
 def judge(
     command: Command, values: object, result: bool, refusals: Sequence[re.Pattern[str]]
 ) -> tuple[Stage, str]:
-    """Tell how a call ended. A refusal may come in an answer that says the call went well.
+    """Return the stage for the end of a call. A refusal may be in an answer to a successful call.
 
-    An answer says `success`, or is a `status` text; one that does neither says nothing.
+    An answer has `success`, or is a `status` text; one with neither has no meaning.
     """
     if not result:
         text = truncate(said(values))

@@ -9,20 +9,19 @@ from typing import NamedTuple
 from fleet_tui.text.limits import LONGEST_NAME
 
 NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
-"""ROS graph names, and what is harmless beside them."""
+"""ROS graph names, and harmless characters beside them."""
 
 
 class Listed(NamedTuple):
-    """The lists of a bridge: the types of topics that are published and of services by name, empty where not
-    known, and the names of action servers."""
+    """The lists of a bridge: types of published topics and of services by name, empty if unknown, and the
+    names of action servers."""
 
     topics: Mapping[str, str]
     services: Mapping[str, str]
     actions: tuple[str, ...] = ()
 
     def sane(self) -> "Listed":
-        """Leave out names and types that can't stand in a config: what comes from the wire may be
-        anything."""
+        """Leave out names and types that are invalid in a config: data from the wire may be anything."""
         return Listed(
             {name: type_ for name, type_ in self.topics.items() if _is_sane(name, type_)},
             {name: type_ for name, type_ in self.services.items() if _is_sane(name, type_)},
@@ -32,10 +31,10 @@ class Listed(NamedTuple):
 
 @dataclass
 class Discovery:
-    """Robots of one kind with their floors, and where its profile must differ; `notes` is what a person must
-    decide, by the table it belongs to. `candidates`: by table and key several names of which one or none was
-    taken. `absent`: keys of topics and services for which nothing is there. `more_floors`: those on which no
-    robot of it is. `is_guess`: only topics speak for it that other kinds have, too."""
+    """Robots of one kind with their floors, and the differences of its profile; `notes` are the decisions
+    left to a person, by table. `candidates`: by table and key several names of which at most one was
+    chosen. `absent`: keys of topics and services that don't exist. `more_floors`: those without a robot.
+    `is_guess`: the only evidence is topics that other kinds have, too."""
 
     robots: dict[str, list[str]] = field(default_factory=dict)
     topics: dict[str, str] = field(default_factory=dict)
@@ -52,18 +51,17 @@ class Discovery:
 
     @property
     def floors(self) -> list[str]:
-        """Every floor of any robot, and those of none."""
+        """Every floor of any robot, and those without a robot."""
         return list(
             dict.fromkeys(floor for floors in (*self.robots.values(), self.more_floors) for floor in floors)
         )
 
     def note(self, table: str, text: str) -> None:
-        """Leave something to a person."""
+        """Leave a decision to a person."""
         self.notes.setdefault(table, []).append(text)
 
     def choose(self, table: str, key: str, candidates: Iterable[str], usual: str, type_: str) -> str:
-        """Return the one candidate there is, or the one that sounds like the usual one; leave the rest to a
-        person."""
+        """Return the single candidate, or the one most like the usual name; leave the rest to a person."""
         candidates = sorted(candidates)
         if len(candidates) > 1:
             self.candidates[table, key] = candidates

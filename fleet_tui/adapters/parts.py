@@ -1,4 +1,5 @@
-"""Reads the lists in a message part by part: how many are taken is bounded, and a bad one costs no other."""
+"""Reads the lists in a message element by element: their number is limited, and a bad one doesn't affect the
+others."""
 
 from collections.abc import Callable
 from typing import Any
@@ -10,7 +11,7 @@ from fleet_tui.text.limits import MOST_ORDERS, too_many
 def read_all(
     read: Callable[[Any], Any], parts: list[Any], what: str, most: int, faults: list[str]
 ) -> list[Any]:
-    """The good ones of the first `most` parts; what is wrong with the others goes to `faults`."""
+    """Return the valid ones of the first `most` elements; the errors of the others go to `faults`."""
     if len(parts) > most:
         faults.append(too_many(len(parts), most, what))
     good = []
@@ -23,8 +24,8 @@ def read_all(
 
 
 def first_orders(orders: list[Any], current: int, id_name: str) -> list[Any]:
-    """As many orders as are taken, and wherever it stands the current one: a robot that drives is
-    not idle."""
+    """Return the first orders up to the limit, and the current one wherever it is: a robot that drives is not
+    idle."""
     others = (
         part for part in orders[MOST_ORDERS:] if isinstance(part, dict) and part.get(id_name) == current
     )

@@ -1,5 +1,4 @@
-"""Probes: what beside topics and services a doctor looks at, described by the adapter that knows what it
-means."""
+"""Probes: the doctor's checks besides topics and services, defined by the adapter."""
 
 from collections.abc import Callable, Mapping
 from typing import Literal, NamedTuple
@@ -16,7 +15,7 @@ class Diagnosis(NamedTuple):
 
 
 class ActionProbe(NamedTuple):
-    """An action server that must be there; `remedy` where it is not."""
+    """An action server that must exist; `remedy` if it does not."""
 
     check: str
     action: str
@@ -24,8 +23,8 @@ class ActionProbe(NamedTuple):
 
 
 class QueryProbe(NamedTuple):
-    """A service that only tells: anybody may call it at any time. `judge` gets its answer, a text where the
-    call failed; `remedy` where it is not there."""
+    """A read-only service: harmless to call at any time. `judge` gets its answer, a text if the call failed;
+    `remedy` if the service does not exist."""
 
     check: str
     service: str
@@ -36,8 +35,8 @@ class QueryProbe(NamedTuple):
 
 
 class HeardProbe(NamedTuple):
-    """Messages of the feed `key`: `judge` gets the number of messages and what the last readable one told,
-    None where it told nothing; it returns None where there is nothing to say beside the topic itself."""
+    """Messages of the feed `key`: `judge` gets the number of messages and the events of the last readable
+    one, None if it had none; it returns None if it has nothing to add to the topic itself."""
 
     check: str
     key: str
@@ -45,7 +44,7 @@ class HeardProbe(NamedTuple):
 
 
 class BridgeProbe(NamedTuple):
-    """The bridge itself: `judge` gets which ROS it is of, 0 where not known, and the distribution."""
+    """The bridge itself: `judge` gets its ROS version, 0 if unknown, and the distribution."""
 
     check: str
     judge: Callable[[int, str], Diagnosis]

@@ -1,4 +1,4 @@
-"""Profiles: how one site's robots differ from what is usual for their kind, as the config has them."""
+"""Profiles: the differences of one site's robots from the usual ones of their kind, as in the config."""
 
 from typing import Any, Literal
 
@@ -8,12 +8,12 @@ VertexRole = Literal["plain", "elevator", "docking"]
 
 
 class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """`[profile]` or `[profiles.NAME]`: overrides only. What is None is as usual for the kind.
+    """`[profile]` or `[profiles.NAME]`: overrides only. None means as usual for the kind.
 
-    `name` and `kind` mean the same. `fields` leads from our name of a field to its path in the site's
-    message, `scales` to what a number is multiplied with; `silence`: seconds for which a value may stay away
-    before it is old. `origin = "added"` where the stack adds the map's origin. `settings`: tables of single
-    kinds, by kind."""
+    `name` and `kind` mean the same. `fields` maps our name of a field to its path in the site's message,
+    `scales` to its factor; `silence`: seconds after which a missing value is old. `origin = "added"` if the
+    stack adds the map's origin. `settings`: tables of single kinds, by kind.
+    """
 
     name: str = ""
     kind: str = ""

@@ -7,7 +7,7 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, cast
 
 if TYPE_CHECKING:
-    # What a kind needs is imported when it is used: a fleet of one kind does not wait for the others.
+    # A kind's modules are imported on use: a fleet of one kind does not wait for the others.
     from msgspec import Struct
 
     from fleet_tui.adapters.adapter import Adapter, Site
@@ -20,7 +20,7 @@ DEFAULT_KIND = "oh_ressources"
 
 @dataclass(frozen=True)
 class Registered:
-    """A kind of robots, whose folder has the modules `vocabulary`, `adapter`, `discovery` and, where it has
+    """A kind of robots, whose folder has the modules `vocabulary`, `adapter`, `discovery` and, if it has
     settings of its own, `settings`."""
 
     folder: str
@@ -30,22 +30,22 @@ class Registered:
 
     @property
     def vocabulary(self) -> "Vocabulary":
-        """Its usual names."""
+        """Return its usual names."""
         return cast("Vocabulary", self._module("vocabulary").VOCABULARY)
 
     @property
     def adapter(self) -> "Callable[[Profile, Site], Adapter]":
-        """Makes its adapter for a profile."""
+        """Return its adapter for a profile."""
         return cast("Callable[[Profile, Site], Adapter]", self._module("adapter").ADAPTER)
 
     @property
     def discover(self) -> "Callable[[Listed], Discovery]":
-        """Recognises such robots among what a bridge lists."""
+        """Recognise such robots among the names that a bridge lists."""
         return cast("Callable[[Listed], Discovery]", self._module("discovery").discover)
 
     @property
     def settings(self) -> "type[Struct] | None":
-        """The table of a profile that only this kind has."""
+        """Return the table of a profile that only this kind has."""
         if find_spec(f"{__package__}.{self.folder}.settings") is None:
             return None
         return cast("type[Struct]", self._module("settings").SETTINGS)

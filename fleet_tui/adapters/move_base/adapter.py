@@ -41,13 +41,13 @@ class MoveBase(NavigationAdapter):
         kind = msgspec.structs.replace(kind, gives_stops=True)
         if "pose" in kind.reports or not self.names.topic("feedback", "robot"):
             return kind
-        # On its way it tells where it is.
+        # While driving it reports its position.
         return msgspec.structs.replace(
             kind, reports=("pose", *kind.reports), silence={"pose": math.inf, **kind.silence}
         )
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
-        """Return what to listen to, the most urgent first."""
+        """Return the topics to subscribe to, the most urgent first."""
         names, site = self.names, self.site
         slow = Feed("", (robot,), "", "", "", site.status_ms)
         yield from feeds.feed(names, robot, slow, "status")
@@ -65,13 +65,13 @@ class MoveBase(NavigationAdapter):
         yield from super().publications(robot)
 
     def probes(self, robot: str) -> Iterable[Probe]:
-        """Return what decides whether such a robot can be driven."""
+        """Return the checks of whether such a robot can be driven."""
         return probes(self.names, robot)
 
     def outcome(
         self, command: commands.Command, values: object, result: bool, status: int | None = None
     ) -> tuple[commands.Stage, str]:
-        """Return what the answer of a service that pauses or resumes means; nothing else is answered."""
+        """Return the stage for the answer of a pause or resume service; all other commands have no answer."""
         return judge(command, values, result, ())
 
 

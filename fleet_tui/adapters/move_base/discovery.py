@@ -12,7 +12,7 @@ from fleet_tui.adapters.ros_navigation.discovery import (
 
 STATUS, STATUS_TYPE = "move_base/status", VOCABULARY.topics["status"][1]
 OF_MOVE_BASE = ("status", "goal", "cancel", "feedback", "target")
-"""Topics that move_base has wherever it runs."""
+"""Topics of every move_base."""
 CHOSEN = ("plan", "odometry", "pose", "battery")
 """Topics that differ from site to site."""
 

@@ -13,7 +13,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active
 
 NO_STAMP = {"secs": 0, "nsecs": 0}
-"""Of a goal: it is taken now, by the robot's clock. Of a cancellation any other stamp would mean every goal
+"""Stamp of a goal: taken now, by the robot's clock. In a cancellation any other stamp would mean every goal
 up to it, too."""
 ALL = ""
 """The id of all goals."""
@@ -37,7 +37,7 @@ def order(names: Names, robot: Robot, stops: Sequence[Stop], unique: str) -> tup
 
 
 def cancel(names: Names, robot: Robot, order_id: str) -> list[Publication]:
-    """Return what cancels one goal, whoever gave it. Raises CommandError for an unknown one."""
+    """Return the cancellation of one goal, from any client. Raises CommandError for an unknown one."""
     found = [goal.uuid for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
         known = f"{len(found)} goals match {order_id}" if found else f"unknown goal {order_id}"
@@ -46,21 +46,21 @@ def cancel(names: Names, robot: Robot, order_id: str) -> list[Publication]:
 
 
 def cancel_own(names: Names, robot: Robot) -> list[Publication]:
-    """Return what cancels each goal of this console."""
+    """Return the cancellation of each goal of this console."""
     own = [goal.uuid for goal in active(robot.goals) if goal.is_ours]
     return _cancel(names, robot, [*own, *_not_listed_yet(robot)])
 
 
 def cancel_all(names: Names, robot: Robot) -> list[Publication]:
-    """Return what cancels all goals of all clients: each by its id, or, of a robot that has never listed
-    them, all at once."""
+    """Return the cancellation of all goals of all clients: each by its id, or all at once if the robot has
+    never listed them."""
     if ACTION not in robot.goals:
         return _cancel(names, robot, [ALL])
     return _cancel(names, robot, [*(goal.uuid for goal in active(robot.goals)), *_not_listed_yet(robot)])
 
 
 def _not_listed_yet(robot: Robot) -> list[str]:
-    """The goal that this console has just given: its cancellation may even arrive before it."""
+    """Return the goal that this console has just given: its cancellation may even arrive before it."""
     return [robot.named] if robot.named else []
 
 

@@ -8,13 +8,13 @@ from fleet_tui.adapters.ros_navigation.probes import heard_probes
 
 
 def probes(names: Names, robot: str) -> Iterator[Probe]:
-    """Return what to look at of one robot, and of its bridge."""
+    """Return the checks of one robot, and of its bridge."""
     yield BridgeProbe("distribution", judge_bridge)
     yield from heard_probes(names, robot)
 
 
 def judge_bridge(ros: int, distro: str) -> Diagnosis:
-    """Judge the bridge by its ROS."""
+    """Judge the bridge by its ROS version."""
     if ros == 2:
         remedy = "move_base needs ROS 1: correct the url, or the kind (nav2?)"
         return Diagnosis("fail", f"ROS 2 bridge{f' ({distro})' if distro else ''}", remedy)

@@ -1,4 +1,4 @@
-"""Messages of move_base as facts."""
+"""Messages of move_base as events."""
 
 import hashlib
 import re
@@ -30,7 +30,7 @@ STATES = {
     4: OrderState.FAILED,
     5: OrderState.REFUSED,
     6: OrderState.IN_PROCESS,
-    # Cancelled before it was begun. One whose goal never came is listed so for ever.
+    # Cancelled before it was begun. One whose goal never arrived stays listed so.
     7: OrderState.CANCELLED,
     8: OrderState.CANCELLED,
     9: OrderState.LOST,
@@ -42,11 +42,11 @@ WORDS = (
     *("rejected", "preempting", "recalling", "recalled", "lost"),
 )
 REPLACED = re.compile(r"because another goal was rec(?:ie|ei)ved")
-"""Words of a goal that ends because a newer one came, as actionlib for C++ and for Python spell them."""
+"""Text of a goal that was replaced by a newer one, as actionlib for C++ and for Python spell it."""
 
 
 def read_status(names: Names) -> Read:
-    """Read an actionlib_msgs/GoalStatusArray, which comes five times a second."""
+    """Read an actionlib_msgs/GoalStatusArray, sent five times a second."""
     read, read_one = (
         ros.reader(messages.ActionlibStatusArray, names.paths("status")),
         ros.reader(messages.ActionlibGoalStatus),
@@ -84,7 +84,7 @@ def _goal(one: messages.ActionlibGoalStatus) -> Goal:
 
 
 def short_id(id_: str) -> str:
-    """Return eight digits for a goal's id, as people write it: the first ones of a console's goal, made from
+    """Return eight digits for a goal's id, as people write it: the first ones of a console's goal, a hash of
     any other. Raises WireError."""
     if not id_:
         # To cancel a goal of this id would cancel all goals.
@@ -96,7 +96,7 @@ def short_id(id_: str) -> str:
 
 
 def read_target(names: Names) -> Read:
-    """Read a geometry_msgs/PoseStamped: where the goal leads to that has just begun."""
+    """Read a geometry_msgs/PoseStamped: the target of the goal that has just begun."""
     read = ros.reader(ros.PoseStamped, names.paths("target"))
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
@@ -106,8 +106,7 @@ def read_target(names: Names) -> Read:
 
 
 def read_feedback(names: Names) -> Read:
-    """Read a move_base_msgs/MoveBaseActionFeedback. Where the robot is it tells better elsewhere, if it has a
-    topic for that."""
+    """Read a move_base_msgs/MoveBaseActionFeedback. Its pose is ignored if the robot has a topic for that."""
     read = ros.reader(messages.ActionFeedback, names.paths("feedback"))
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:

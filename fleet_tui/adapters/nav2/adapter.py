@@ -20,7 +20,7 @@ from fleet_tui.model import commands, events, navigation_events
 from fleet_tui.model.robot import Robot
 
 REPORTS = ("blocked", "map", "queue", "progress")
-"""Values beside places and charge; the last two come from the actions."""
+"""Values besides position and charge; the last two are from the actions."""
 DRIVES = ("follow_waypoints", "navigate_to_pose")
 """The actions with which orders are given."""
 STATUS_TYPE = "action_msgs/GoalStatusArray"
@@ -33,7 +33,7 @@ GOALS = GoalMessages(order, cancel, cancel_own, cancel_all)
 
 
 class Nav2(NavigationAdapter):
-    """Robots that drive one goal at a time, and give each goal's state to all clients."""
+    """Robots that drive one goal at a time, and report each goal's state to all clients."""
 
     def __init__(self, profile: Profile, site: Site) -> None:
         super().__init__("nav2", VOCABULARY, profile, site, Nav2Settings, GOALS)
@@ -47,8 +47,9 @@ class Nav2(NavigationAdapter):
         self.kind = kind_of_goals("nav2", self.names, self.pauses, REPORTS, silence)
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
-        """Return what to listen to, the most urgent first. A bridge subscribes one by one: the goals come
-        before the first sign of life, so that an order to a robot that is heard replaces nobody's."""
+        """Return the topics to subscribe to, the most urgent first. A bridge subscribes one by one: goals
+        precede the first sign of life, so that an order to a robot that is online replaces no other
+        client's."""
         names, site = self.names, self.site
         yield from self._statuses(robot, DRIVES)
         yield from feeds.places(names, site, robot)
@@ -71,13 +72,13 @@ class Nav2(NavigationAdapter):
                 yield Feed(key, (robot,), "", address, type_, self.site.status_ms, silent=True)
 
     def probes(self, robot: str) -> Iterable[Probe]:
-        """Return what decides whether such a robot can be driven."""
+        """Return the checks of whether such a robot can be driven."""
         return probes(self.names, robot)
 
     def outcome(
         self, command: commands.Command, values: object, result: bool, status: int | None = None
     ) -> tuple[commands.Stage, str]:
-        """Return what an answer means for a command; `status` is that of a goal."""
+        """Return the stage of a command that an answer leads to; `status` is that of a goal."""
         if status is not None:
             return judge_goal(values, status, result)
         if isinstance(values, dict) and "success" in values:
@@ -87,8 +88,7 @@ class Nav2(NavigationAdapter):
     def learned(
         self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
     ) -> Iterable[events.Event]:
-        """Return which goals an action server does not know: it tells that no other way once it was started
-        anew."""
+        """Return the goals unknown to an action server: the only sign that it was restarted."""
         if gone := unknown_goals(self.names, call, values, robot, sent_at):
             yield navigation_events.GoalsUnknown(robot.name, at, gone)
 

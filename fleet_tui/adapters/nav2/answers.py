@@ -1,4 +1,4 @@
-"""Answers of Nav2's action servers: what of a command they tell."""
+"""Answers of Nav2's action servers: their meaning for a command."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,7 +18,7 @@ NO_SERVER = ("does not exist", "No action server available")
 
 
 def judge_cancel(command: Command, values: object, result: bool) -> tuple[Stage, str]:
-    """Tell how a cancellation went. One of all goals is well where there is none."""
+    """Judge the answer to a cancellation. One of all goals succeeds if there are none."""
     all_meant = isinstance(command, PauseRobot)
     if not result:
         stage, words = judge(command, values, result, ())
@@ -35,7 +35,7 @@ def judge_cancel(command: Command, values: object, result: bool) -> tuple[Stage,
 
 
 def judge_goal(values: object, status: int, result: bool) -> tuple[Stage, str]:
-    """Tell what the end of a goal that this console gave means, as far as its own answer tells."""
+    """Judge the end of a goal that this console gave, as far as its own answer shows."""
     if not result:
         return Stage.REFUSED, truncate(said(values))
     fields: Mapping[str, Any] = values if isinstance(values, Mapping) else {}

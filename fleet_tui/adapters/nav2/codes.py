@@ -37,7 +37,7 @@ _GROUPS: Mapping[int, str] = {
 
 
 def in_words(code: int, message: str = "") -> str:
-    """Write an error code with what it means, and the robot's own message."""
+    """Return an error code with its meaning, and the robot's own message."""
     known = CODES.get(code) or _GROUPS.get(code // 100, "")
     if code >= 9000:
         known = "navigator failed"

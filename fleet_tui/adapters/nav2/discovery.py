@@ -32,7 +32,7 @@ def discover(listed: Listed) -> Discovery:
 
 
 def _namespaces(listed: Listed) -> list[str]:
-    """The namespaces of robots without a leading slash; empty is that of a robot alone on its bridge."""
+    """Return the namespaces of robots without a leading slash; empty for a robot alone on its bridge."""
     by_action = namespaces(listed.actions, DRIVES)
     by_service = namespaces(listed.services, [IS_ACTIVE[1:]])
     by_topic = _with(listed, "pose") & _with(listed, "odometry")
@@ -40,7 +40,8 @@ def _namespaces(listed: Listed) -> list[str]:
 
 
 def _with(listed: Listed, key: str) -> set[str]:
-    """The namespaces with a topic of this name and type. On ROS 1 the same names are another kind's."""
+    """Return the namespaces with a topic of this name and type. On ROS 1 the same names are another
+    kind's."""
     name, type_ = VOCABULARY.topics[key]
     there = [topic for topic, other in listed.topics.items() if "/msg/" in other and same_type(other, type_)]
     return namespaces(there, [name.rpartition("/")[2]])

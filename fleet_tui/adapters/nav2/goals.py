@@ -1,4 +1,4 @@
-"""Orders and cancellations of Nav2 as goals and calls, and what their answers mean."""
+"""Orders and cancellations of Nav2 as goals and calls, and the meaning of their answers."""
 
 from collections.abc import Mapping, Sequence
 
@@ -17,11 +17,11 @@ ALL = "AAAAAAAAAAAAAAAAAAAAAA=="
 """The id of all goals: sixteen zeros."""
 CANCEL_TYPE = "action_msgs/srv/CancelGoal"
 NO_ERROR, UNKNOWN_GOAL = 0, 2
-"""Return codes of a cancellation. One of all goals finds no error where there is none."""
+"""Return codes of a cancellation. One of all goals reports no error if there are none."""
 
 
 def order(names: Names, robot: Robot, stops: Sequence[Stop], _unique: str) -> tuple[ActionGoal]:
-    """Return the goal that leads to the stops one after the other. Raises CommandError."""
+    """Return the goal that leads to the stops in sequence. Raises CommandError."""
     poses, here = list[Pose](), robot.pose.value if robot.pose else None
     if not stops:
         raise CommandError("an order needs a destination")
@@ -42,7 +42,7 @@ def _goal(names: Names, key: str, robot: Robot, args: Mapping[str, object]) -> A
 
 
 def cancel(names: Names, robot: Robot, order_id: str) -> tuple[ServiceCall]:
-    """Return the call that cancels one goal, whoever gave it. Raises CommandError for an unknown one."""
+    """Return the call that cancels one goal, from any client. Raises CommandError for an unknown one."""
     found = [goal for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
         known = f"{len(found)} goals match {order_id}" if found else f"unknown goal {order_id}"
@@ -67,8 +67,8 @@ def cancel_all(names: Names, robot: Robot) -> list[ServiceCall]:
 def unknown_goals(
     names: Names, call: ServiceCall, values: object, robot: Robot, sent_at: float
 ) -> tuple[str, ...]:
-    """Return the ids of goals that should be under way, as far as was heard before a cancellation left, and
-    that its answer says are not."""
+    """Return the ids of goals that were active by the last list before a cancellation left, and that its
+    answer says are not."""
     if not isinstance(values, Mapping) or values.get("goals_canceling"):
         return ()
     code = values.get("return_code")
@@ -82,7 +82,7 @@ def unknown_goals(
 
 
 def _cancel(names: Names, robot: Robot, action: str, uuid: str) -> ServiceCall:
-    # Complete: the bridge fills gaps with zeros, and zeros stand for all goals.
+    # Complete: the bridge fills gaps with zeros, and an all-zero id means all goals.
     info = {"goal_id": {"uuid": uuid}, "stamp": NO_STAMP}
     service = f"{names.action(action, robot.name)}/_action/cancel_goal"
     return ServiceCall(service, CANCEL_TYPE, {"goal_info": info})

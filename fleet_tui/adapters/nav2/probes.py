@@ -7,7 +7,7 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.probes import heard_probes
 
 NEEDED = {"navigate_to_pose": "bt_navigator", "follow_waypoints": "waypoint_follower"}
-"""Actions by which orders are driven, and the node that has each."""
+"""Actions by which orders are driven, and the node of each."""
 
 HUMBLE = (
     "humble: by default a goal blocks its connection until it ends, a call has no time limit, and a rejected"
@@ -19,7 +19,7 @@ NEW_THREADS = (
 
 
 def probes(names: Names, robot: str) -> Iterator[Probe]:
-    """Return what to look at of one robot, and of its bridge."""
+    """Return the checks of one robot, and of its bridge."""
     yield BridgeProbe("distribution", judge_bridge)
     for key, node in NEEDED.items():
         if action := names.action(key, robot):
@@ -33,7 +33,7 @@ def probes(names: Names, robot: str) -> Iterator[Probe]:
 
 
 def judge_bridge(ros: int, distro: str) -> Diagnosis:
-    """Judge the bridge by its distribution: what it does with goals."""
+    """Judge the bridge by its distribution: its handling of goals."""
     if ros == 1:
         remedy = "Nav2 actions need a ROS 2 bridge: correct the url or the kind"
         return Diagnosis("fail", "ROS 1 bridge", remedy)

@@ -1,4 +1,4 @@
-"""Messages of Nav2 as facts."""
+"""Messages of Nav2 as events."""
 
 import base64
 import binascii
@@ -25,15 +25,15 @@ STATES = {
 }
 """States of a goal (action_msgs/GoalStatus). One that is being cancelled still drives."""
 FARTHEST, MOST_COUNTED = 1e6, 10**6
-"""Metres, and recoveries, beyond which a number is none."""
+"""Metres, and recoveries, above which a number is invalid."""
 CANCELLING = 3
 WORDS = {1: "accepted", 2: "executing", 3: "cancelling", 4: "succeeded", 5: "cancelled", 6: "aborted"}
 LEADING = "follow_waypoints"
 """The action that drives by goals of another one."""
 LABELS = {"dock_robot": "docking", "undock_robot": "undocking"}
-"""Goals that lead to no stop."""
+"""Goals without a stop."""
 MONITOR = {0: "", 1: "stop", 2: "slowdown", 3: "approach", 4: "limit"}
-"""What a collision monitor does (nav2_msgs/CollisionMonitorState)."""
+"""Actions of a collision monitor (nav2_msgs/CollisionMonitorState)."""
 
 
 def read_blocked(names: Names) -> Read:
@@ -112,7 +112,7 @@ def read_feedback() -> Read:
         metres = told.distance_remaining
         progress = Progress(
             goal,
-            # 0 stands for "not known": before the first plan, and while it stands.
+            # 0 means "not known": before the first plan, and while the robot stands.
             metres if metres and 0.0 < metres <= FARTHEST else None,
             left.seconds if left and left.seconds > 0.0 else None,
             elapsed.seconds if elapsed else None,

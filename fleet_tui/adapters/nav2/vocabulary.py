@@ -4,7 +4,7 @@ from fleet_tui.adapters.ros.fields import GRID, HEADER, alike, placed
 from fleet_tui.adapters.ros.names import Vocabulary
 
 ACTIONS = ("follow_waypoints", "navigate_through_poses", "navigate_to_pose", "dock_robot", "undock_robot")
-"""In the order in which they are cancelled: the first drives by goals of others."""
+"""In the order of cancelling: the first drives by goals of others."""
 
 VOCABULARY = Vocabulary(
     topics={

@@ -35,7 +35,7 @@ ABILITIES = {
     "pause": kind.PAUSE,
     "resume": kind.RESUME,
 }
-"""What each service is called for."""
+"""The use of each service."""
 
 
 class OhRessources:
@@ -70,7 +70,7 @@ class OhRessources:
         )
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
-        """Return what to listen to, the most urgent first."""
+        """Return the topics to subscribe to, the most urgent first."""
         for key in KEYS:
             per_floor, is_pose, is_map = key in VOCABULARY.floor_topics, key == "pose", key == "map"
             rate = 0 if per_floor else self._site.pose_ms if is_pose else self._site.status_ms
@@ -81,7 +81,7 @@ class OhRessources:
                     yield Feed(key, (robot,), floor, topic, type_, rate, per_floor, wanted, is_map, is_pose)
 
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
-        """Return the one fact that a message tells. Raises WireError."""
+        """Return the one event of a message. Raises WireError."""
         return (self._readers[feed.key](feed.robot, feed.floor, msg, at),)
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
@@ -91,29 +91,29 @@ class OhRessources:
         return (service for service in named if service[1])
 
     def publications(self, robot: str) -> Iterable[tuple[str, str]]:
-        """Commands are calls."""
+        """Return nothing: commands are calls."""
         return ()
 
     def probes(self, robot: str) -> Iterable[Probe]:
-        """Topics and services tell everything."""
+        """Return nothing: topics and services suffice."""
         return ()
 
     def outgoing(
         self, command: Command, command_id: int, robot: Robot, unique: str = ""
     ) -> Sequence[ServiceCall]:
-        """Return the call of a command. Raises CommandError for one that must not leave."""
+        """Return the call of a command. Raises CommandError for one that must not be sent."""
         return (call_of(self.names, command, command_id),)
 
     def outcome(
         self, command: Command, values: object, result: bool, status: int | None = None
     ) -> tuple[Stage, str]:
-        """Return what an answer means for a command, with the robot's own words."""
+        """Return the stage of a command that an answer leads to, with the robot's own text."""
         return judge(command, values, result, self._refusals)
 
     def learned(
         self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
     ) -> Iterable[events.Event]:
-        """Topics tell everything."""
+        """Return nothing: topics report everything."""
         return ()
 
 

@@ -1,4 +1,4 @@
-"""Commands as the calls of these robots: their ids are 32-bit numbers, and 0 stands for all orders."""
+"""Commands as the calls of these robots: their ids are 32-bit numbers, and 0 means all orders."""
 
 import re
 from collections.abc import Mapping
@@ -15,7 +15,7 @@ INT32_MAX = 2**31 - 1
 
 
 def call_of(names: Names, command: commands.Command, request_id: int) -> ServiceCall:
-    """The service call of a command. Raises CommandError for one that must not leave."""
+    """Return the service call of a command. Raises CommandError for one that must not be sent."""
     args: dict[str, object]
 
     def call(key: str, given: Mapping[str, object]) -> ServiceCall:
@@ -53,7 +53,7 @@ def _vertex(stop: Stop) -> int:
 
 
 def _int32(id_: str, what: str) -> int:
-    """The number that an id is on the wire. Raises CommandError where it is none."""
+    """Return the number that an id is on the wire. Raises CommandError if it is not a number."""
     if not re.fullmatch(r"-?[0-9]{1,100}", id_, re.ASCII):
         raise CommandError(f"{what} {id_!r} is not a number: these robots use numeric ids")
     return int(id_)

@@ -43,8 +43,8 @@ def discover(listed: Listed) -> Discovery:
 def _as_usual(
     there: Mapping[str, str], usual: Mapping[str, tuple[str, str]]
 ) -> tuple[dict[str, str], dict[str, str]]:
-    """Names and types with the types spelled as by default, and by key how those are spelled here that ROS 2
-    spells otherwise."""
+    """Return names and types with the types spelled as by default, and by key the local spelling if ROS 2
+    differs."""
     found, spelled = dict[str, str](), dict[str, str]()
     for name, type_ in there.items():
         keys = [key for key, (_, known) in usual.items() if same_type(type_, known)]
@@ -55,7 +55,7 @@ def _as_usual(
 
 
 def _robots(topics: Mapping[str, str]) -> tuple[list[str], bool]:
-    """The namespaces in which a queue is published; without any, as a guess, those with poses."""
+    """Return the namespaces with a queue; if there are none, as a guess, those with poses."""
     for type_ in (QUEUE, POSE):
         found = [name.strip("/").split("/") for name, other in topics.items() if other == type_]
         found = [parts for parts in found if len(parts) > 1]
@@ -90,7 +90,7 @@ def _floors(robot: str, below: Below) -> Iterator[str]:
 
 
 def _templates(site: Discovery, key: str, below: Below) -> dict[str, int]:
-    """Every template by which topics of a key's type can be named, and how many robots name one so."""
+    """Return every template by which topics of a key's type can be named, with its number of robots."""
     found = dict[str, int]()
     for robot, floors in site.robots.items():
         rests, known = set[str](), set(floors)
@@ -117,7 +117,7 @@ def _topic(site: Discovery, key: str, topics: Mapping[str, str], below: Below) -
 
 
 def _alike(site: Discovery, key: str, topics: Mapping[str, str]) -> bool:
-    """Tell whether it is there under its usual name with a type that is read alike."""
+    """Tell whether a topic exists under its usual name with a type that is read alike."""
     for robot, floors in site.robots.items():
         for floor in floors if key in FLOOR_TOPICS else [""]:
             there = topics.get(TOPICS[key][0].replace("{robot}", robot).replace("{floor}", floor))

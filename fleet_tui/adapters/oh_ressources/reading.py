@@ -1,4 +1,4 @@
-"""Messages of the package OH_ressources as facts."""
+"""Messages of the package OH_ressources as events."""
 
 from fleet_tui.adapters.parts import first_orders, read_all
 from fleet_tui.adapters.ros import messages as ros
@@ -23,7 +23,7 @@ STATES = {
     "D": OrderState.DONE,
     "C": OrderState.CANCELLED,
 }
-"""The letters that are known. W and Q come from the source; the others occur."""
+"""The known letters. W and Q are from the source; the others occur."""
 
 
 def _order(order: ros.QueuedOrder) -> Order:

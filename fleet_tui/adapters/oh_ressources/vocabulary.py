@@ -48,7 +48,7 @@ VOCABULARY = Vocabulary(
         "cancel_call": alike("robot", "ind"),
     },
     scales=frozenset({"pose", "obstacle", "battery", "vertex"}),
-    # A robot refuses in the text of an answer that says the call itself went well.
+    # A robot refuses in the text of an answer to a successful call.
     refusals=(
         r"(?i)\b(reject|refus|fail|invalid|denied|unknown|unable|cannot|can't|impossible)",
         r"(?i)\bno such\b",

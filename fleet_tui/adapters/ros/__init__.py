@@ -1,1 +1,1 @@
-"""The law of the language: rosbridge v2 operations and the ROS messages in them."""
+"""Codec: rosbridge v2 operations and the ROS messages in them."""

@@ -6,13 +6,13 @@ from typing import Any
 import cbor2
 
 LARGEST_REST = 2**20
-"""Bytes beside the cells of a map: decoding lists of nothing takes half a second for each of these."""
+"""Bytes beside the cells of a map: decoding empty lists takes half a second for each of these."""
 INT8_ARRAY = 72
 
-# All that cbor2 makes more of. With references to what came before, 200 bytes take hours to hash or to
+# All further types of cbor2 are rejected. With back references, 200 bytes take hours to hash or to
 # write out; a number may have more digits than Python writes.
 _LIVELY = (0, 1, 2, 3, 4, 5, 25, 28, 29, 30, 35, 36, 37, 52, 54, 100, 256, 258, 260, 261, 1004, 43000)
-# The head of a byte string of more than 64 kB, and what stands for it while the rest is decoded.
+# The head of a byte string of more than 64 kB, and its placeholder while the rest is decoded.
 _LONG_BYTES = re.compile(rb"\x5a(?=(.{4}))", re.DOTALL)
 _STANDS_FOR_IT = b"\x48" + b"longdata"
 
@@ -25,7 +25,7 @@ _DECODERS: Any = dict.fromkeys(_LIVELY, _refuse)
 
 
 def read_cbor(payload: bytes) -> Any:
-    """Return what it says. Raises ValueError for what is no CBOR, or more than a bridge has to say."""
+    """Decode CBOR. Raises ValueError for invalid CBOR, or more than a bridge should send."""
     data = b""
     if len(payload) > LARGEST_REST:
         payload, data = _without_cells(payload)
@@ -37,7 +37,7 @@ def read_cbor(payload: bytes) -> Any:
 
 
 def _without_cells(payload: bytes) -> tuple[bytes, bytes]:
-    """A large message without its one long byte string, and that."""
+    """Return a large message without its one long byte string, and that string."""
     for found in _LONG_BYTES.finditer(payload, 0, 65_536):
         start = found.end() + 4
         end = start + int.from_bytes(found[1], "big")

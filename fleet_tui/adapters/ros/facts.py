@@ -1,4 +1,4 @@
-"""Facts that messages of the common ROS packages tell, whatever kind of robot they come from."""
+"""Events from messages of the common ROS packages, for any kind of robot."""
 
 import math
 from array import array
@@ -11,11 +11,11 @@ from fleet_tui.model import events
 from fleet_tui.model.geometry import MapFrame, Pose, yaw_of_quaternion
 from fleet_tui.model.grid import check_frame
 
-# (robot, floor, message still encoded, monotonic seconds of arrival) -> the fact; raises WireError.
+# (robot, floor, message still encoded, monotonic seconds of arrival) -> the event; raises WireError.
 Translate = Callable[[str, str, object, float], events.Event]
 
 FARTHEST = 1e9
-"""Metres; a place farther off is none on any floor, and a picture that had to hold it would overflow."""
+"""Metres; a position farther off is on no floor, and a picture that includes it would overflow."""
 
 
 def is_place(*numbers: float) -> bool:
@@ -41,11 +41,11 @@ def pose_of(pose: ros.RosPose, field: str, scale: float = 1.0) -> Pose:
 
 
 def frame_of(metadata: ros.MapMetadata, added: bool) -> MapFrame:
-    """Return how a map lies in the world. Raises WireError."""
+    """Return the placement of a map in the world. Raises WireError."""
     try:
         origin = pose_of(metadata.origin, "origin")
     except WireError:
-        # Map servers are known to leave the origin's rotation unset: that is no rotation.
+        # Map servers are known to leave the origin's rotation unset: this means no rotation.
         position = metadata.origin.position
         check_finite(position.x, position.y, field="origin.position")
         origin = Pose(position.x, position.y)
@@ -102,7 +102,7 @@ def read_map(names: Names) -> Translate:
     read, added = ros.reader(ros.OccupancyGridMessage, names.paths("map")), names.profile.origin == "added"
 
     def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
-        # With numpy, whose import takes longer than all that a command without a screen does.
+        # With numpy, whose import takes longer than a whole command without a screen.
         from fleet_tui.model.occupancy import grid_from_ros
 
         message = read(msg)

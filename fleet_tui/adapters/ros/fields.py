@@ -1,4 +1,4 @@
-"""Fields of messages: our names with their usual paths, and messages whose fields a site has elsewhere."""
+"""Fields of messages: our names with their usual paths, and messages whose fields differ at a site."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,12 +7,12 @@ from fleet_tui.errors import WireError
 
 
 def alike(*names: str) -> Mapping[str, str]:
-    """Fields that are called on the wire as we call them."""
+    """Return fields whose name on the wire is ours."""
     return {name: name for name in names}
 
 
 def placed(path: str) -> Mapping[str, str]:
-    """Fields of a geometry_msgs/Pose that lies at a path, which ends with a dot."""
+    """Return the fields of a geometry_msgs/Pose at a path, which ends with a dot."""
     parts = {"position": "xyz", "orientation": "xyzw"}
     names = [*parts, *(f"{part}.{axis}" for part, axes in parts.items() for axis in axes)]
     return {name: f"{path}{name}" for name in names}
@@ -32,20 +32,20 @@ GRID: Mapping[str, str] = {
 
 
 def rearranged(message: Any, paths: Mapping[str, tuple[str, str]]) -> dict[str, Any]:
-    """Copy a message with each field at its usual path that a site has at another one.
+    """Copy a message, moving each field from its path at this site to its usual one.
 
-    `paths`: by our name of a field both paths, the usual one first. Raises WireError where a field is
-    missing."""
+    `paths`: by our name of a field both paths, the usual one first. Raises WireError for a missing field.
+    """
     found = {name: _value(message, there) for name, (_, there) in paths.items()}
     copy: dict[str, Any] = dict(message)
-    # What lies deeper comes later: it may be part of what was put there before.
+    # Deeper paths are last: they may be part of an earlier value.
     for name, (usual, _) in sorted(paths.items(), key=lambda item: item[1][0].count(".")):
         put(copy, usual, found[name])
     return copy
 
 
 def put(message: dict[str, Any], path: str, value: object) -> None:
-    """Put a value at a path of a message. Parts that it passes are copied: they may be others'."""
+    """Put a value at a path of a message. Parents are copied: they may be shared."""
     *way, last = path.split(".")
     for step in way:
         inner = message.get(step)

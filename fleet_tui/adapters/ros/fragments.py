@@ -1,4 +1,4 @@
-"""Messages that come in pieces: a bridge of ROS 2 cuts those that are larger than it sends at once."""
+"""Fragmented messages: a bridge of ROS 2 splits those above its fragment size."""
 
 from dataclasses import dataclass, field
 
@@ -6,7 +6,7 @@ from fleet_tui.adapters.ros.operations import Fragment
 from fleet_tui.errors import WireError
 
 MOST_MESSAGES = 4
-"""Messages of which pieces are kept: one connection sends them one after the other."""
+"""Number of messages whose fragments are kept: a connection sends them one by one."""
 MOST_PIECES = 10_000
 
 
@@ -18,16 +18,17 @@ class _Message:
 
 
 class Fragments:
-    """Puts the pieces of one connection together; a message may have `limit` characters."""
+    """Joins the fragments of one connection; a message may have `limit` characters."""
 
     def __init__(self, limit: int) -> None:
         self._limit = limit
         self._messages: dict[str, _Message] = {}
 
     def add(self, piece: Fragment) -> bytes | None:
-        """Take one piece. Returns the message when it is whole.
+        """Take one fragment. Returns the message when it is complete.
 
-        Raises WireError for one that is too large, or whose pieces don't fit together."""
+        Raises WireError for one that is too large, or whose fragments don't fit together.
+        """
         message = self._messages.setdefault(piece.id, _Message(piece.total))
         if not 0 <= piece.num < piece.total <= MOST_PIECES or piece.total != message.total:
             del self._messages[piece.id]
@@ -47,5 +48,5 @@ class Fragments:
         return "".join(message.pieces[n] for n in range(message.total)).encode()
 
     def clear(self) -> None:
-        """Forget what is not whole: on a new connection nothing more of it comes."""
+        """Drop incomplete messages: a new connection can't complete them."""
         self._messages.clear()

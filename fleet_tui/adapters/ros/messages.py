@@ -1,7 +1,7 @@
-"""ROS messages as typed structs, field names as `robot-interface` gives them.
+"""ROS messages as typed structs, field names as in `robot-interface`.
 
-Where a robot stack names a field differently, the profile says so and `reader` reads it under
-that name. JSON comes from text frames, plain objects from CBOR ones.
+If a robot stack names a field differently, the profile has its name and `reader` reads it under that name.
+Text frames contain JSON, CBOR ones plain objects.
 """
 
 from collections.abc import Callable, Mapping
@@ -15,14 +15,14 @@ from fleet_tui.adapters.ros.fields import rearranged
 from fleet_tui.errors import WireError
 
 LARGEST = 8 * 2**20
-"""Bytes of a message that is no map, as JSON."""
+"""Maximum bytes of a message other than a map, as JSON."""
 
 Int32 = Annotated[int, msgspec.Meta(ge=-(2**31), le=2**31 - 1)]
 Int64 = Annotated[int, msgspec.Meta(ge=-(2**63), le=2**63 - 1)]
 
 
 class Stamp(msgspec.Struct, frozen=True):
-    """A time: ROS 1 says secs/nsecs, ROS 2 sec/nanosec."""
+    """A time: ROS 1 names it secs/nsecs, ROS 2 sec/nanosec."""
 
     secs: Int64 | None = None
     nsecs: Int64 = 0
@@ -31,7 +31,7 @@ class Stamp(msgspec.Struct, frozen=True):
 
     @property
     def seconds(self) -> float | None:
-        """Seconds since the epoch, None for a stamp that was never set."""
+        """Return the seconds since the epoch, None for a stamp that was never set."""
         whole = self.secs if self.secs is not None else self.sec
         found = (whole or 0) + (self.nsecs or self.nanosec) * 1e-9
         return found or None
@@ -128,7 +128,7 @@ class GraphMessage(msgspec.Struct, frozen=True):
 
 
 class LabeledVertex(msgspec.Struct, frozen=True):
-    """A label and the vertex it names."""
+    """A label and its vertex."""
 
     label: str
     vertex_id: Int32
@@ -164,7 +164,7 @@ Paths = Mapping[str, tuple[str, str]]
 
 
 def _from_cbor(value: object) -> object:
-    """cbor2 gives typed arrays as tagged bytes, which msgspec doesn't know."""
+    """Convert the typed arrays of cbor2, tagged bytes that msgspec doesn't know."""
     if isinstance(value, cbor2.CBORTag) and value.tag == INT8_ARRAY and isinstance(value.value, bytes):
         return value.value
     return value
@@ -193,7 +193,8 @@ def reader(struct: type[S], paths: Paths | None = None) -> Callable[[object], S]
     """Return a function that reads a message's encoded JSON, or a plain object, into `struct`.
 
     `paths`: by our name of a field its usual path in the message and the one at this site. The function
-    raises WireError naming the field."""
+    raises WireError with the field's name.
+    """
     bounded = not issubclass(struct, OccupancyGridMessage)
     moved = paths if paths and any("." in path for pair in paths.values() for path in pair) else None
     if paths and not moved:

@@ -1,5 +1,5 @@
-"""Names on the wire: what a kind of robots calls its topics, services, actions and fields, and what a site
-does."""
+"""Names on the wire: the usual ones of a kind for topics, services, actions and fields, and those of a
+site."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -10,8 +10,8 @@ from fleet_tui.adapters.profile import Profile, VertexRole
 @dataclass(frozen=True, slots=True)
 class Vocabulary:
     """The usual names of a kind. `topics`, `services` and `actions`: name with `{robot}` and `{floor}` in it,
-    and type, by key; `floor_topics` are the keys of topics of which there is one for each floor. `fields`: by
-    message or topic our names of its fields, each with its usual path in the message."""
+    and type, by key; `floor_topics` are the keys of topics that exist once per floor. `fields`: by message
+    or topic our names of its fields, each with its usual path in the message."""
 
     topics: Mapping[str, tuple[str, str]]
     floor_topics: frozenset[str]
@@ -25,15 +25,15 @@ class Vocabulary:
 
 @dataclass(frozen=True, slots=True)
 class Names:
-    """The names of one site's robots: those of its profile, else those of the kind. `table` is where the
-    profile stands in the config."""
+    """The names of one site's robots: those of its profile, else those of the kind. `table` is the config
+    table of the profile."""
 
     vocabulary: Vocabulary
     profile: Profile
     table: str = "profile"
 
     def topic(self, key: str, robot: str, floor: str = "") -> str:
-        """The name of a topic, empty where this site has none."""
+        """Return the name of a topic, empty if this site has none."""
         return _filled(self.profile.topics.get(key, self.vocabulary.topics[key][0]), robot, floor)
 
     def type(self, key: str) -> str:
@@ -41,7 +41,7 @@ class Names:
         return self.profile.types.get(key, self.vocabulary.topics[key][1])
 
     def service(self, key: str, robot: str) -> str:
-        """The name of a service, empty where this site has none."""
+        """Return the name of a service, empty if this site has none."""
         return _filled(self.profile.services.get(key, self.vocabulary.services[key][0]), robot)
 
     def service_type(self, key: str) -> str:
@@ -49,7 +49,7 @@ class Names:
         return self.profile.service_types.get(key, self.vocabulary.services[key][1])
 
     def action(self, key: str, robot: str) -> str:
-        """The name of an action, empty where this site has none."""
+        """Return the name of an action, empty if this site has none."""
         return _filled(self.profile.actions.get(key, self.vocabulary.actions[key][0]), robot)
 
     def action_type(self, key: str) -> str:
@@ -57,7 +57,8 @@ class Names:
         return self.profile.action_types.get(key, self.vocabulary.actions[key][1])
 
     def paths(self, message: str) -> dict[str, tuple[str, str]]:
-        """By our name of a field its usual path in a message and the one at this site, where they differ."""
+        """Return by our name of a field its usual path in a message and the one at this site, if they
+        differ."""
         usual = self.vocabulary.fields[message]
         chosen = {name: self.profile.fields.get(f"{message}.{name}", path) for name, path in usual.items()}
         return {name: (usual[name], path) for name, path in chosen.items() if path != usual[name]}
@@ -71,13 +72,13 @@ class Names:
         return self.profile.scales.get(key, 1.0)
 
     def role(self, vertex_type: str) -> VertexRole:
-        """The role of a vertex by the type that the wire gives it."""
+        """Return the role of a vertex by its type on the wire."""
         known = self.profile.vertex_types
         return (self.vocabulary.vertex_types if known is None else known).get(vertex_type, "plain")
 
     @property
     def refusals(self) -> tuple[str, ...]:
-        """Patterns of the words with which a robot refuses."""
+        """Return patterns of a robot's words of refusal."""
         chosen = self.profile.refusals
         return self.vocabulary.refusals if chosen is None else chosen
 

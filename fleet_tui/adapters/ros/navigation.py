@@ -8,7 +8,7 @@ from fleet_tui.adapters.ros.messages import Header, RosPose, Stamp
 
 
 class PoseWithCovariance(msgspec.Struct, frozen=True):
-    """geometry_msgs/PoseWithCovariance: 36 numbers, row-major, x and y first; NaN where none is known."""
+    """geometry_msgs/PoseWithCovariance: 36 numbers, row-major, x and y first; NaN if unknown."""
 
     pose: RosPose
     covariance: list[float | None] = []
@@ -22,8 +22,8 @@ class Located(msgspec.Struct, frozen=True):
 
 
 class BatteryState(msgspec.Struct, frozen=True):
-    """sensor_msgs/BatteryState: `percentage` is 0 to 1 by its definition, None (NaN) where it is not
-    measured; some robots give 0 to 100."""
+    """sensor_msgs/BatteryState: `percentage` is 0 to 1 by its definition, None (NaN) if not measured; some
+    robots send 0 to 100."""
 
     percentage: float | None
 
@@ -87,7 +87,7 @@ class Duration(msgspec.Struct, frozen=True):
 
     @property
     def seconds(self) -> float:
-        """All of it in seconds."""
+        """Return the whole duration in seconds."""
         return self.sec + self.nanosec * 1e-9
 
 
@@ -102,7 +102,7 @@ class Feedback(msgspec.Struct, frozen=True):
 
 
 class FeedbackMessage(msgspec.Struct, frozen=True):
-    """Feedback of a goal, as its topic brings it."""
+    """Feedback of a goal, as on its topic."""
 
     goal_id: GoalId
     feedback: Feedback

@@ -1,6 +1,6 @@
 """Operations of the rosbridge v2 protocol, to and from frames.
 
-Written from what a real rosbridge_server 0.11 sends: see the transcripts in tests/wire.
+Based on transcripts of a real rosbridge_server 0.11: see tests/wire.
 """
 
 import re
@@ -16,14 +16,14 @@ from fleet_tui.errors import WireError
 
 
 class Publish(msgspec.Struct, frozen=True):
-    """A message of a topic. `msg` is still encoded: JSON, or what CBOR decoded to."""
+    """A message of a topic. `msg` is still encoded: JSON, or an object decoded from CBOR."""
 
     topic: str
     msg: Any
 
 
 class ServiceResponse(msgspec.Struct, frozen=True):
-    """The answer to a call. With `result` False the values are a string that says why."""
+    """The answer to a call. With `result` False the values are a string with the reason."""
 
     id: str
     values: Any
@@ -31,8 +31,8 @@ class ServiceResponse(msgspec.Struct, frozen=True):
 
 
 class GoalResult(msgspec.Struct, frozen=True):
-    """The end of a goal of ours. With `result` False the values are a string that says why it was not
-    taken."""
+    """The end of a goal of ours. With `result` False the values are a string with the reason of its
+    rejection."""
 
     id: str
     values: Any
@@ -48,7 +48,7 @@ class Status(msgspec.Struct, frozen=True):
 
 
 class Fragment(msgspec.Struct, frozen=True):
-    """Piece `num` (from 0) of `total` of a message that the bridge cut up; `id` tells it from others."""
+    """Fragment `num` (from 0) of `total` of a message; `id` identifies the message."""
 
     id: str
     data: str
@@ -57,7 +57,7 @@ class Fragment(msgspec.Struct, frozen=True):
 
 
 LARGEST_ANSWER = 4 * 2**20
-"""Bytes of the values of an answer, or of what a bridge says; larger ones are not read."""
+"""Maximum bytes of the values of an answer, or of a bridge's status; larger ones are not read."""
 
 Operation = Publish | ServiceResponse | GoalResult | Status | Fragment
 
@@ -88,9 +88,9 @@ def _values(raw: msgspec.Raw) -> Any:
 
 
 def decode(payload: bytes) -> Operation | None:
-    """Decode a text frame into an operation, None for one that a client has no use for.
+    """Decode a text frame into an operation, None for one that a client ignores.
 
-    Raises WireError for a frame that is no operation.
+    Raises WireError for an invalid frame.
     """
     try:
         return _decode_strictly(payload)
@@ -121,7 +121,7 @@ def _decode_strictly(payload: bytes) -> Operation | None:
 
 
 LARGEST_LENIENT = 2**20
-"""Bytes of a frame that is read once more without bare NaN and Infinity."""
+"""Maximum bytes of a frame that is parsed once more without bare NaN and Infinity."""
 _BARE = tuple(
     (before + word, before + b"null")
     for word in (b"NaN", b"Infinity", b"-Infinity")
@@ -131,20 +131,20 @@ _SPACED = re.compile(rb"(?<=[\[,:])\s*(?:NaN|-?Infinity)\b")
 
 
 def _without_bare(payload: bytes) -> bytes:
-    """Write null for what is no number: a bridge of ROS 2 writes it bare in arrays of fixed length, such as
-    every covariance, which is no JSON, and as null everywhere else. Ten times as fast as the expression."""
+    """Replace NaN and Infinity by null: a bridge of ROS 2 writes them bare in arrays of fixed length, such as
+    every covariance, which is invalid JSON, and as null elsewhere. Ten times as fast as the expression."""
     for word, null in _BARE:
         payload = payload.replace(word, null)
     return payload
 
 
 def _without_spaced(payload: bytes) -> bytes:
-    """The same for one that puts spaces before them."""
+    """Replace them if they follow spaces."""
     return _SPACED.sub(b"null", payload)
 
 
 def decode_cbor(payload: bytes) -> Operation | None:
-    """A binary frame as an operation, like `decode`. Only topics come as CBOR."""
+    """Decode a binary frame into an operation, like `decode`. Only topics use CBOR."""
     try:
         frame = read_cbor(payload)
     except ValueError as problem:
@@ -156,9 +156,9 @@ def decode_cbor(payload: bytes) -> Operation | None:
 
 @dataclass(frozen=True, slots=True)
 class Subscription:
-    """A subscription to one topic. Rates are in milliseconds, 0 is every message;
-    the queue holds at least one, or one slow client freezes the topic for all. `latched`: with the quality
-    of service that gets the last value whenever its publisher is discovered, of which ROS 1 knows nothing."""
+    """A subscription to one topic. Rates are in milliseconds, 0 is every message; the queue length is at
+    least one, or one slow client would block the topic for all. `latched`: with the QoS that gets the last
+    value as soon as its publisher is discovered, unknown to ROS 1."""
 
     topic: str
     type: str
@@ -172,7 +172,7 @@ LATCHED = {"durability": "transient_local", "reliability": "reliable", "history"
 
 
 def subscribe(wanted: Subscription) -> bytes:
-    """The frame that subscribes to a topic."""
+    """Return the frame that subscribes to a topic."""
     operation: dict[str, object] = {
         "op": "subscribe",
         "id": f"subscribe:{wanted.topic}",
@@ -186,32 +186,32 @@ def subscribe(wanted: Subscription) -> bytes:
 
 
 def unsubscribe(topic: str) -> bytes:
-    """The frame that ends the subscription to a topic."""
+    """Return the frame that unsubscribes from a topic."""
     return _encoder.encode({"op": "unsubscribe", "id": f"subscribe:{topic}", "topic": topic})
 
 
 def call_service(call_id: str, service: str, args: Mapping[str, object], timeout: float) -> bytes:
-    """The frame that calls a service. `args` must be complete: a bridge fills gaps with zeros. A bridge of
-    ROS 2 gives a call up after `timeout` seconds; that of ROS 1 ignores it."""
+    """Return the frame that calls a service. `args` must be complete: a bridge fills gaps with zeros. A
+    bridge of ROS 2 gives a call up after `timeout` seconds; that of ROS 1 ignores it."""
     return _encoder.encode(
         {"op": "call_service", "id": call_id, "service": service, "args": args, "timeout": float(timeout)}
     )
 
 
 def send_action_goal(goal_id: str, action: str, type_: str, args: Mapping[str, object]) -> bytes:
-    """The frame that gives a goal. Feedback is not asked for: its topic brings that of all clients."""
+    """Return the frame that gives a goal, without feedback: its topic has that of all clients."""
     goal = {"id": goal_id, "action": action, "action_type": type_, "feedback": False, "args": args}
     return _encoder.encode({"op": "send_action_goal", **goal})
 
 
 def advertise(topic: str, type_: str) -> bytes:
-    """The frame that says that messages will be published: to a new publisher subscribers come late, and the
-    first message may be lost."""
+    """Return the frame that advertises a topic: subscribers connect late to a new publisher, and the first
+    message may be lost."""
     return _encoder.encode({"op": "advertise", "id": f"advertise:{topic}", "topic": topic, "type": type_})
 
 
 def publish(topic: str, type_: str, message: Mapping[str, object]) -> bytes:
-    """The frame that publishes a message. With its type a bridge needs no advertisement."""
+    """Return the frame that publishes a message. With its type a bridge needs no advertisement."""
     return _encoder.encode({"op": "publish", "topic": topic, "type": type_, "msg": message})
 
 
@@ -219,7 +219,7 @@ _TOPIC = re.compile(rb'"topic"\s*:\s*("(?:[^"\\]|\\.){1,200}")')
 
 
 def topic_of(payload: bytes) -> str:
-    """The topic of a publish frame without decoding it, "" where it doesn't stand near the start."""
+    """Return the topic of a publish frame without decoding it, "" if it isn't near the start."""
     found = _TOPIC.search(payload, 0, 1000)
     try:
         return str(msgspec.json.decode(found.group(1))) if found else ""

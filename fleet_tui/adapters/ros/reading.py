@@ -1,4 +1,4 @@
-"""From a frame to what it tells. Any thread may read: nothing here changes but what was counted."""
+"""Reads frames into events. Callable from any thread: only counters change here."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -17,15 +17,15 @@ from fleet_tui.text.limits import truncate
 
 ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
 WORTH_A_PROCESS = 4 * 2**20
-"""Bytes of a JSON map from which on it is decoded in a process of its own: smaller ones take less time than
-that process takes to start."""
+"""Bytes of a JSON map above which it is decoded in a separate process: smaller ones take less time than
+starting one."""
 
 Read = Sequence[events.Event] | operations.ServiceResponse | operations.Fragment
 DecodeApart = Callable[[Profile, Feed, bytes], events.GridReceived]
 
-# As a CBOR map begins: the key, then its text, shorter than 24 bytes or than 256.
+# The start of a CBOR map: the key, then its text, shorter than 24 bytes or than 256.
 _CBOR_TOPIC = re.compile(rb"\x65topic(?:([\x60-\x77])|\x78(.))", re.DOTALL)
-# Facts whose parts are read one by one: what is wrong with one comes with the others.
+# Events read element by element: they include the errors of single elements.
 _IN_PARTS = events.QueueReported, events.GraphReceived, events.LabelsReceived
 
 
@@ -41,8 +41,8 @@ class FrameReader:
         decode_apart: DecodeApart,
         warn: Callable[[str], None] = lambda _text: None,
     ) -> None:
-        """`adapters` by robot; `decode_apart` decodes a large map elsewhere, and raises WireError; `warn`
-        logs a line."""
+        """`adapters` by robot; `decode_apart` decodes a large map in another process, and raises WireError;
+        `warn` logs a line."""
         self._link, self._limit, self._adapters = link, limit, adapters
         self._feeds = {feed.address: feed for feed in feeds}
         self._decode_apart, self._warn = decode_apart, warn
@@ -51,16 +51,16 @@ class FrameReader:
         self.count_anew()
 
     def count_anew(self) -> None:
-        """Begin to count, as if nothing had come."""
+        """Reset the counters."""
         asked = [
             TopicCounter(topic, one.robot, one.key, one.latched and not one.silent, one.on_demand, one.silent)
             for topic, one in self._feeds.items()
         ]
-        # Large frames are read beside the loop: one count in a million may be lost, but nobody waits.
+        # Large frames are read off the loop: one count in a million may be lost, but no thread waits.
         self.counter = LinkCounter(self._link, [*asked, TopicCounter(ROSOUT), TopicCounter(DIAGNOSTICS)])
 
     def read(self, payload: bytes, is_binary: bool, at: float) -> Read:
-        """Read one frame that came at a monotonic second."""
+        """Read one frame that arrived at a monotonic second."""
         self.counter.all.take(len(payload), at)
         if len(payload) > WORTH_A_PROCESS and not is_binary:
             feed = self._feeds.get(topic_of(payload))
@@ -116,7 +116,7 @@ class FrameReader:
         return found if not feed.is_shared else _of_none(found)
 
     def _overhear(self, topic: str, msg: object, at: float) -> None:
-        """Take what changes nothing in the picture."""
+        """Take messages that don't affect the fleet state."""
         if topic == ROSOUT:
             line = robot_words.log_line(msg, at)
             self.counter.take_log(line)
@@ -127,7 +127,7 @@ class FrameReader:
             self.counter.take_health(robot_words.diagnoses(msg, at))
 
     def too_large(self, head: bytes, is_binary: bool, size: int, at: float) -> Sequence[events.Event]:
-        """Name a message that was dropped, with its size and the key that lets it in."""
+        """Name a message that was dropped, with its size and the config key of the limit."""
         topic = _cbor_topic(head) if is_binary else topic_of(head)
         self.counter.dropped += 1
         limit, key = self._limit
@@ -145,7 +145,7 @@ def _rejected(feed: Feed, text: str) -> Sequence[events.Event]:
 
 
 def _of_none(found: Iterable[Any]) -> Sequence[events.Event]:
-    """Tell what several robots share as no robot's own."""
+    """Change an event of several robots into one of no robot."""
     return tuple(replace(event, robot="") for event in found)
 
 

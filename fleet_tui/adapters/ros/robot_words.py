@@ -1,4 +1,4 @@
-"""/rosout and /diagnostics as they come from ROS 1 and ROS 2."""
+"""/rosout and /diagnostics of ROS 1 and ROS 2."""
 
 import base64
 import binascii
@@ -23,13 +23,13 @@ HEALTH_TYPES = ("diagnostic_msgs/DiagnosticArray", "diagnostic_msgs/msg/Diagnost
 
 
 class LogHeader(msgspec.Struct, frozen=True):
-    """The fields that are read of a log line's std_msgs/Header."""
+    """The fields used of a log line's std_msgs/Header."""
 
     stamp: Stamp = Stamp()
 
 
 class Log(msgspec.Struct, frozen=True):
-    """rosgraph_msgs/Log, and rcl_interfaces/msg/Log: what both have."""
+    """rosgraph_msgs/Log, and rcl_interfaces/msg/Log: their common fields."""
 
     level: int
     name: str
@@ -46,8 +46,8 @@ class KeyValue(msgspec.Struct, frozen=True):
 
 
 class DiagnosticStatus(msgspec.Struct, frozen=True):
-    """diagnostic_msgs/DiagnosticStatus. A ROS 2 bridge writes the byte `level` as a number, as text or
-    as a list, depending on its version."""
+    """diagnostic_msgs/DiagnosticStatus. A ROS 2 bridge writes the byte `level` as a number, as text or as a
+    list, depending on its version."""
 
     level: int | str | list[int]
     name: str
@@ -66,19 +66,19 @@ _read_log, _read_array = reader(Log), reader(DiagnosticArray)
 
 
 def log_line(msg: object, at: float) -> LogLine:
-    """A message of /rosout that came at `at`. Raises WireError."""
+    """Return a message of /rosout that arrived at `at`. Raises WireError."""
     log = _read_log(msg)
     stamp = log.header.stamp.seconds or log.stamp.seconds
     return LogLine(at, log.level, truncate(log.name, LONGEST_NAME), truncate(log.msg, LONGEST_TEXT), stamp)
 
 
-# With the id of the operation, which for us names the topic.
+# With the id of the operation, which here names the topic.
 _COMPLAINT = re.compile(r"\[id: subscribe:(?P<topic>[^\]]+)\]\s*(?:subscribe:\s*)?(?P<reason>.+)", re.DOTALL)
 
 
 def complaint(line: LogLine) -> tuple[str, str] | None:
-    """Find why a bridge of ROS 2 did not take a subscription of ours: topic and reason. It says so only in
-    its own log; None for any other line."""
+    """Return topic and reason of a subscription that a bridge of ROS 2 rejected. That is only in its own log;
+    None for any other line."""
     if "rosbridge" not in line.node or (line.severity or Severity.DEBUG) < Severity.ERROR:
         return None
     found = _COMPLAINT.search(line.text)
@@ -86,7 +86,8 @@ def complaint(line: LogLine) -> tuple[str, str] | None:
 
 
 def byte(value: int | str | list[int]) -> int:
-    """A byte as a number: from a number, a list of one, base64 or the character itself. Raises WireError."""
+    """Return a byte as a number: from a number, a list of one, base64 or the character itself. Raises
+    WireError."""
     if isinstance(value, str):
         return _byte_of_text(value)
     if isinstance(value, list):
@@ -107,7 +108,7 @@ def _byte_of_text(value: str) -> int:
 
 
 def diagnoses(msg: object, at: float) -> list[PartDiagnosis]:
-    """A message of /diagnostics that came at `at`, part by part. Raises WireError."""
+    """Return a message of /diagnostics that arrived at `at`, part by part. Raises WireError."""
     return [_diagnosis(status, at) for status in _read_array(msg).status[:MOST_PARTS]]
 
 

@@ -1,4 +1,4 @@
-"""Names of ROS types: the same type is spelled in more than one way."""
+"""Names of ROS types: the same type has several spellings."""
 
 from collections.abc import Mapping
 
@@ -8,14 +8,14 @@ _MIDDLES = ("/msg/", "/srv/", "/action/")
 
 
 def plain_type(name: str) -> str:
-    """Write a ROS type without ROS 2's middle part: `std_msgs/msg/Bool` as `std_msgs/Bool`."""
+    """Return a ROS type without ROS 2's middle part: `std_msgs/msg/Bool` as `std_msgs/Bool`."""
     for middle in _MIDDLES:
         name = name.replace(middle, "/")
     return name
 
 
 def same_type(one: str, other: str) -> bool:
-    """Tell whether two names mean the same type, as far as their spelling tells.
+    """Tell whether two names mean the same type, by their spelling.
 
     ROS 2 has a middle part (`std_msgs/msg/Bool`), lower-case packages and CamelCase names:
     `OH_ressources/Cancel_order` is `oh_ressources/srv/CancelOrder` there.
@@ -28,8 +28,8 @@ def _folded(name: str) -> str:
 
 
 def type_problem(feed: Feed, types: Mapping[str, str], table: str = "profile") -> str:
-    """Say why a topic must not be subscribed: with a wrong type it would be lost for every client. `types` by
-    topic, as a bridge tells them; `table`: where the profile stands in the config."""
+    """Return the reason not to subscribe to a topic: with a wrong type it would be lost for every client.
+    `types` by topic, as a bridge reports them; `table`: the config table of the profile."""
     found = types.get(feed.address)
     if found is None or same_type(found, feed.type):
         return ""

@@ -1,4 +1,4 @@
-"""The part of an adapter that both navigation stacks have in common."""
+"""The common part of the adapters of both navigation stacks."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple, assert_never
@@ -18,11 +18,11 @@ from fleet_tui.model.robot import Robot
 
 
 class GoalMessages(NamedTuple):
-    """What carries orders and cancellations, in the order in which it must leave. Each raises CommandError
-    for one that must not leave."""
+    """Messages of orders and cancellations, in the order of sending. Each raises CommandError for one that
+    must not be sent."""
 
     order: Callable[[Names, Robot, Sequence[Stop], str], Sequence[Outgoing]]
-    """The last argument is a name that no other goal has."""
+    """The last argument is a unique name for the goal."""
     cancel: Callable[[Names, Robot, str], Sequence[Outgoing]]
     cancel_own: Callable[[Names, Robot], Sequence[Outgoing]]
     """Of the goals of this console."""
@@ -50,7 +50,7 @@ class NavigationAdapter:
         self._read_map = read_map(self.names)
 
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
-        """Return the facts that a message tells. Raises WireError."""
+        """Return the events of a message. Raises WireError."""
         if feed.key == "map":
             return (self._read_map(feed.robot, feed.floor, msg, at),)
         return self.readers[feed.key](feed.robot, msg, at)
@@ -60,14 +60,14 @@ class NavigationAdapter:
         return self.pauses.services(robot)
 
     def publications(self, robot: str) -> Iterable[tuple[str, str]]:
-        """Return the topic of a lock, if pauses go over one."""
+        """Return the topic of a lock, if pauses use one."""
         return self.pauses.publications(robot)
 
     def outgoing(
         self, command: commands.Command, command_id: int, robot: Robot, unique: str = ""
     ) -> Sequence[Outgoing]:
-        """Return what carries a command, in the order in which it must leave. Raises CommandError for one
-        that must not; nothing for one that this console carries out itself."""
+        """Return the calls and messages of a command, in the order of sending. Raises CommandError for one
+        that must not be sent; empty for one that this console carries out itself."""
         match command:
             case commands.PlaceOrder(_, stops):
                 return self._goals.order(self.names, robot, stops, unique)
@@ -85,5 +85,5 @@ class NavigationAdapter:
     def learned(
         self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
     ) -> Iterable[events.Event]:
-        """Return nothing: topics tell everything."""
+        """Return nothing: topics report everything."""
         return ()

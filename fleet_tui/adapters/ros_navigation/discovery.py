@@ -8,19 +8,19 @@ from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.model.order import natural
 
 ALONE, GROUND = "robot_0", "floor_0"
-"""The name of a robot without a namespace, and of a floor that nothing names."""
+"""The name of a robot without a namespace, and of an unnamed floor."""
 MAP, TEXT = "nav_msgs/OccupancyGrid", "std_msgs/String"
 
 
 def namespaces(names: Iterable[str], ends: Iterable[str]) -> set[str]:
-    """Return the namespaces, without a leading slash, in which names end so; empty is that of a robot alone
-    on its bridge."""
+    """Return the namespaces, without a leading slash, of names with this ending; empty for a robot alone on
+    its bridge."""
     ends = tuple(ends)
     return {name[: -len(end)].strip("/") for name in names for end in ends if name.endswith(f"/{end}")}
 
 
 def of_robots(spaces: set[str]) -> list[str]:
-    """Return the namespaces of robots: none is that of a robot only where there is no other."""
+    """Return the namespaces of robots: an empty one counts only if it is the only one."""
     return sorted(spaces - {""} or spaces, key=natural)
 
 
@@ -43,7 +43,7 @@ def _of_type(listed: Listed, type_: str) -> list[str]:
 def find_topic(
     found: Discovery, key: str, vocabulary: Vocabulary, spaces: Sequence[str], listed: Listed
 ) -> None:
-    """Name a topic where it is not the usual one. One that no robot has is switched off."""
+    """Name a topic if it is not the usual one. One that no robot has is switched off."""
     name, type_ = vocabulary.topics[key]
     usual = name.replace("/{robot}", "") if spaces == [""] else name
     there = _templates(spaces, _of_type(listed, type_))

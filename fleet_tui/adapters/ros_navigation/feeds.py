@@ -16,18 +16,18 @@ def feed(names: Names, robot: str, like: Feed, key: str) -> Iterator[Feed]:
 
 
 def places(names: Names, site: Site, robot: str) -> Iterator[Feed]:
-    """Return what tells where a robot is."""
+    """Return the topics of a robot's position."""
     yield from feed(names, robot, Feed("", (robot,), "", "", "", site.pose_ms, fast=True), "odometry")
     yield from feed(names, robot, _latched(robot), "pose")
 
 
 def battery(names: Names, site: Site, robot: str) -> Iterator[Feed]:
-    """Return what tells its charge."""
+    """Return the topic of its charge."""
     yield from feed(names, robot, Feed("", (robot,), "", "", "", site.status_ms), "battery")
 
 
 def surroundings(names: Names, robot: str, floors: Sequence[str]) -> Iterator[Feed]:
-    """Return its floor, its path and its maps."""
+    """Return the topics of its floor, its path and its maps."""
     latched = _latched(robot)
     yield from feed(names, robot, latched, "floor")
     plan = Feed("", (robot,), "", "", "", PLAN_MS, silent=True, wanted_for="target")

@@ -1,4 +1,4 @@
-"""Capabilities of navigating robots, whichever stack drives them."""
+"""Capabilities of navigating robots, common to all stacks."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -10,7 +10,7 @@ from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, Kind
 
 TOPICS = ("odometry", "pose", "battery")
 BATTERY_SILENCE = 60.0
-"""Seconds after which a battery's word is old: some drivers publish it every ten seconds."""
+"""Seconds after which a battery reading is old: some drivers publish it every ten seconds."""
 READERS: Mapping[str, Callable[[Names], reading.Read]] = {
     "odometry": reading.read_odometry,
     "pose": reading.read_localisation,
@@ -18,17 +18,17 @@ READERS: Mapping[str, Callable[[Names], reading.Read]] = {
     "floor": reading.read_floor,
     "plan": reading.read_plan,
 }
-"""Readers of the topics that all of them have."""
+"""Readers of the topics common to all of them."""
 
 
 def kind_of_goals(
     name: str, names: Names, pauses: Pauses, reports: Sequence[str], silence: Mapping[str, float]
 ) -> Kind:
-    """Return a kind of robots that drive one goal at a time. `reports` are its values beside places, charge
-    and maps, `silence` theirs."""
+    """Return a kind of robots that drive one goal at a time. `reports` are its values besides position,
+    charge and maps, `silence` theirs."""
     usual = {"battery": BATTERY_SILENCE, **silence}
     if not _has(names, "odometry"):
-        # The localisation of a robot that stands is silent: only wheels tell that it is still there.
+        # The localisation of a robot that stands is silent: only odometry shows that it is online.
         usual["pose"] = math.inf
     return Kind(
         name,

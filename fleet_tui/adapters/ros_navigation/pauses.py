@@ -11,18 +11,18 @@ from fleet_tui.model.kind import PAUSE, RESUME
 
 
 class PauseSettings(Struct, frozen=True):
-    """`pause`: what stands in for a pause. `hold` cancels the goal and keeps it in this console, `lock` locks
+    """`pause`: the substitute for a pause. `hold` cancels the goal and keeps it in this console, `lock` locks
     the motors over `[profile.topics] pause_navigation`, empty is none."""
 
     pause: Literal["hold", "lock", ""] = "hold"
 
 
 class Pauses:
-    """The pauses of one site's robots: services where it names both, else what its settings say."""
+    """The pauses of one site's robots: services if it names both, else by its settings."""
 
     def __init__(self, names: Names, settings: PauseSettings) -> None:
         self._names = names
-        # One service alone is none: what it paused nothing would resume.
+        # One service alone is not used: its pause could not be resumed.
         self._has_services = all(names.service(key, "robot") for key in ("pause", "resume"))
         self._wants_lock = settings.pause == "lock"
         self._locks = self._wants_lock and bool(names.topic("pause_navigation", "robot"))
@@ -31,18 +31,19 @@ class Pauses:
 
     @property
     def accepted(self) -> tuple[str, ...]:
-        """Return what such robots accept."""
+        """Return the requests that such robots accept."""
         return (PAUSE, RESUME) if self.holds or self._locks or self._has_services else ()
 
     @property
     def unset(self) -> dict[str, str]:
-        """The key that is empty where a pause over a lock lacks its topic."""
+        """The key that is empty if a pause over a lock lacks its topic."""
         if self.accepted or not self._wants_lock:
             return {}
         return dict.fromkeys((PAUSE, RESUME), f"{self._names.table}.topics.pause_navigation")
 
     def switch(self, key: str, robot: str) -> Sequence[Outgoing]:
-        """Return what pauses or resumes a robot, by the `key` of the service; nothing where it is held."""
+        """Return the messages that pause or resume a robot, by the `key` of the service; empty if its goal is
+        held."""
         names = self._names
         if self._has_services:
             return (ServiceCall(names.service(key, robot), names.service_type(key), {}),)
@@ -58,7 +59,7 @@ class Pauses:
                 yield key, name, self._names.service_type(key)
 
     def publications(self, robot: str) -> Sequence[tuple[str, str]]:
-        """Return name and type of the topic of the lock, if there is one."""
+        """Return name and type of the topic of the lock, if any."""
         names = self._names
         if not self._locks or self._has_services:
             return ()

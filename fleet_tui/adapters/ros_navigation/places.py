@@ -1,4 +1,4 @@
-"""Places that orders lead to, as the poses that navigation stacks take."""
+"""Destinations of orders, as the poses that navigation stacks take."""
 
 import math
 from collections.abc import Mapping
@@ -10,7 +10,7 @@ from fleet_tui.model.robot import Robot
 
 
 def pose_of_stop(robot: Robot, stop: Stop, before: Pose | None) -> Pose:
-    """Return the pose of a stop: with a heading of its own, else that of the way from `before`. Raises
+    """Return the pose of a stop: with its own heading, else that of the way from `before`. Raises
     CommandError."""
     if stop.pose is not None:
         return stop.pose
@@ -25,7 +25,7 @@ def pose_of_stop(robot: Robot, stop: Stop, before: Pose | None) -> Pose:
 
 
 def stamped(pose: Pose) -> Mapping[str, object]:
-    """Return a geometry_msgs/PoseStamped without a stamp: the robot looks where its map is now."""
+    """Return a geometry_msgs/PoseStamped without a stamp: the robot uses its current map transform."""
     return {
         "header": {"frame_id": "map"},
         "pose": {

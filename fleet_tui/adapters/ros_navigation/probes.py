@@ -1,4 +1,4 @@
-"""Probes of what a navigating robot tells of itself: its localisation, its battery."""
+"""Probes of a navigating robot's reports: its localisation, its battery."""
 
 import math
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ UNSURE = 0.5
 
 
 def heard_probes(names: Names, robot: str) -> Iterator[HeardProbe]:
-    """Return what to make of what a robot tells."""
+    """Return the checks of a robot's reports."""
     if names.topic("pose", robot):
         yield HeardProbe("localisation", "pose", judge_localisation)
     if names.topic("battery", robot):
@@ -22,7 +22,7 @@ def heard_probes(names: Names, robot: str) -> Iterator[HeardProbe]:
 
 
 def judge_localisation(count: int, event: Event | None) -> Diagnosis:
-    """Judge how sure a robot is of where it is."""
+    """Judge the certainty of a robot's localisation."""
     remedy = "set its pose (RViz: 2D Pose Estimate)"
     if not count or not isinstance(event, LocalisationReported):
         return Diagnosis(
@@ -39,7 +39,7 @@ def judge_localisation(count: int, event: Event | None) -> Diagnosis:
 
 
 def judge_battery(scales: str, count: int, event: Event | None) -> Diagnosis | None:
-    """Judge on which scale the charge is, and whether it is measured. `scales`: the table that says it."""
+    """Judge the scale of the charge, and whether it is measured. `scales`: the config table of scales."""
     if not count:
         return None
     if not isinstance(event, BatteryReported):

@@ -1,4 +1,4 @@
-"""Messages of navigating robots of either ROS as facts."""
+"""Messages of navigating robots of either ROS as events."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -11,7 +11,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.model import events, navigation_events
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
-# (robot, message still encoded, monotonic seconds of arrival) -> the facts; raises WireError.
+# (robot, message still encoded, monotonic seconds of arrival) -> the events; raises WireError.
 Read = Callable[[str, object, float], Iterable[events.Event]]
 
 
@@ -43,14 +43,14 @@ def read_localisation(names: Names) -> Read:
 
 
 def _variance(covariance: list[float | None]) -> float | None:
-    """The variance of x and y together, None where one of both is missing or not a number."""
+    """Return the variance of x and y together, None if one of them is missing or not a number."""
     found = [covariance[n] if n < len(covariance) else None for n in (0, 7)]
     known = [one for one in found if one is not None and math.isfinite(one)]
     return sum(known) if len(known) == len(found) else None
 
 
 def read_battery(names: Names) -> Read:
-    """Read a sensor_msgs/BatteryState. Its scale is that of the profile, else it is found out."""
+    """Read a sensor_msgs/BatteryState. Its scale is that of the profile, else it is detected."""
     read = ros.reader(nav.BatteryState, names.paths("battery"))
     scale = names.profile.scales.get("battery")
 
