@@ -1,4 +1,4 @@
-"""Every colour there is, by what it means. A theme gives each a look; nothing else knows colours."""
+"""Style roles: every colour by its meaning. A theme gives each a style; no other module knows colours."""
 
 from enum import IntEnum, auto
 
@@ -10,7 +10,7 @@ class StyleRole(IntEnum):
     UNKNOWN = auto()
     WALL = auto()
     WALL_BEYOND = auto()
-    """A wall with only unknown around it: it stands on the darker ground."""
+    """A wall surrounded by unknown ground: it is drawn on the darker ground."""
     EDGE = auto()
     TRAIL = auto()
     TRAIL_OLD = auto()

@@ -1,4 +1,4 @@
-"""Which robot and which floor the operator looks at."""
+"""The robot and the floor selected by the operator."""
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -7,28 +7,28 @@ from fleet_tui.model.fleet import FleetState
 
 
 class Selection(Struct, frozen=True):
-    """`chosen` says that the operator chose the floor; until then it is the first robot's."""
+    """`chosen`: the operator chose the floor; until then it is the first robot's."""
 
     robot: str
     floor: str
     chosen: bool = False
 
     def on_robot(self, name: str) -> "Selection":
-        """Another robot; the map stays where it is unless it follows."""
+        """Select another robot; the map stays unless it follows."""
         return replace(self, robot=name)
 
     def step_robot(self, state: FleetState, step: int) -> "Selection":
-        """The next or previous robot of the config, around the ends."""
+        """Select the next or previous robot of the config, around the ends."""
         names = list(state.robots)
         return replace(self, robot=names[(names.index(self.robot) + step) % len(names)])
 
     def step_floor(self, state: FleetState, step: int) -> "Selection":
-        """The next or previous floor, around the ends."""
+        """Select the next or previous floor, around the ends."""
         floors = list(state.floors)
         return replace(self, floor=floors[(floors.index(self.floor) + step) % len(floors)], chosen=True)
 
     def settled(self, state: FleetState, follow: bool) -> "Selection":
-        """The floor moves to the robot's while the map follows, and once after the start."""
+        """Return the selection on the robot's floor, while the map follows and once after the start."""
         actual = state.robots[self.robot].floor
         if actual is None or (self.chosen and not follow):
             return self
@@ -36,6 +36,6 @@ class Selection(Struct, frozen=True):
 
 
 def first_selection(state: FleetState) -> Selection:
-    """The first robot of the config and the first floor it can be on."""
+    """Return the first robot of the config and its first possible floor."""
     robot = next(iter(state.robots.values()))
     return Selection(robot.name, next(iter(robot.charts)))

@@ -1,4 +1,4 @@
-"""The line that says where the last commands stand, in the words of the operator."""
+"""The line with the state of the last commands, in operator terms."""
 
 from collections.abc import Iterator, Sequence
 from typing import assert_never
@@ -13,11 +13,11 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import way
 from fleet_tui.view.tables.table import Run, cut, width_of
 
-# So many commands fit in a line one by one.
+# Number of commands that fit in a line one by one.
 FEW = 3
-# Seconds for which a command that did not end well stays in view.
+# Seconds for which a failed command is shown.
 REMEMBERED = 30.0
-# Seconds for which the end of an order that ended well does.
+# Seconds for which the successful end of an order is shown.
 ENDED_WELL = 5.0
 
 TROUBLE = commands.FAILURES | {commands.Stage.NO_ANSWER, commands.Stage.UNKNOWN}
@@ -34,7 +34,7 @@ _INKS = dict.fromkeys(
 
 
 def command_text(state: FleetState, command: commands.Command) -> str:
-    """A command in the words of the operator."""
+    """Return the text of a command in operator terms."""
     robot = state.robots[command.robot]
     match command:
         case commands.PlaceOrder(name, stops):
@@ -52,7 +52,7 @@ def command_text(state: FleetState, command: commands.Command) -> str:
 
 
 def stage_text(record: commands.CommandRecord, now: float) -> str:
-    """Return where a command stands, as it is written everywhere."""
+    """Return the text of a command's stage, the same everywhere."""
     if record.stage in (commands.Stage.SENT, commands.Stage.ACCEPTED):
         return f"{record.stage.value} {age(now - record.at)} ago"
     return "sending" if record.stage is commands.Stage.CHECKED else str(record.stage.value)
@@ -61,7 +61,7 @@ def stage_text(record: commands.CommandRecord, now: float) -> str:
 def _group_runs(
     state: FleetState, records: list[commands.CommandRecord], brief: bool = False
 ) -> tuple[Run, ...]:
-    """Commands of one kind at one stage, as one: pause all of a large fleet is one line."""
+    """Group commands of one kind at one stage: pause all of a large fleet is one line."""
     first = records[0]
     text = command_text(state, first.command)
     if brief and isinstance(first.command, commands.PlaceOrder):
@@ -69,19 +69,19 @@ def _group_runs(
     if len(records) > 1:
         text += f" +{len(records) - 1} more"
     ink = StyleRole.ALARM if first.stage in TROUBLE else _INKS.get(first.stage, StyleRole.DIM)
-    # What a robot says on accepting ("paused") is true for that moment only.
+    # A robot's answer on accepting ("paused") is true only at that moment.
     words = "" if first.stage is commands.Stage.ACCEPTED else detail_text(sanitize(first.words))
     return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", ink), (words, StyleRole.DIM)
 
 
 def _worth_saying(state: FleetState) -> list[commands.CommandRecord]:
-    """Return what was given last, what is under way, and what went wrong a short while ago."""
+    """Return the last command, the open ones, and those that failed a short while ago."""
     last = state.commands[-1]
     return [
         record
         for record in state.commands
         if last.issued_at - record.issued_at < TOGETHER
-        # What waits here stands in the queue.
+        # Orders kept by this console are in the queue pane.
         or not (record.is_decided or record.stage is commands.Stage.WAITING)
         or (record.stage in TROUBLE and state.now - record.at < REMEMBERED)
         or (
@@ -95,7 +95,7 @@ Part = tuple[Run, ...]
 
 
 def _parts(state: FleetState) -> Iterator[tuple[bool, float, Part, Part]]:
-    """Return what is worth saying: whether it is well, when it was given, its words, and the brief ones."""
+    """Return the parts of the line: success, time, full text and short text of each."""
     worth = {record.id: record for record in _worth_saying(state)} if state.commands else {}
     for batch in pauses(state.commands):
         if any(record.id in worth for record in batch):
@@ -126,8 +126,8 @@ def _batch_runs(state: FleetState, batch: Sequence[commands.CommandRecord]) -> P
 
 
 def message_line(state: FleetState, said: str, said_at: float, width: int) -> Part:
-    """The newest word to the operator: what the console says, how the last commands stand."""
-    # What went wrong comes first, the newest before the others: it must not be cut at the right end.
+    """Return the newest message to the operator: the console's notice, the state of the last commands."""
+    # Failures first, the newest leading: they must not be cut at the right end.
     found = sorted(_parts(state), key=lambda part: (part[0], -part[1]))
     parts, briefs = [part[2] for part in found], [part[3] for part in found]
     if said and _is_news(state, said_at):
@@ -145,8 +145,8 @@ def _in_line(parts: list[tuple[Run, ...]]) -> tuple[Run, ...]:
 
 
 def _squeezed(parts: list[tuple[Run, ...]], briefs: list[tuple[Run, ...]], width: int) -> tuple[Run, ...]:
-    """The first with as many of its words as there is room for; how one stands is never cut: those that
-    come last, which are well, are left out before."""
+    """Shorten the first parts to the width; stages are never cut: successful ones at the end are dropped
+    before."""
     first, rest = parts[0], briefs[1:]
     while rest and width_of(_in_line([briefs[0], *rest])) > width:
         rest.pop()
@@ -157,10 +157,10 @@ def _squeezed(parts: list[tuple[Run, ...]], briefs: list[tuple[Run, ...]], width
 
 
 def _is_news(state: FleetState, said_at: float) -> bool:
-    """The console's own word stands until the next command."""
+    """Tell whether the console's notice is newer than the last command."""
     return not state.commands or said_at >= state.commands[-1].issued_at
 
 
 def newest(state: FleetState) -> float:
-    """Up to when something is known: a command may have been given since the last tick."""
+    """Return the time of the newest information: a command may have been given since the last tick."""
     return max([state.now, *(record.issued_at for record in state.commands[-1:])])

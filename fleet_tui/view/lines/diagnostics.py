@@ -1,4 +1,4 @@
-"""The first and the last line of the diagnostics screen: its pages, and the keys of the one that is shown."""
+"""The first and the last line of the diagnostics screen: its pages, and the keys of the open one."""
 
 from collections.abc import Mapping, Sequence
 
@@ -9,7 +9,7 @@ from fleet_tui.view.tables.table import Run
 
 
 def page_runs(names: Sequence[str], shown: int, frozen: str) -> tuple[list[Run], list[Run]]:
-    """All pages, the one that is shown in brackets; at the right, that and since when it is frozen."""
+    """Return all pages, the open one in brackets; at the right, the time since it was frozen."""
     runs: list[Run] = []
     for number, name in enumerate(names, 1):
         is_shown = number == shown
@@ -19,7 +19,7 @@ def page_runs(names: Sequence[str], shown: int, frozen: str) -> tuple[list[Run],
 
 
 def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: str) -> tuple[list[Run], list[Run]]:
-    """Return what came of the last key, else the keys at the right."""
+    """Return the response to the last key, else the keys, at the right."""
     if said:
         return [(sanitize(said), StyleRole.WARN)], []
     hints: list[tuple[str, str]] = []

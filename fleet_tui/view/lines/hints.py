@@ -1,4 +1,4 @@
-"""The footer: the keys that work where the focus is."""
+"""The footer: the keys available at the current focus."""
 
 from collections.abc import Collection, Mapping
 from typing import Any
@@ -11,7 +11,7 @@ from fleet_tui.view.tables.table import Run
 
 
 def hidden_keys(state: FleetState, selected: str) -> set[str]:
-    """The ids of keys that the kind of the selected robot, or the whole fleet, has nothing for."""
+    """Return the ids of keys without a use for the kind of the selected robot, or the whole fleet."""
     robots = list(state.robots.values())
     return {
         key.id
@@ -36,8 +36,8 @@ def hints(
     can_command: bool = True,
     hidden: Collection[str] = (),
 ) -> tuple[list[Run], list[Run]]:
-    """Hints for the left, the pane's own first, and for the right what is always there. In an overlay
-    only what works anywhere reaches the console. `hidden`: ids of keys that nothing here has a use for."""
+    """Return the hints at the left, the pane's own first, and the permanent ones at the right. In an overlay
+    only global keys reach the console. `hidden`: ids of keys without a use here."""
     away = {*hidden, *(key.id for key in KEYS if key.commands and not can_command)}
     offered = [key for key in KEYS if key.hint and keys[key.id] and key.id not in away]
     if pane is Pane.ANYWHERE:

@@ -17,7 +17,7 @@ SHOWN = 6
 
 
 def losses(state: FleetState, wish: Request) -> Iterator[str]:
-    """Return what will be lost, one line each; none where nothing is."""
+    """Return the losses, one line each; empty if there are none."""
     for command in wish.commands:
         robot = state.robots[command.robot]
         match command:
@@ -38,7 +38,7 @@ def losses(state: FleetState, wish: Request) -> Iterator[str]:
 
 
 def wish_text(state: FleetState, wish: Request) -> str:
-    """A wish in one line."""
+    """Return the text of a request in one line."""
     first = command_text(state, wish.commands[0])
     if len({command.robot for command in wish.commands}) > 1:
         return batch_name(state, wish.commands)
@@ -48,7 +48,7 @@ def wish_text(state: FleetState, wish: Request) -> str:
 
 
 def question(state: FleetState, wish: Request, found: Sequence[Problem]) -> str:
-    """Return what is asked, with what speaks against it."""
+    """Return the question, with its warnings."""
     against = [sanitize(problem.text) for problem in found]
     lost = list(losses(state, wish))
     if lost:

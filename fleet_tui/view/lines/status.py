@@ -1,4 +1,4 @@
-"""The line that is always in view: the link, the alarms, the selected robot."""
+"""The line that is always visible: the link, the alarms, the selected robot."""
 
 from collections.abc import Iterator, Sequence
 
@@ -10,15 +10,15 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
-# A link on which something came within so many seconds is well.
+# A link with a message within this many seconds is well.
 SILENT_AFTER = 2.0
-# The writer tells the time ten times a second. Where it doesn't, ages stand still and all looks live.
+# The writer ticks ten times a second. Without ticks, ages stop and everything looks live.
 BLIND_AFTER = 2.0
 
 
 def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: float) -> list[str]:
-    """Return what holds for this console: also that it is late in reading, or has gone blind, where the state
-    is `standstill` seconds old."""
+    """Return notes on this console, such as its delay, or a stalled clock when the state is `standstill`
+    seconds old."""
     notes = {
         "read-only": read_only,
         "not armed": not armed,
@@ -60,7 +60,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
 
 
 def _worst(state: FleetState) -> LinkState:
-    """The link that needs a person most; all of them in the order of the config."""
+    """Return the link that most needs a person; all of them in the order of the config."""
     return min(
         state.links.values(),
         key=lambda link: (
@@ -76,8 +76,8 @@ def _worst(state: FleetState) -> LinkState:
 def status_line(
     state: FleetState, selected: str, notes: Sequence[str] = (), addressed: bool = True
 ) -> tuple[Run, ...]:
-    """Return what stands first is what must not be cut: alarms, the selected robot, the link, by its address
-    or only by its name; what is no bridge always by its address."""
+    """Return the parts that must not be cut first: alarms, the selected robot, the link, by its address or
+    only by its name; a recording always by its address."""
     fresh, alarms = state.unacknowledged, len(state.alarms) - state.shelved
     runs: list[Run] = [(f" {sanitize(selected)}  ", StyleRole.ACCENT)]
     sign, ink = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
@@ -94,5 +94,5 @@ def status_line(
 
 
 def status_right(clock: str, operator: str = "") -> tuple[Run, ...]:
-    """Return what fills the right end where there is room: the program or who commands, and the time."""
+    """Return the right end, as far as it fits: the program or the console in command, and the time."""
     return ((f"{sanitize(operator) or 'fleet-tui'}  ", StyleRole.DIM), (f"{clock} ", StyleRole.DIM))

@@ -1,4 +1,4 @@
-"""The time line of a recording: how far it is played, and where in it something happened."""
+"""The time line of a recording: position and events."""
 
 from collections.abc import Callable, Sequence
 from enum import IntEnum
@@ -10,11 +10,11 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, cut, width_of
 
 SAID_FOR = 5.0
-"""Recorded seconds for which a mark is told once it was passed."""
+"""Recorded seconds for which a mark's text is shown after it was passed."""
 
 
 class MarkKind(IntEnum):
-    """The kind of a mark; of several in one cell the highest is shown."""
+    """The kind of a mark; in a shared cell the highest is shown."""
 
     COMMAND = 1
     GAP = 2
@@ -29,7 +29,7 @@ _SIGNS = {
 
 
 class TimeMark(Struct, frozen=True):
-    """Something happened at `at` (monotonic seconds of the recording)."""
+    """An event at `at` (monotonic seconds of the recording)."""
 
     at: float
     kind: MarkKind
@@ -38,8 +38,8 @@ class TimeMark(Struct, frozen=True):
 
 class ReplayPosition(Struct, frozen=True):
     """The position of a replay. `began`, `ended` and `at` are its monotonic seconds, `wall` is Unix time;
-    `reached` is the speed where `speed` is too much for this machine, `is_over` at the end, `busy` how
-    much of a long jump is done (0 to 1), `note` what is wrong with the recording; `jumps` counts them."""
+    `reached` is the actual speed if `speed` is too much for this machine, `is_over` at the end, `busy` the
+    progress of a long jump (0 to 1), `note` a problem of the recording; `jumps` counts them."""
 
     began: float
     ended: float
@@ -56,14 +56,14 @@ class ReplayPosition(Struct, frozen=True):
 
 
 def span(seconds: float) -> str:
-    """A span as it is counted on a player: `4:31`, `1:04:31`."""
+    """Return a span as on a player: `4:31`, `1:04:31`."""
     minutes, rest = divmod(int(max(0.0, seconds)), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
 
 
 def bar(moment: ReplayPosition, width: int) -> tuple[Run, ...]:
-    """The time line itself, from the first to the last second, as wide as it may be."""
+    """Return the bar itself, from the first to the last second, at most `width` cells."""
     before, after = _ends(moment)
     cells = width - len(before) - len(after)
     if cells < 3:
@@ -77,13 +77,13 @@ def bar(moment: ReplayPosition, width: int) -> tuple[Run, ...]:
 
 
 def _ends(moment: ReplayPosition) -> tuple[str, str]:
-    """Return what stands before and after the bar; it does not move while it is played."""
+    """Return the texts before and after the bar; their width is constant during play."""
     total = span(moment.ended - moment.began)
     return f" {span(moment.at - moment.began):>{len(total)}} ", f" {total} "
 
 
 def time_at(moment: ReplayPosition, x: int, width: int) -> float:
-    """The second that a cell of the time line stands for."""
+    """Return the second of a cell of the time line."""
     before, after = _ends(moment)
     share = (x - len(before)) / max(1, width - len(before) - len(after))
     return moment.began + max(0.0, min(1.0, share)) * (moment.ended - moment.began)
@@ -95,7 +95,7 @@ def _cell(moment: ReplayPosition, at: float, cells: int) -> int:
 
 
 def factor(speed: float) -> str:
-    """A speed as it is written: `x0.25`, `x64`."""
+    """Return the text of a speed: `x0.25`, `x64`."""
     return f"x{speed:g}"
 
 
@@ -109,14 +109,14 @@ def _pace(moment: ReplayPosition) -> str:
 
 
 def passed(moment: ReplayPosition) -> TimeMark | None:
-    """The mark to be told: the last one that was passed, if that was a short while ago."""
+    """Return the last passed mark, if that was a short while ago."""
     seconds = SAID_FOR * (1.0 if moment.paused else max(1.0, moment.speed))
     recent = [mark for mark in moment.marks if 0.0 <= moment.at - mark.at < seconds]
     return recent[-1] if recent else None
 
 
 def told(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> tuple[Run, ...]:
-    """The line below: how it is played, and what happened just now."""
+    """Return the line below: the play state, and the latest mark."""
     sign = "‖" if moment.paused else "▸"
     runs: list[Run] = [
         (f" {sign} {clock(moment.wall)} ", StyleRole.TEXT),
@@ -132,5 +132,5 @@ def told(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> t
 
 
 def time_line(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> list[tuple[Run, ...]]:
-    """Both lines, each exactly as wide as it may be."""
+    """Return both lines, each exactly `width` cells."""
     return [bar(moment, width), cut(told(moment, clock, width), width)]

@@ -14,11 +14,11 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.hints import hidden_keys
 
 SHOWN = 5
-"""As many reasons as a small terminal has room for; the others weigh least."""
+"""Number of reasons that fit on a small terminal; the weakest are dropped."""
 
 
 def why_lines(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]) -> list[str]:
-    """The time without movement, then each reason: name, evidence, age and the keys that help."""
+    """Return the time without movement, then each reason: name, evidence, age and the keys that help."""
     found, hidden = reasons(state, robot), hidden_keys(state, robot.name)
     if moves(state, robot) == found[0]:
         return [f"{sanitize(found[0].name)} ({found[0].evidence})"]

@@ -1,7 +1,7 @@
-"""Which part of the map is seen: an immutable camera over map pixels, snapped to whole cells.
+"""The visible part of the map: an immutable camera over map pixels, snapped to whole cells.
 
-A cell is 2 x 4 dots; `scale` is map pixels per dot. Cells are counted from the map's upper left
-pixel, so a dot always covers the same pixels and panning does not shimmer.
+A cell is 2 x 4 dots; `scale` is map pixels per dot. Cells are counted from the map's upper left pixel, so a
+dot always covers the same pixels and panning does not shimmer.
 """
 
 import math
@@ -29,24 +29,24 @@ class Camera:
 
     @classmethod
     def fit(cls, extent: tuple[int, int], width: int, height: int) -> "Camera":
-        """The camera that shows the whole map, as large as it goes."""
+        """Return the camera that shows the whole map, as large as possible."""
         scale = _fit_scale(extent, width, height)
         return cls(extent[0] / 2, extent[1] / 2, scale, width, height, extent)
 
     @property
     def origin(self) -> tuple[int, int]:
-        """The upper left cell of the view, in whole cells from the map's upper left corner."""
+        """Return the upper left cell of the view, in whole cells from the map's upper left corner."""
         across, down = self.column / (DOTS_X * self.scale), self.row / (DOTS_Y * self.scale)
         return round(across - self.width / 2), round(down - self.height / 2)
 
     def to_cell(self, column: float, row: float) -> tuple[int, int]:
-        """The cell (x, y) of the view that a map pixel falls into; may lie outside the view."""
+        """Return the cell (x, y) of the view for a map pixel; may lie outside the view."""
         left, top = self.origin
         x = math.floor(column / (DOTS_X * self.scale)) - left
         return x, math.floor(row / (DOTS_Y * self.scale)) - top
 
     def to_pixel(self, x: int, y: int) -> tuple[float, float]:
-        """The map pixel (column, row) in the middle of cell (x, y)."""
+        """Return the map pixel (column, row) in the middle of cell (x, y)."""
         left, top = self.origin
         return (left + x + 0.5) * DOTS_X * self.scale, (top + y + 0.5) * DOTS_Y * self.scale
 
@@ -55,16 +55,18 @@ class Camera:
         return 0 <= x < self.width and 0 <= y < self.height
 
     def centred(self, column: float, row: float) -> "Camera":
-        """With the centre there, or on the nearest point of the map: the map can't be lost."""
+        """Return the camera centred there, or on the nearest point of the map: the map always stays in
+        view."""
         columns, rows = self.extent
         return replace(self, column=min(max(column, 0.0), columns), row=min(max(row, 0.0), rows))
 
     def panned(self, right: int, down: int) -> "Camera":
-        """Moved by whole cells."""
+        """Return the camera moved by whole cells."""
         return self.centred(self.column + right * DOTS_X * self.scale, self.row + down * DOTS_Y * self.scale)
 
     def zoomed(self, factor: float, about: tuple[float, float] | None = None) -> "Camera":
-        """Nearer by `factor` (above 1) or further, with map pixel `about` staying where it is."""
+        """Return the camera zoomed in by `factor` (above 1) or out, with map pixel `about` staying in
+        place."""
         furthest = max(2.0 * _fit_scale(self.extent, self.width, self.height), MIN_SCALE)
         scale = min(max(self.scale / factor, MIN_SCALE), furthest)
         column, row = about or (self.column, self.row)
@@ -73,13 +75,13 @@ class Camera:
         return nearer.centred(column + (self.column - column) * ratio, row + (self.row - row) * ratio)
 
     def resized(self, width: int, height: int) -> "Camera":
-        """The same centre in a view of another size in cells."""
+        """Return the camera with the same centre in a view of another size in cells."""
         return replace(self, width=width, height=height)
 
     def followed(self, column: float, row: float) -> "Camera":
-        """Unchanged while the point is near the middle, else centred on it.
+        """Return the camera unchanged while the point is near the middle, else centred on it.
 
-        One jump now and then instead of a step per tick: the background mostly stands still.
+        One jump now and then instead of a step per tick: the background rarely moves.
         """
         x, y = self.to_cell(column, row)
         far_x = abs(x - self.width / 2) > self.width * _DEAD_ZONE
@@ -87,20 +89,20 @@ class Camera:
         return self.centred(column, row) if far_x or far_y else self
 
     def reframed(self, old: MapFrame, new: MapFrame) -> "Camera":
-        """The same place and size of view in metres, after the map's frame changed."""
+        """Return the same place and size of view in metres, after the map's frame changed."""
         scale = self.scale * old.resolution / new.resolution
         moved = replace(self, scale=scale, extent=(new.width, new.height))
         return moved.centred(*new.to_pixel(*old.to_world(self.column, self.row))).zoomed(1.0)
 
 
 def _fit_scale(extent: tuple[int, int], width: int, height: int) -> float:
-    # A cell to spare each way: snapping to whole cells then never cuts the map's rim off.
+    # One extra cell on each side: snapping to whole cells then never cuts the map's rim off.
     across = extent[0] / (DOTS_X * max(width - 2, 1))
     return max(across, extent[1] / (DOTS_Y * max(height - 1, 1)), MIN_SCALE)
 
 
 def scale_bar(camera: Camera, frame: MapFrame, width: int) -> tuple[str, int]:
-    """A round length (1, 2 or 5 x 10^k metres) of at most `width` cells: its text and its cells.
+    """Return a round length (1, 2 or 5 x 10^k metres) of at most `width` cells: its text and its cells.
 
     Of at least one cell, even if `width` is too small for it.
     """

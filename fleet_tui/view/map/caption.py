@@ -1,4 +1,4 @@
-"""The map's first row: a thin rule that carries the floor, the scale and what is switched on."""
+"""The map's first row: a thin rule with the floor, the scale and the active options."""
 
 import math
 from dataclasses import dataclass
@@ -33,14 +33,14 @@ class Caption:
 
 @lru_cache(maxsize=8)
 def caption_row(facts: Caption) -> Cells:
-    """One row of cells, not to be drawn on; where it is narrow a note is cut and what is less important left
-    out."""
+    """Return one row of cells, not to be drawn on; if it is narrow, a note is cut and less important parts
+    are dropped."""
     row = Cells.blank(facts.camera.width, 1, StyleRole.RULE)
     row.codes[:] = ord("-" if facts.drawing is Drawing.ASCII else "─")
     x = 1
     for piece, ink in _pieces(facts):
         room = facts.camera.width - x - 2
-        # A note says what is wrong: of a long one the beginning is worth more than the rest of the row.
+        # A note reports a problem: its beginning is worth more than the rest of the row.
         is_cut = ink is StyleRole.WARN and LEAST < room < cell_width(piece)
         text = f" {fit(piece, room) if is_cut else piece} "
         if x + cell_width(text) <= facts.camera.width:
@@ -50,7 +50,7 @@ def caption_row(facts: Caption) -> Cells:
 
 
 def _pieces(facts: Caption) -> list[Piece]:
-    """The pieces from left to right, which is also the order of their importance."""
+    """Return the pieces from left to right, which is also the order of their importance."""
     pieces: list[Piece] = [
         (sanitize(facts.floor), StyleRole.TITLE_FOCUSED if facts.focused else StyleRole.TITLE)
     ]
@@ -69,7 +69,7 @@ def _pieces(facts: Caption) -> list[Piece]:
 
 
 def _turn(facts: Caption) -> list[Piece]:
-    """By how much the picture is turned in the world, if it is."""
+    """Return the rotation of the picture in the world, if any."""
     yaw = facts.frame.origin.yaw
     degrees = round(math.degrees(yaw)) if math.isfinite(yaw) else 0
     unit = " deg" if facts.drawing is Drawing.ASCII else "°"

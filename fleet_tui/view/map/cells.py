@@ -1,4 +1,4 @@
-"""A picture in terminal cells: one plane of characters, one of inks; and how it becomes text."""
+"""A picture in terminal cells: one plane of characters, one of inks; and its conversion to text."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,11 +14,11 @@ from fleet_tui.view.roles import StyleRole
 Codes = NDArray[np.uint32]
 Inks = NDArray[np.uint8]
 Run = tuple[str, int]
-"""Text and the ink (an `StyleRole`'s number) that all of it has."""
+"""Text and its single ink (an `StyleRole`'s number)."""
 
 _TAIL = 0  # the code in the second cell of a wide character
 _BLANK = 0x20
-_FEW = 40  # texts that are written sooner one by one than all at once
+_FEW = 40  # number of texts up to which writing one by one is faster
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,16 +30,16 @@ class Cells:
 
     @classmethod
     def blank(cls, width: int, height: int, ink: StyleRole) -> Self:
-        """Spaces in one ink."""
+        """Return spaces in one ink."""
         shape = (height, width)
         return cls(np.full(shape, _BLANK, np.uint32), np.full(shape, ink, np.uint8))
 
     def copy(self) -> "Cells":
-        """Planes of their own, to draw on."""
+        """Return a copy to draw on."""
         return Cells(self.codes.copy(), self.inks.copy())
 
     def write(self, x: int, y: int, text: str, ink: StyleRole) -> None:
-        """Put safe `text` at cell (x, y) in place; what does not fit in the row is left out."""
+        """Write safe `text` at cell (x, y) in place; text beyond the row is cut."""
         height, width = self.codes.shape
         codes = _codes_of(text)
         if x < 0 or x + len(codes) > width:
@@ -56,7 +56,7 @@ class Cells:
         self.inks[y, x:after] = ink
 
     def write_all(self, texts: Sequence[tuple[int, int, str, StyleRole]]) -> None:
-        """`write` for many texts (x, y, text, ink) at once, of letters that take one cell each."""
+        """Write many texts (x, y, text, ink) at once, of letters one cell wide."""
         if len(texts) < _FEW:
             for text in texts:
                 self.write(*text)
@@ -76,7 +76,7 @@ class Cells:
         self.inks.reshape(-1)[places] = np.repeat(np.frombuffer(bytes(inks), np.uint8), sizes)[kept]
 
     def changes(self, before: "Cells | None") -> list[tuple[int, int, int]]:
-        """Return where this differs from `before`: (y, first x, end x) per row that does."""
+        """Return the differences from `before`: (y, first x, end x) per changed row."""
         height, width = self.codes.shape
         if before is None or before.codes.shape != self.codes.shape:
             return [(y, 0, width) for y in range(height)]
@@ -87,15 +87,15 @@ class Cells:
         return list(zip(rows.tolist(), first.tolist(), last.tolist(), strict=True))
 
     def runs(self, y: int) -> list[Run]:
-        """Row y as runs of one ink each, which together take exactly the picture's width."""
+        """Return row y as runs of one ink each, exactly the picture's width together."""
         return _runs(self.codes[y], self.inks[y])
 
     def all_runs(self) -> list[list[Run]]:
-        """The runs of every row."""
+        """Return the runs of every row."""
         return [_runs(codes, inks) for codes, inks in zip(self.codes, self.inks, strict=True)]
 
     def text(self) -> str:
-        """The characters alone, one line per row."""
+        """Return the characters alone, one line per row."""
         return "\n".join("".join(text for text, _ in runs) for runs in self.all_runs())
 
 
@@ -113,7 +113,7 @@ def _runs(codes: Codes, inks: Inks) -> list[Run]:
 
 @lru_cache(maxsize=4096)
 def _codes_of(text: str) -> tuple[int, ...]:
-    """A code per cell."""
+    """Return one code per cell."""
     codes: list[int] = []
     for letter, size in cells_of(text):
         codes += (ord(letter),) if size == 1 else (ord(letter), _TAIL)
@@ -121,7 +121,7 @@ def _codes_of(text: str) -> tuple[int, ...]:
 
 
 def _clipped(codes: tuple[int, ...], x: int, width: int) -> tuple[tuple[int, ...], int]:
-    """The codes inside 0..width of those at x, and where they start; half characters become blanks."""
+    """Return the codes inside 0..width of those at x, and their start; half characters become blanks."""
     start, end = max(-x, 0), max(width - x, 0)
     kept = list(codes[start:end])
     if kept and kept[0] == _TAIL:

@@ -1,7 +1,7 @@
-"""From the fleet's state to what the map shows of one floor.
+"""From the fleet state to the scene of one floor.
 
-The picture is the selected robot's: its map, graph and labels. The others are placed through
-their own map_metadata into it.
+The picture is the selected robot's: its map, graph and labels. The others are placed into it through their
+own map_metadata.
 """
 
 from dataclasses import replace
@@ -19,14 +19,14 @@ from fleet_tui.view.selection import Selection
 MARGIN, BLOCK = 2.0, 10.0
 EMPTY_RESOLUTION = 0.05
 FAR = 1e6
-"""Metres beyond which a place is an error, not one to make room for."""
+"""Metres beyond which a place is an error and doesn't extend the picture."""
 
 Drawn = tuple[tuple[SceneVertex, ...], tuple[Line, ...], tuple[Line, ...]]
 
 
 @lru_cache(maxsize=2)
 def _drawn(chart: RobotMap) -> Drawn:
-    """Vertices, edges and the one-way ones of them; the same objects as long as the chart is the same."""
+    """Return vertices, edges and one-way edges; the same objects as long as the map is the same."""
     graph, labels = chart.graph or RouteGraph(), chart.labels
     vertices = tuple(
         SceneVertex(vertex.id, vertex.x, vertex.y, vertex.role, sanitize(labels.get(vertex.id, "")))
@@ -42,7 +42,8 @@ def _drawn(chart: RobotMap) -> Drawn:
 
 
 def chart_robot(state: FleetState, selection: Selection) -> Robot | None:
-    """Return whose map and graph stand for the floor: the selected robot's, else the first that knows it."""
+    """Return the robot whose map and graph are shown for the floor: the selected one, else the first with
+    them."""
     selected = state.robots[selection.robot]
     if selection.floor in selected.charts:
         return selected
@@ -50,7 +51,8 @@ def chart_robot(state: FleetState, selection: Selection) -> Robot | None:
 
 
 def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) -> MapFrame:
-    """Without a map: room around the vertices, else around the robots in steps so that it stands still."""
+    """Return the extent without a map: around the vertices, else around the robots in steps so that it rarely
+    changes."""
     points = [(vertex.x, vertex.y) for vertex in vertices]
     if not points:
         for robot in state.robots.values():
@@ -67,7 +69,8 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
 
 
 def _with_map(floor: Floor, chart: RobotMap, scene: Scene) -> Scene:
-    """The floor's configured file first, then the live map, then empty ground that says what is missing."""
+    """Return the floor's configured file first, then the live map, then empty ground with a note on the
+    missing map."""
     grid, frame = floor.grid, chart.frame
     if grid is not None and floor.tied:
         note = ""
@@ -96,7 +99,7 @@ def _same_size(one: MapFrame, other: MapFrame) -> bool:
 
 
 def _placed(pose: Pose, own: MapFrame | None, picture: MapFrame) -> tuple[Pose, bool]:
-    """A pose in the picture's world, and whether the robot's own map is another one."""
+    """Return a pose in the picture's world, and whether the robot's own map is another one."""
     if own is None or own is picture or own == picture:
         return pose, False
     column, row = own.to_pixel(pose.x, pose.y)
@@ -129,7 +132,7 @@ def _robot(
 
 
 def _elsewhere(state: FleetState, selection: Selection) -> str:
-    """Return where the selected robot is, if not here."""
+    """Return the selected robot's place, if not here."""
     robot = state.robots[selection.robot]
     actual = robot.floor
     if "pose" not in robot.kind.reports:
@@ -142,7 +145,7 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
 
 
 def floor_scene(state: FleetState, selection: Selection) -> Scene:
-    """Return what the map shows of the selected floor."""
+    """Return the scene of the selected floor."""
     owner = chart_robot(state, selection)
     chart = owner.charts[selection.floor] if owner else RobotMap()
     vertices, edges, one_way = _drawn(chart)

@@ -1,4 +1,4 @@
-"""The characters of the map, each with its plain ASCII stand-in."""
+"""The characters of the map, each with its plain ASCII substitute."""
 
 import math
 
@@ -14,7 +14,7 @@ _PLAIN = (">", "/^", "^", "^\\", "<", "v/", "v", "\\v")
 
 
 def robot_glyph(robot: SceneRobot, turned: float, plain: bool) -> str:
-    """The robot's arrow; turned: radians by which the map's picture is turned in the world."""
+    """Return the robot's arrow; turned: radians by which the map's picture is turned in the world."""
     heading = robot.pose.yaw - turned
     eighth = round(heading / (math.pi / 4)) % 8 if math.isfinite(heading) else 0
     if plain:
@@ -23,7 +23,7 @@ def robot_glyph(robot: SceneRobot, turned: float, plain: bool) -> str:
 
 
 def robot_tag(robot: SceneRobot, plain: bool) -> str:
-    """Return what stands beside the arrow: the number, then what is special about the robot."""
+    """Return the text beside the arrow: the number, then the robot's special states."""
     tag = str(robot.number)
     if plain and robot.cargo:
         tag += "+"
@@ -37,7 +37,7 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
 
 
 def robot_inks(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
-    """The inks of the arrow and of the tag: selection shows in the first, trouble in both."""
+    """Return the inks of the arrow and of the tag: the first shows selection, both show trouble."""
     if not robot.online:
         state = StyleRole.ROBOT_OFFLINE
     elif robot.obstacle:
@@ -50,7 +50,7 @@ def robot_inks(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
 
 
 def vertex_glyph(vertex: SceneVertex, plain: bool) -> tuple[str, StyleRole]:
-    """A vertex by its role; one without a role by whether it has a label."""
+    """Return the glyph of a vertex by its role; without a role by whether it has a label."""
     if vertex.role is Role.ELEVATOR:
         return ("E" if plain else "↕"), StyleRole.ELEVATOR
     if vertex.role is Role.DOCKING:

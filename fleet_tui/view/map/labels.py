@@ -11,20 +11,22 @@ from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.map.cells import Inks
 from fleet_tui.view.roles import StyleRole
 
-_REACH = 3  # rows or cells that a tag may be away from its robot
-_MARGIN = 40  # cells between two rows of a room, always taken, so that nothing reaches from one into the next
+_REACH = 3  # maximum distance of a tag from its robot in rows or cells
+_MARGIN = (
+    40  # cells between two rows of the bit mask, always taken, so that nothing extends from one into the next
+)
 LONGEST = _MARGIN - 2 * _REACH
-"""Cells of the longest tag that finds a place."""
+"""Cells of the longest tag that can be placed."""
 
 _HELD = np.zeros(len(StyleRole), np.bool_)
 _HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
 
 class Room:
-    """Which cells of a view are taken already; `below` is what tags should not cover.
+    """Occupancy of a view's cells; `below` are those that tags should not cover.
 
-    A bit for each cell in one number, row by row with margins between and around them: so everything
-    near a robot is looked at together, which counts where a hundred robots look ten times a second.
+    A bit for each cell in one number, row by row with margins between and around them: so all cells near a
+    robot are tested together, which counts with a hundred robots ten times a second.
     """
 
     def __init__(self, width: int, height: int, below: Inks | None = None) -> None:
@@ -35,11 +37,11 @@ class Room:
         self._texts = 0 if below is None else _bits(_HELD[below], around=False)
 
     def _bit(self, x: int, y: int) -> int:
-        """The number of a cell's bit."""
+        """Return the number of a cell's bit."""
         return (y + _REACH) * self._stride + _MARGIN + x
 
     def take(self, x: int, y: int, cells: int) -> None:
-        """Take `cells` cells of row y from x on, as far as they are in the view."""
+        """Occupy `cells` cells of row y from x on, as far as they are in the view."""
         start, end = max(x, 0), min(x + cells, self._width)
         if 0 <= y < self._height and start < end:
             self._taken |= (1 << end - start) - 1 << self._bit(start, y)
@@ -51,10 +53,10 @@ class Room:
         return not (self._taken | self._texts) >> self._bit(x, y) & (1 << cells) - 1
 
     def label_spot(self, x: int, y: int, text: str, inks: Inks) -> tuple[int, int] | None:
-        """The place for a label near its vertex at (x, y): taken, or None where there is no room.
+        """Occupy the place for a label near its vertex at (x, y), or return None if it doesn't fit.
 
-        Of the free places the first one that hides least of the map; a label keeps a cell's distance
-        from its neighbours, so that two labels never read as one.
+        Of the free places the first one that hides least of the map; a label keeps a cell's distance from its
+        neighbours, so that two labels never read as one.
         """
         cells = cell_width(text)
         middle = x - cells // 2
@@ -77,7 +79,7 @@ class Room:
         return self.free(x, y, cells) and self.free(start, y, end - start)
 
     def keep_tag(self, x: int, y: int, glyph: int, cells: int, dx: int, dy: int) -> bool:
-        """Take the place of a tag at (dx, dy) from its glyph, if it is free and touches nothing else."""
+        """Occupy the place of a tag at (dx, dy) from its glyph, if it is free and touches nothing else."""
         if cells > LONGEST:
             return False
         bit = self._bit(x + dx, y + dy)
@@ -94,10 +96,10 @@ class Room:
         return True
 
     def tag_spot(self, x: int, y: int, glyph: int, cells: int) -> tuple[int, int] | None:
-        """The place for a robot's tag beside its glyph of `glyph` cells at (x, y); now taken.
+        """Occupy the place for a robot's tag beside its glyph of `glyph` cells at (x, y).
 
-        Where robots crowd, it dodges, the less the better: two numbers side by side read as one.
-        Rather it covers a label; in a heap without any room there is none.
+        Among crowded robots it moves, as little as possible: two adjacent numbers read as one. It may cover a
+        label; None if there is no space at all.
         """
         if cells > LONGEST:
             return None
@@ -115,7 +117,7 @@ class Room:
 
 
 def _bits(cells: NDArray[np.bool_], around: bool) -> int:
-    """The cells of a view, and their margins, as a Room keeps them."""
+    """The cells of a view, and their margins, as stored in a Room."""
     height, width = cells.shape
     padded = np.full((height + 2 * _REACH + 1, width + _MARGIN), around)
     padded[_REACH : _REACH + height, _MARGIN:] = cells
@@ -131,9 +133,9 @@ def _margins(width: int, height: int) -> int:
 class _Near:
     """The surroundings of a glyph, as bits counted from a corner that lies `before` bits before it.
 
-    seen: all cells that count for a tag's place. order: where one may begin, from beside the glyph
-    outwards: the bit, and dx, dy from the glyph; starts: all these bits; after_glyph, before_glyph:
-    those whose neighbour is the glyph itself.
+    seen: all cells relevant to a tag's place. order: possible starts, from beside the glyph outwards: the
+    bit, and dx, dy from the glyph; starts: all these bits; after_glyph, before_glyph: those whose neighbour
+    is the glyph itself.
     """
 
     cells: int
@@ -145,7 +147,7 @@ class _Near:
     before_glyph: int
 
     def spot(self, taken: int, texts: int, tags: int) -> tuple[int, int, int] | None:
-        """The first of the best places for a tag, if there is any."""
+        """Return the first of the best places for a tag, if any."""
         alone, some = self.places(taken, texts, tags)
         if not alone and texts:
             alone, covering = self.places(taken, 0, tags)
@@ -157,10 +159,10 @@ class _Near:
         return None
 
     def places(self, taken: int, texts: int, tags: int) -> tuple[int, int]:
-        """Return where a tag may begin so that it touches nothing, else no tag; and so that it is free at
-        all.
+        """Return the starts of a tag at which it touches nothing; and those at which it is free at all.
 
-        A label may be touched rather than that the tag goes far from its robot."""
+        A tag rather touches a label than goes far from its robot.
+        """
         held = blocked = taken | texts
         for cell in range(1, self.cells):
             blocked |= held >> cell
@@ -191,7 +193,7 @@ def _near(glyph: int, cells: int, stride: int) -> _Near:
 
 
 def _around(glyph: int, cells: int) -> tuple[tuple[int, int], ...]:
-    """Places for a tag relative to its glyph, from the one beside it outwards."""
+    """Return places for a tag relative to its glyph, from the one beside it outwards."""
     right, left = glyph, -cells
     places = [(right, 0), (left, 0)]
     for far in range(1, _REACH + 1):
@@ -204,5 +206,5 @@ def _around(glyph: int, cells: int) -> tuple[tuple[int, int], ...]:
 
 
 def _hidden(inks: Inks) -> int:
-    """Return how many of the cells hold something: a wall, an edge, a vertex."""
+    """Return the number of cells that hold something: a wall, an edge, a vertex."""
     return int(np.count_nonzero(inks > StyleRole.UNKNOWN))

@@ -19,8 +19,8 @@ from fleet_tui.view.roles import StyleRole
 
 @dataclass(frozen=True, slots=True)
 class MapOptions:
-    """The operator's options for the map. cursor: where the map's cursor is, x, y in metres; pointed: the
-    id of the vertex under it."""
+    """The operator's options for the map. cursor: place of the map's cursor, x, y in metres; pointed: the id
+    of the vertex under it."""
 
     drawing: Drawing = Drawing.BRAILLE
     edges: bool = False
@@ -36,14 +36,14 @@ class MapOptions:
 
 
 def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """The occupancy map, over everything that was there."""
+    """Draw the occupancy map, over the previous content."""
     below = ground(scene.grid, camera, look.drawing)
     cells.codes[:] = below.codes
     cells.inks[:] = below.inks
 
 
 def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """The vertices by role, the important ones over the others. On the current way a plain one is part
+    """Draw the vertices by role, the important ones over the others. On the current way a plain one is part
     of the line."""
     placed = seen_vertices(scene, camera)
     for vertex, (x, y) in sorted(placed, key=lambda at: vertex_glyph(at[0], look.plain)[1]):
@@ -54,11 +54,11 @@ def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
 
 
 def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """Labels where there is room for the whole of them, so more of them the nearer the view.
+    """Draw the labels that fit whole, so more of them the closer the zoom.
 
-    First the mission's ends, then the vertex under the cursor, elevators and docking stations, the
-    others; equals by vertex id. The order is the same at every zoom: what stands, stands nearer too,
-    unless something before it now finds room there.
+    First the mission's ends, then the vertex under the cursor, elevators and docking stations, the others;
+    equals by vertex id. The order is the same at every zoom: a label stays when zooming in, unless an earlier
+    one now fits there.
     """
     if not look.labels:
         return
@@ -79,24 +79,24 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
 
 
 def _rank(vertex: SceneVertex, targets: tuple[str, ...], look: MapOptions) -> tuple[bool, bool, bool, object]:
-    """The smallest goes first."""
+    """Return the sort key of a label, the smallest first."""
     return vertex.id not in targets, vertex.id != look.pointed, vertex.role is Role.PLAIN, natural(vertex.id)
 
 
 Tags = dict[int, Place]
-"""Where the number of each robot stands, from its arrow, by number."""
+"""Offset of the number of each robot from its arrow, by number."""
 
 
 def draw_robots(
     cells: Cells, scene: Scene, camera: Camera, look: MapOptions, tags: Tags | None = None
 ) -> None:
-    """Every robot as an arrow with its number beside it; the selected one on top and placed first.
+    """Draw every robot as an arrow with its number beside it; the selected one on top and placed first.
 
-    `tags` remembers from picture to picture where the numbers stand: they stay there while there is room.
+    `tags` keeps the places of the numbers from picture to picture: they stay while there is space.
     """
     tags = {} if tags is None else tags
     placed = seen_robots(scene, camera)
-    owners = {at: robot for robot, at in reversed(placed)}  # of robots in one cell the first one is seen
+    owners = {at: robot for robot, at in reversed(placed)}  # in a shared cell the first robot is visible
     plain, turned = look.plain, scene.frame.origin.yaw
     glyphs = {at: _robot_glyph(robot, at, owners, turned, plain) for at, robot in owners.items()}
     room = Room(camera.width, camera.height, cells.inks)
@@ -116,7 +116,7 @@ def draw_robots(
 def _tag(
     robot: SceneRobot, at: Place, glyph: int, plain: bool, room: Room, tags: Tags
 ) -> tuple[Place | None, str]:
-    """A robot's number and where it goes: where it stood, else the nearest place with room."""
+    """Return a robot's number and its place: the earlier one, else the nearest that is free."""
     (x, y), tag = at, robot_tag(robot, plain)
     stood = tags.get(robot.number)
     if stood and room.keep_tag(x, y, glyph, len(tag), *stood):
@@ -133,13 +133,13 @@ def _tag(
 def _robot_glyph(
     robot: SceneRobot, at: Place, owners: Mapping[Place, SceneRobot], turned: float, plain: bool
 ) -> str:
-    """The arrow, only as wide as it hides no other robot."""
+    """Return the arrow, only as wide as it hides no other robot."""
     glyph = robot_glyph(robot, turned, plain)
     return glyph[:1] if (at[0] + 1, at[1]) in owners else glyph
 
 
 def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """The map's cursor: the cell's own character, marked."""
+    """Draw the map's cursor: the cell's own character, marked."""
     if look.cursor is None:
         return
     x, y = camera.to_cell(*scene.frame.to_pixel(*look.cursor))

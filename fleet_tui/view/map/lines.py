@@ -1,4 +1,4 @@
-"""The layers made of lines and dots: edges, the remaining mission, where robots were."""
+"""The layers made of lines and dots: edges, the remaining mission, trails."""
 
 import math
 from collections.abc import Iterator
@@ -19,12 +19,12 @@ Mask = NDArray[np.bool_]
 """The dots of a view, (rows, columns)."""
 
 OFF_EDGE = 1.0
-"""Metres from which a robot is beside its edge, not on it."""
+"""Metres from which a robot is off its edge."""
 FADED = 30.0
 """Seconds after which a trail is paler and has half as many dots."""
 OUTLINE = 6.0
 """Dots of a robot's longer side from which its outline is drawn."""
-_ARROW_ROOM = 8.0  # dots of an edge that must be seen before it gets an arrow head
+_ARROW_ROOM = 8.0  # visible dots of an edge below which it has no arrow head
 _NEXT = ":"
 """The next orders' way in ASCII."""
 _ARROWS = ("▸▴◂▾", ">^<v")  # east first, counter-clockwise; the second in ASCII
@@ -47,7 +47,7 @@ def _mask(camera: Camera) -> Mask:
 
 
 def _dots(scene: Scene, camera: Camera, points: Points) -> Points:
-    """Points in metres (n x 2) as fractions of the view's dots."""
+    """Return points in metres (n x 2) as fractions of the view's dots."""
     left, top = camera.origin
     return pixels(scene.frame, points) / camera.scale - (left * DOTS_X, top * DOTS_Y)
 
@@ -58,7 +58,7 @@ def _ends(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points
 
 
 def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """The route graph's edges as thin lines that leave every wall visible."""
+    """Draw the route graph's edges as thin lines that leave every wall visible."""
     if not (look.edges and scene.edges):
         return
     mask = _mask(camera)
@@ -73,7 +73,7 @@ def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> 
 
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")
 def _point(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """An arrow head in the middle of what is seen of each one-way edge, where there is room."""
+    """Draw an arrow head in the middle of the visible part of each one-way edge, if it fits."""
     starts, stops = _ends(scene, camera, scene.one_way)
     low, high = _within((camera.height * DOTS_Y, camera.width * DOTS_X), starts, stops)
     way = stops - starts
@@ -87,7 +87,7 @@ def _point(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None
 
 
 def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """The selected robot's remaining way: of the current order thick, of the next ones dashed."""
+    """Draw the selected robot's remaining way: of the current order thick, of the next ones dashed."""
     if scene.mission is None:
         return
     if scene.mission.following:
@@ -101,9 +101,9 @@ def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -
 
 
 def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """The first piece of that way, what is left of the edge that the selected robot is on.
+    """Draw the first piece of that way, the rest of the edge that the selected robot is on.
 
-    As long as it is near the edge, the edge's own dots: they don't dance when the pose does.
+    While it is near the edge, the edge's own dots: they don't jitter with the pose.
     """
     robot = scene.selected
     if scene.mission is None or scene.mission.edge is None or robot is None:
@@ -125,7 +125,7 @@ def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     if scene.trail is None or not len(scene.trail):
         return
     dots, old = _dots(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED
-    # By place, so that a dot that stays does not come and go with its neighbours.
+    # By place, so that a dot does not flicker with its neighbours.
     thinned = old & (np.floor(dots).sum(axis=1) % 2 == 0)
     for some, ink in ((old & ~thinned, StyleRole.TRAIL_OLD), (~old, StyleRole.TRAIL)):
         mask = _mask(camera)
@@ -134,7 +134,7 @@ def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
 
 
 def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """The outline of each robot whose size is known, to scale, where the view is near enough to show one."""
+    """Draw the outline of each robot of known size, to scale, if the zoom is close enough."""
     dot = camera.scale * scene.frame.resolution
     near = [robot for robot in scene.robots if robot.size and max(robot.size) >= OUTLINE * dot]
     seen = [robot for robot in near if math.isfinite(robot.pose.x + robot.pose.y + robot.pose.yaw)]
@@ -146,7 +146,7 @@ def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
 
 
 def _sides(robot: SceneRobot) -> Iterator[Line]:
-    """The four sides of a robot's outline; its pose is in the middle."""
+    """Return the four sides of a robot's outline; its pose is in the middle."""
     assert robot.size is not None
     x, y, yaw = robot.pose.x, robot.pose.y, robot.pose.yaw
     length, width = robot.size
@@ -161,7 +161,7 @@ def _sides(robot: SceneRobot) -> Iterator[Line]:
 
 
 def _thick(mask: Mask) -> Mask:
-    """Two dots wide: without colour, too, it is another line than an edge."""
+    """Widen to two dots, to differ from an edge without colour, too."""
     thick = mask.copy()
     thick[:-1] |= mask[1:]
     thick[:, :-1] |= mask[:, 1:]
@@ -169,10 +169,10 @@ def _thick(mask: Mask) -> Mask:
 
 
 def _stroke(cells: Cells, mask: Mask, ink: StyleRole, look: MapOptions, plain: str) -> None:
-    """Draw the dots in one ink where nothing more important stands; as ASCII the character `plain`.
+    """Draw the dots in one ink except over more important cells; as ASCII the character `plain`.
 
-    The current mission is thick. A wall under a mission stays what it is and only takes its ink: the
-    line goes on through it.
+    The current mission is thick. A wall under a mission keeps its glyph and only takes the ink: the line goes
+    on through it.
     """
     passed = pack(mask)
     bits = pack(_thick(mask)) if ink is StyleRole.MISSION and not look.plain else passed
@@ -213,7 +213,7 @@ def _dot(mask: Mask, dots: Points) -> None:
 
 
 def _within(shape: tuple[int, ...], starts: Points, stops: Points) -> tuple[Points, Points]:
-    """From which to which share of its length each line is inside the mask (Liang-Barsky)."""
+    """Return the shares of each line's length between which it is inside the mask (Liang-Barsky)."""
     size = np.array([shape[1], shape[0]], np.float64)
     one, other = -starts / (stops - starts), (size - starts) / (stops - starts)
     # A line along an axis divides by zero: +-inf outside, nan exactly on the border (taken as inside).

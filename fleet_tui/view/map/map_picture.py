@@ -1,4 +1,4 @@
-"""The picture of a floor as the operator looks at it, and what is kept from one tick to the next."""
+"""The picture of a floor with the operator's view, and its cached parts."""
 
 from dataclasses import replace
 
@@ -37,11 +37,11 @@ class MapPicture:
         self._trails.note(scene)
 
     def clear_trails(self) -> None:
-        """Begin the trails again: another time is shown from now on."""
+        """Restart the trails: another time is shown from now on."""
         self._trails = Trails()
 
     def cells(self, width: int, height: int, focused: bool) -> Cells | None:
-        """Return the picture in this many cells, None without a scene or without space for one."""
+        """Return the picture in this many cells, None without a scene or space."""
         scene, view = self.scene, self.viewport
         if scene is None or width < 1 or height <= CAPTION_ROWS:
             return None
@@ -57,7 +57,7 @@ class MapPicture:
         return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.inks, body.inks)))
 
     def pick(self, x: int, y: int) -> SceneRobot | SceneVertex | None:
-        """Return what is shown at cell (x, y) of the whole picture, if anything is."""
+        """Return the object at cell (x, y) of the whole picture, if any."""
         if self.scene is None or y < CAPTION_ROWS:
             return None
         return pick(self.scene, self.viewport.camera(self.scene), x, y - CAPTION_ROWS)
@@ -76,7 +76,7 @@ class MapPicture:
         )
 
     def _still(self, scene: Scene, camera: Camera) -> Cells:
-        """Return the backdrop of the robots, made again only when something in it changed."""
+        """Return the backdrop of the robots, redrawn only on a change."""
         under = pointed(scene, camera, self.options.cursor)
         key = (scene, camera, replace(self.options, cursor=None, trails=False, pointed=under))
         if self._backdrop is None or self._backdrop_of is None or not _same(self._backdrop_of, key):
@@ -99,6 +99,6 @@ def _same(before: tuple[Scene, Camera, MapOptions], now: tuple[Scene, Camera, Ma
 
 
 def _lines(scene: Scene) -> tuple[object, ...]:
-    """The mission without where it begins, which moves with the robot."""
+    """Return the mission without its start, which moves with the robot."""
     mission = scene.mission
     return (mission.current, mission.following) if mission else ((), ())

@@ -17,15 +17,15 @@ from fleet_tui.view.map.scene import Line, Mission
 
 ORDERS_SHOWN = 8
 AT_VERTEX = 0.5
-"""Metres within which a robot stands at a vertex: even on a one-way edge it can start from there."""
+"""Metres within which a robot is at a vertex: even on a one-way edge it can start from there."""
 
 Place = tuple[str, float]
-"""A vertex id, and the metres that lie before it."""
+"""A vertex id, and the metres before it."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """A way along the graph, and its length in metres: without lines and endless if there is none."""
+    """A way along the graph, and its length in metres: without lines and infinite if none exists."""
 
     start: str | None = None
     lines: tuple[Line, ...] = ()
@@ -33,7 +33,7 @@ class _Way:
 
 
 class _Routes:
-    """A chart's graph made quick to ask: each way is searched once."""
+    """The routes of one graph, cached: each way is searched once."""
 
     def __init__(self, graph: RouteGraph) -> None:
         self._graph, self._places = graph, graph.vertices
@@ -55,12 +55,13 @@ class _Routes:
         return _Way(start, lines, sum(math.dist(line[:2], line[2:]) for line in lines))
 
     def shortest(self, starts: tuple[Place, ...], goals: tuple[Place, ...]) -> _Way:
-        """The shortest way from one of the starts to one of the goals."""
+        """Return the shortest way from one of the starts to one of the goals."""
         ways = [(self._way(start, goal), before) for start, before in starts for goal, _ in goals]
         return min(ways, key=lambda at: at[0].length + at[1], default=(_Way(), 0.0))[0]
 
     def near(self, pose: Pose) -> tuple[Place, ...]:
-        """The two ends of the edge that the robot is on; endlessly far is one that it may not drive to."""
+        """Return the two ends of the edge that the robot is on; infinitely far is one that it may not drive
+        to."""
         at = (pose.x, pose.y)
         if not self._graph.edges or not all(map(math.isfinite, at)):
             return ()
@@ -73,12 +74,12 @@ class _Routes:
         return (end, start if back or start[1] < AT_VERTEX else (edge.start, math.inf))
 
     def edge(self, ends: tuple[Place, ...], ahead: str) -> Line:
-        """The edge between two ends in the direction of one of them."""
+        """Return the edge between two ends in the direction of one of them."""
         behind = next((id_ for id_, _ in ends if id_ != ahead), ahead)
         return self._line(behind, ahead)
 
     def point(self, vertex: str) -> tuple[float, float]:
-        """Return where a vertex is, in metres."""
+        """Return the position of a vertex, in metres."""
         return self._places[vertex].x, self._places[vertex].y
 
 
@@ -88,24 +89,24 @@ def _routes(chart: RobotMap) -> _Routes | None:
 
 
 def floor_of(robot: Robot, vertex: str) -> str | None:
-    """The floor on which a vertex of the robot's orders is; where ids repeat, the one it is on itself."""
+    """Return the floor of a vertex of the robot's orders; if ids repeat, the robot's own."""
     floors = sorted(robot.charts, key=lambda name: name != robot.floor)
     graphs = ((name, robot.charts[name].graph) for name in floors)
     return next((name for name, graph in graphs if graph is not None and vertex in graph.vertices), None)
 
 
 def targets(robot: Robot, floor: str) -> tuple[str, ...]:
-    """The vertices at which the robot's current order stops on a floor."""
+    """Return the vertices at which the robot's current order stops on a floor."""
     current = robot.orders.current
     stops = vertices_of(current.stops) if current else ()
     return tuple(vertex for vertex in stops if floor_of(robot, vertex) == floor)
 
 
 def mission(robot: Robot, floor: str) -> Mission | None:
-    """Return what the robot still has to drive on a floor; a leg to or from another floor ends at an
-    elevator.
+    """Return the remaining way of the robot on a floor; a leg to or from another floor ends at an elevator.
 
-    Cheap enough for every tick: nothing is searched again while robot and orders move on the same edges."""
+    Cheap enough for every tick: nothing is searched again while robot and orders stay on the same edges.
+    """
     orders = list(robot.orders.open[:ORDERS_SHOWN])
     routes = _routes(robot.charts[floor]) if floor in robot.charts and orders else None
     if routes is None:
@@ -123,7 +124,7 @@ def mission(robot: Robot, floor: str) -> Mission | None:
 def _legs(
     robot: Robot, floor: str, routes: _Routes, orders: list[Order], at: tuple[Place, ...]
 ) -> Iterator[tuple[Order, _Way]]:
-    """The ways from where the robot is to one stop after the other."""
+    """Return the ways from the robot to one stop after the other."""
     for order in orders:
         for vertex in _stops(robot, order):
             goals = _places(robot, floor, routes, vertex)
@@ -132,7 +133,7 @@ def _legs(
 
 
 def _stops(robot: Robot, order: Order) -> tuple[str, ...]:
-    """The vertices an order still leads to."""
+    """Return the remaining vertices of an order."""
     return vertices_of(stops_left(robot, order))
 
 
@@ -143,7 +144,7 @@ def _whereabouts(robot: Robot, floor: str, routes: _Routes) -> tuple[Place, ...]
 
 
 def _places(robot: Robot, floor: str, routes: _Routes, vertex: str) -> tuple[Place, ...]:
-    """A vertex as seen from a floor: itself, the elevators where it is on another, nothing if nowhere."""
+    """Return a vertex as seen from a floor: itself, the elevators if it is on another, nothing if unknown."""
     actual = floor_of(robot, vertex)
     if actual is None:
         return ()

@@ -1,4 +1,4 @@
-"""Map modes: what arrows and Enter do on the map, what is drawn on top of it, and what its caption says."""
+"""Map modes: the effect of arrows and Enter on the map, extra layers, and the caption."""
 
 from typing import Protocol
 
@@ -20,7 +20,7 @@ class MapMode(Protocol):
 
     @property
     def cursor(self) -> Point | None:
-        """The place of the map's cursor, None where the mode has none."""
+        """Return the place of the map's cursor, None if the mode has none."""
 
     @property
     def banner(self) -> str:
@@ -30,11 +30,11 @@ class MapMode(Protocol):
         """Follow the arrow keys by steps to the right and down."""
 
     def pick(self, view: Viewport, scene: Scene) -> SceneRobot | SceneVertex | None:
-        """Return what Enter means."""
+        """Return the result of Enter."""
 
 
 class ViewMode:
-    """Arrows move the view; nothing is picked by key."""
+    """Arrows move the view; Enter picks nothing."""
 
     layers: tuple[Layer, ...] = ()
     cursor = None
@@ -49,7 +49,7 @@ class ViewMode:
 
 
 class CursorMode:
-    """Arrows move a cursor by cells; Enter picks what is under it."""
+    """Arrows move a cursor by cells; Enter picks the object under it."""
 
     layers: tuple[Layer, ...] = (draw_cursor,)
 
@@ -58,17 +58,17 @@ class CursorMode:
 
     @property
     def banner(self) -> str:
-        """The cursor's place."""
+        """Return the cursor's place."""
         # Adding 0 turns -0.0 into 0.0.
         x, y = (round(metres, 1) + 0.0 for metres in self.cursor)
         return f"x {x:.1f} y {y:.1f} m"
 
     def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:
-        """Move the cursor; at the edge the view goes along."""
+        """Move the cursor; at the edge the view moves with it."""
         self.cursor = view.stepped(scene, self.cursor, dx, dy)
 
     def pick(self, view: Viewport, scene: Scene) -> SceneRobot | SceneVertex | None:
-        """Return the vertex that the cursor was set on, whoever stands there, else what is nearest."""
+        """Return the vertex that the cursor was set on, even below a robot, else the nearest object."""
         on = [vertex for vertex in scene.vertices if (vertex.x, vertex.y) == self.cursor]
         camera = view.camera(scene)
         return on[0] if on else pick(scene, camera, *camera.to_cell(*scene.frame.to_pixel(*self.cursor)))

@@ -1,4 +1,4 @@
-"""The map's picture: all layers, in two parts so that robots can move over a backdrop that stands."""
+"""The map's picture: all layers, in two parts so that robots move over a cached backdrop."""
 
 from collections.abc import Callable
 
@@ -20,14 +20,14 @@ from fleet_tui.view.roles import StyleRole
 Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
 
 STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices, draw_labels)
-"""Drawn again only when the map, the graph, the mission, the camera or the look changes."""
+"""Redrawn only when the map, the graph, the mission, the camera or the options change."""
 
 MOVING: tuple[Layer, ...] = (draw_trails, draw_approach, draw_outlines)
 """Drawn at every tick; then the robots, and the layers of the mode on top."""
 
 
 def backdrop(scene: Scene, camera: Camera, look: MapOptions) -> Cells:
-    """The picture without what moves."""
+    """Return the picture without the moving parts."""
     cells = Cells.blank(camera.width, camera.height, StyleRole.UNKNOWN)
     for draw in STILL:
         draw(cells, scene, camera, look)
@@ -42,7 +42,7 @@ def picture(
     tags: Tags | None = None,
     top: tuple[Layer, ...] = (draw_cursor,),
 ) -> Cells:
-    """Return what moves, drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`.
+    """Return the moving parts drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`.
     `top`: the layers of the map's mode."""
     cells = behind.copy()
     for draw in MOVING:

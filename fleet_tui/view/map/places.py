@@ -1,4 +1,4 @@
-"""Places of the world in the view. Coordinates that are no numbers are nowhere."""
+"""World positions in the view. Invalid coordinates are outside it."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,20 +13,20 @@ Place = tuple[int, int]
 
 
 def seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, Place]]:
-    """The robots in the view with their cells: the selected one, then by number."""
+    """Return the robots in the view with their cells: the selected one, then by number."""
     robots = sorted(scene.robots, key=lambda robot: (not robot.selected, robot.number))
     points = [(robot.pose.x, robot.pose.y) for robot in robots]
     return [(robots[i], place) for i, place in _seen(scene.frame, camera, points)]
 
 
 def seen_vertices(scene: Scene, camera: Camera) -> list[tuple[SceneVertex, Place]]:
-    """The vertices in the view with their cells."""
+    """Return the vertices in the view with their cells."""
     points = [(vertex.x, vertex.y) for vertex in scene.vertices]
     return [(scene.vertices[i], place) for i, place in _seen(scene.frame, camera, points)]
 
 
 def _seen(frame: MapFrame, camera: Camera, points: list[tuple[float, float]]) -> list[tuple[int, Place]]:
-    """The index and the cell of each point in the view."""
+    """Return the index and the cell of each point in the view."""
     if not points:
         return []
     with np.errstate(invalid="ignore"):
@@ -38,7 +38,7 @@ def _seen(frame: MapFrame, camera: Camera, points: list[tuple[float, float]]) ->
 
 
 def pixels(frame: MapFrame, points: Points) -> Points:
-    """World metres (n x 2) to map pixels (column, row), as `MapFrame.to_pixel` does for one."""
+    """Convert world metres (n x 2) to map pixels (column, row), as `MapFrame.to_pixel` does for one."""
     zero, right, up = (np.array(frame.to_pixel(*p)) for p in ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0)))
     with np.errstate(invalid="ignore", over="ignore"):
         return np.asarray(points @ np.array([right - zero, up - zero]) + zero, np.float64)

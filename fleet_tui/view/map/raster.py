@@ -18,12 +18,12 @@ from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.roles import StyleRole
 
 COARSE = 12.0
-"""Pixels per dot from which nearly every dot holds some wall: then only edges stay solid, and the
-inside of walls is as dense as the map is there."""
+"""Pixels per dot from which nearly every dot contains some wall: then only edges stay solid, and the inside
+of walls is as dense as in the map."""
 
 
 def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cells:
-    """The map as the camera sees it; without a grid the extent is empty floor."""
+    """Return the map as the camera sees it; without a grid the extent is empty floor."""
     left, top = camera.origin
     shape = (camera.height * DOTS_Y, camera.width * DOTS_X)
     if grid is None:
@@ -38,8 +38,8 @@ def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cell
 
 
 def _coarse(grid: OccupancyGrid, camera: Camera, drawing: Drawing) -> Cells:
-    """Edges solid, the inside toned. Seen with a cell more on each side, so that the view's own rim
-    is no edge."""
+    """Return the ground with solid edges and a toned inside. Computed with one more cell on each side, so
+    that the view's own rim is no edge."""
     left, top = camera.origin
     shape = ((camera.height + 2) * DOTS_Y, (camera.width + 2) * DOTS_X)
     part = (camera.scale, (left - 1) * DOTS_X, (top - 1) * DOTS_Y, shape)
@@ -77,9 +77,9 @@ _Indices = NDArray[np.intp]
 
 
 def _partition(start: int, count: int, step: float, size: int) -> tuple[int, _Indices, _Indices]:
-    """The first and last entry that each dot covers, of the dots that touch 0..size at all.
+    """Return the first and last entry of each dot that overlaps 0..size.
 
-    Also how many dots come before the first of them. Dot k ends where dot k + 1 begins.
+    Also the number of dots before the first of them. Dot k ends where dot k + 1 begins.
     """
     bounds = np.floor(np.arange(start, start + count + 1) * step).astype(np.intp)
     first, last = bounds[:-1], np.maximum(bounds[1:] - 1, bounds[:-1])
@@ -99,7 +99,7 @@ def _pooled(level: Classes, first: _Indices, last: _Indices, axis: int) -> Class
 
 
 def _shares(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
-    """Return how much of each dot is wall, looked at in 2 x 2 points: 0 to 4. Only known inside the map."""
+    """Return the share of wall in each dot, sampled at 2 x 2 points: 0 to 4. Only known inside the map."""
     depth = max(math.floor(math.log2(scale)) - 3, 0)
     level = grid.levels[min(depth, len(grid.levels) - 1)]
     rows, columns = (
@@ -112,7 +112,7 @@ def _shares(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple
 
 
 def _empty(camera: Camera, left: int, top: int, shape: tuple[int, int]) -> Classes:
-    """Floor over the whole extent of a map that is not there."""
+    """Return floor over the whole extent of a missing map."""
     rows = (np.arange(top, top + shape[0]) + 0.5) * camera.scale
     columns = (np.arange(left, left + shape[1]) + 0.5) * camera.scale
     in_rows = (rows >= 0) & (rows < camera.extent[1])
@@ -124,7 +124,7 @@ _Dots = TypeVar("_Dots", np.uint8, np.bool_)
 
 
 def _folded(dots: NDArray[_Dots], rows: int, columns: int) -> NDArray[_Dots]:
-    """Maximum over blocks of rows x columns dots."""
+    """Return the maximum over blocks of rows x columns dots."""
     found = dots[::rows]
     for row in range(1, rows):
         found = np.maximum(found, dots[row::rows])
@@ -136,7 +136,7 @@ def _folded(dots: NDArray[_Dots], rows: int, columns: int) -> NDArray[_Dots]:
 
 
 def _summed(shares: Classes) -> Classes:
-    """The sums over cells."""
+    """Return the sums over cells."""
     tall = shares[0::4] + shares[1::4] + shares[2::4] + shares[3::4]
     return tall[:, 0::2] + tall[:, 1::2]
 
@@ -161,7 +161,7 @@ def pack(mask: NDArray[np.bool_]) -> Classes:
 
 
 def _known(dots: Classes) -> NDArray[np.bool_]:
-    """The cells that stand on known ground: some of it free, or none of it unknown."""
+    """Return the cells on known ground: some of it free, or none of it unknown."""
     free = _folded(dots == FREE, DOTS_Y, DOTS_X)
     unknown = _folded(dots == UNKNOWN, DOTS_Y, DOTS_X)
     return cast("NDArray[np.bool_]", free | ~unknown)
@@ -176,14 +176,14 @@ def _braille(dots: Classes, walls: NDArray[np.bool_]) -> Cells:
 
 
 def _inside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """The walls with walls on all four sides."""
+    """Return the walls with walls on all four sides."""
     inside = np.zeros_like(walls)
     inside[1:-1, 1:-1] = walls[:-2, 1:-1] & walls[2:, 1:-1] & walls[1:-1, :-2] & walls[1:-1, 2:]
     return inside & walls
 
 
 def _dithered(walls: NDArray[np.bool_], shares: Classes) -> NDArray[np.bool_]:
-    """Walls with a solid edge; inside one, two or three of four dots, as much of them is wall."""
+    """Return walls with a solid edge; inside one, two or three of four dots, by the share of wall."""
     inside = _inside(walls)
     left_out = inside.copy()
     left_out[0::2, 0::2] = False
@@ -197,7 +197,7 @@ _TONES = np.array([ord("▒"), ord("▓")], np.uint32)
 
 
 def _half_block(dots: Classes, shares: Classes | None = None) -> Cells:
-    """Blocks of 2 x 2 dots. With `shares` the inside of walls is in two tones."""
+    """Return blocks of 2 x 2 dots. With `shares` the inside of walls is in two tones."""
     pixels = _folded(dots, DOTS_Y // 2, DOTS_X)
     upper, lower = pixels[0::2], pixels[1::2]
     walls = (upper == OCCUPIED) + np.uint8(2) * (lower == OCCUPIED)

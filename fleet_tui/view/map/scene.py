@@ -26,8 +26,8 @@ class SceneVertex:
 
 
 class SceneRobot(NamedTuple):
-    """A robot at its last known pose. number: 1 = first of the config; age: seconds since heard of; size:
-    length and width in metres, None if unknown.
+    """A robot at its last known pose. number: 1 = first of the config; age: seconds since its last message;
+    size: length and width in metres, None if unknown.
 
     A tuple, because a hundred of them are made ten times a second: it takes a third of the time.
     """
@@ -47,9 +47,9 @@ class SceneRobot(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Mission:
-    """The remaining route of the selected robot on a floor, along the graph: the current order, and
-    those after it. edge: the one that the robot is on, from the vertex behind it to the one ahead, where
-    the current way begins."""
+    """The remaining route of the selected robot on a floor, along the graph: the current order, and those
+    after it. edge: the robot's current edge, from the vertex behind it to the one ahead, the start of the
+    current way."""
 
     current: tuple[Line, ...] = ()
     following: tuple[Line, ...] = ()
@@ -60,11 +60,11 @@ class Mission:
 class Scene:
     """One floor at the monotonic second `at`. Without `grid` the frame still gives the extent.
 
-    one_way: those of the edges that lead only from start to end; trail: where robots were, rows of
-    x, y in metres and the age in seconds.
+    one_way: the edges that lead only from start to end; trail: past positions of robots, rows of x, y in
+    metres and the age in seconds.
 
-    Keep `grid`, `vertices` and `edges` the same objects while they are unchanged: the picture
-    below the robots is made anew when one of them is another object.
+    Keep `grid`, `vertices` and `edges` the same objects while they are unchanged: the picture below the
+    robots is redrawn when one of them is another object.
     """
 
     floor: str

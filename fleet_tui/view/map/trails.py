@@ -1,4 +1,4 @@
-"""Trails: the recent places of the robots of each floor."""
+"""Trails: the recent positions of the robots of each floor."""
 
 import math
 
@@ -11,9 +11,9 @@ SECONDS = 60.0
 STEP = 0.5
 """Metres between two points of a robot's trail."""
 POINTS = 128
-"""The most points that one robot keeps."""
+"""The maximum number of points of one robot."""
 EVERY = 0.25
-"""Seconds between two looks: at 2 m/s a robot is seen every STEP."""
+"""Seconds between two samples: at 2 m/s a robot is sampled every STEP."""
 
 
 class Trails:
@@ -24,7 +24,7 @@ class Trails:
         self._looked: tuple[str, float] = ("", -math.inf)
 
     def note(self, scene: Scene) -> None:
-        """Remember where the robots of the scene are."""
+        """Record the positions of the scene's robots."""
         floor, at = self._looked
         if floor == scene.floor and 0.0 <= scene.at - at < EVERY:
             return
@@ -38,7 +38,7 @@ class Trails:
                 ring.note(x, y, scene.at)
 
     def of(self, scene: Scene) -> NDArray[np.float64]:
-        """The points of the scene's floor: rows of x, y in metres and the age in seconds."""
+        """Return the points of the scene's floor: rows of x, y in metres and the age in seconds."""
         rings = [ring.points for (floor, _), ring in self._rings.items() if floor == scene.floor]
         if not rings:
             return np.zeros((0, 3))
@@ -48,7 +48,7 @@ class Trails:
 
 
 class _Ring:
-    """Rows of x, y and the second; the newest takes the place of the oldest."""
+    """Rows of x, y and the second; the newest replaces the oldest."""
 
     def __init__(self) -> None:
         self.points = np.full((POINTS, 3), -math.inf)
@@ -56,7 +56,7 @@ class _Ring:
         self._last = (math.inf, math.inf)
 
     def note(self, x: float, y: float, at: float) -> None:
-        """Remember a place that is far enough from the last one."""
+        """Record a position that is far enough from the last one."""
         if math.dist((x, y), self._last) >= STEP:
             self.points[self._next] = x, y, at
             self._next = (self._next + 1) % POINTS

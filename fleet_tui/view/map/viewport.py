@@ -13,14 +13,14 @@ Thing = TypeVar("Thing")
 Point = tuple[float, float]
 """x, y in metres."""
 
-_NEAR = 1.0  # how far off a click may be: this many rows, or twice as many columns
+_NEAR = 1.0  # tolerance of a click: this many rows, or twice as many columns
 
 
 @dataclass(slots=True)
 class Viewport:
     """The cameras over the floors. width, height: the view in cells.
 
-    A floor whose camera nobody moved is shown as a whole, also after its extent changes.
+    A floor whose camera was never moved is shown as a whole, also after its extent changes.
     """
 
     width: int = 1
@@ -30,7 +30,7 @@ class Viewport:
     _moved: dict[str, tuple[Camera, MapFrame]] = field(default_factory=dict)
 
     def camera(self, scene: Scene) -> Camera:
-        """The camera for the scene's floor, after following the selected robot."""
+        """Return the camera for the scene's floor, after following the selected robot."""
         camera = self._camera(scene)
         target = self._robot_pixel(scene) if self.follow else None
         if target is None:
@@ -56,7 +56,7 @@ class Viewport:
         return camera
 
     def pan(self, scene: Scene, right: int, down: int) -> None:
-        """Move the view by cells; a view moved by hand follows no more."""
+        """Move the view by cells; this ends following."""
         self.follow = False
         self._keep(scene, self._camera(scene).panned(right, down))
 
@@ -70,7 +70,7 @@ class Viewport:
         self._keep(scene, camera.zoomed(factor, about))
 
     def fit(self, scene: Scene) -> None:
-        """The whole floor, until it is moved by hand again."""
+        """Show the whole floor, until it is moved by hand again."""
         self.follow = False
         self._moved.pop(scene.floor, None)
 
@@ -81,14 +81,14 @@ class Viewport:
             self._keep(scene, self._camera(scene).centred(*pixel))
 
     def middle(self, scene: Scene) -> Point:
-        """The place in the middle of the view."""
+        """Return the place in the middle of the view."""
         camera = self._camera(scene)
         return scene.frame.to_world(*camera.to_pixel(camera.width // 2, camera.height // 2))
 
     def stepped(self, scene: Scene, cursor: Point, dx: int, dy: int) -> Point:
-        """The place dx, dy cells from `cursor`; at the view's edge the view goes along.
+        """Return the place dx, dy cells from `cursor`; at the view's edge the view moves along.
 
-        A cursor that was left behind starts again from the middle of the view.
+        A cursor outside the view starts again from its middle.
         """
         camera = self._camera(scene)
         x, y = camera.to_cell(*scene.frame.to_pixel(*cursor))
@@ -99,7 +99,7 @@ class Viewport:
         return scene.frame.to_world(*camera.to_pixel(x + dx, y + dy))
 
     def next_labelled(self, scene: Scene, cursor: Point | None, step: int) -> Point | None:
-        """The place of the labelled vertex `step` after the one under `cursor`, brought into view.
+        """Return the place of the labelled vertex `step` after the one under `cursor`, brought into view.
 
         In the order of the labels; None if no vertex has one.
         """
@@ -124,7 +124,7 @@ class Viewport:
 
 
 def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> str | None:
-    """The id of the vertex under the map's cursor."""
+    """Return the id of the vertex under the map's cursor."""
     if cursor is None:
         return None
     at = camera.to_cell(*scene.frame.to_pixel(*cursor))
@@ -132,8 +132,7 @@ def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> str | None:
 
 
 def pick(scene: Scene, camera: Camera, x: int, y: int) -> SceneRobot | SceneVertex | None:
-    """Return what is meant by pointing at cell (x, y): the nearest robot, else labelled vertex, else
-    vertex."""
+    """Return the object at cell (x, y): the nearest robot, else labelled vertex, else vertex."""
     found = _nearest(seen_robots(scene, camera), x, y)
     if found:
         return found

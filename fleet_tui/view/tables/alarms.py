@@ -1,4 +1,4 @@
-"""The alarm pane: what needs a person, and what nobody has seen yet."""
+"""The alarm pane: conditions that need a person, and unacknowledged alarms."""
 
 from collections.abc import Callable
 
@@ -48,30 +48,30 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
 
 
 def _place(alarm: Alarm) -> tuple[bool, bool, bool, int]:
-    """Rows of one place stay in the order in which they were raised. What is over stands below all that
-    holds, whatever its priority."""
+    """Return the sort key of a row. Equal rows stay in the order in which they were raised. Alarms that are
+    over are below all that hold, whatever their priority."""
     is_over = alarm.stage is AlarmStage.RETURNED
     shelved, priority = alarm.stage is AlarmStage.SHELVED, alarm.condition.priority.value
     return shelved, is_over, not alarm.needs_acknowledgement, priority
 
 
 def unacknowledged(state: FleetState) -> list[Key]:
-    """Return what nobody has seen, in the order of the rows."""
+    """Return the unacknowledged alarms, in the order of the rows."""
     return [alarm.key for alarm in sorted(state.alarms, key=_place) if alarm.needs_acknowledgement]
 
 
 def _suppressed(state: FleetState) -> int:
-    """Count the alarms that another one stands for: of the robots in a group, and of those behind a link that
-    is down."""
+    """Count the alarms that another one covers: of the robots in a group, and of those behind a link that is
+    down."""
     grouped = sum(len(alarm.condition.parts) - 1 for alarm in state.alarms if is_group(alarm.condition.kind))
     down = {alarm.condition.source for alarm in state.alarms if alarm.condition.kind == "link"}
     return grouped + sum(robot.link in down for robot in state.robots.values())
 
 
 def alarm_table(state: FleetState, clock: Callable[[float], str]) -> Table:
-    """Every alarm: first what nobody has seen, by priority, so that it is in view without
-    scrolling; the oldest first. A row moves when somebody acknowledges or shelves it, and when it
-    needs somebody again. `clock` writes Unix seconds as a local time."""
+    """Return every alarm: first the unacknowledged ones, by priority, so that they are visible without
+    scrolling; oldest first. A row moves when it is acknowledged or shelved, and when it needs a person
+    again. `clock` formats Unix seconds as a local time."""
     alarms = sorted(state.alarms, key=_place)
     sources = column((alarm.condition.source for alarm in alarms), 7, 14)
     keys = [alarm.key for alarm in alarms]

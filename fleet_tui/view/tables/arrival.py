@@ -1,4 +1,4 @@
-"""The screens before the console: nothing is configured, or something of what was found is not certain."""
+"""The screens before the console: no configuration, or uncertain findings."""
 
 import textwrap
 from collections.abc import Iterator, Sequence
@@ -20,8 +20,7 @@ _COUNT = 11  # cells
 
 
 class Asked(NamedTuple):
-    """The state of a discovery: `words` tell its result, its problem or its progress; `more` follows
-    below."""
+    """The state of a discovery: `words` are its result, its problem or its progress; `more` follows below."""
 
     address: str
     words: str
@@ -31,7 +30,7 @@ class Asked(NamedTuple):
 
 
 class Line(NamedTuple):
-    """A choice: what it is about, what holds, and which of how many options that is (0: none of them)."""
+    """A choice: its subject, its current value, and the number of the option (0: none of them)."""
 
     text: str
     chosen: str
@@ -40,7 +39,7 @@ class Line(NamedTuple):
 
 
 def first_run_rows(places: Sequence[tuple[str, str]], asked: Asked, width: int, height: int) -> Rows:
-    """Name where a configuration was looked for, what is at an address, and what else can be done."""
+    """Return the searched paths, the findings at an address, and the possible actions."""
     rows: Rows = [
         ((" fleet-tui", StyleRole.TITLE_FOCUSED), ("  no configuration found. Searched:", StyleRole.TEXT))
     ]
@@ -67,7 +66,7 @@ def _asked(asked: Asked, width: int) -> Iterator[tuple[Run, ...]]:
 def arrival_rows(
     summary: str, lines: Sequence[Line], lacks: Sequence[str], cursor: int, width: int, height: int
 ) -> Rows:
-    """Show what was found, and each thing that could be otherwise with what holds now."""
+    """Return the findings, and each choice with its current value."""
     head: Rows = [((f" {sanitize(summary)}", StyleRole.TITLE_FOCUSED),)]
     said = [*(sanitize(lack) for lack in lacks)]
     if lines:
@@ -95,12 +94,12 @@ def _choice(line: Line, is_here: bool, width: int) -> tuple[Run, ...]:
 
 
 def footer(keys: Sequence[tuple[str, str]]) -> list[Run]:
-    """Write the keys of a screen."""
+    """Return the keys of a screen."""
     return [run for key, text in keys for run in ((f" {key} ", StyleRole.KEY), (f"{text} ", StyleRole.DIM))]
 
 
 def _fitted(rows: Rows, width: int, height: int) -> Rows:
-    """Exactly as many rows as there is room for: blank ones go first."""
+    """Return exactly as many rows as fit: blank ones are dropped first."""
     while len(rows) > height and () in rows:
         rows.remove(())
     rows = [*rows, *[()] * (height - len(rows))]

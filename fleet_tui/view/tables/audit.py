@@ -1,4 +1,4 @@
-"""The audit log as a person reads it: a row for each record, and all that is known of one."""
+"""The audit log for reading: a row for each record, and the details of one."""
 
 from collections.abc import Sequence
 
@@ -21,7 +21,7 @@ def _vertex(label: str, id_: str, with_id: bool) -> str:
 
 
 def what_text(record: AuditRecord, with_ids: bool = False) -> str:
-    """Return what a record is about: `robot_0 order Base -> Store`."""
+    """Return the subject of a record: `robot_0 order Base -> Store`."""
     words = [record.robot or record.link, record.what]
     if record.end is not None:
         start = [] if record.start is None else [_vertex(record.start_label, record.start, with_ids)]
@@ -32,13 +32,13 @@ def what_text(record: AuditRecord, with_ids: bool = False) -> str:
 
 
 def line_text(record: AuditRecord) -> str:
-    """A record as one line; it is what a search looks through."""
+    """Return a record as one line, as searched."""
     words = detail_text(record.words)
     return sanitize(f"{_time(record)} {record.operator} {what_text(record)}: {record.change}{words}")
 
 
 def _time(record: AuditRecord) -> str:
-    """Month, day and time of day where the record was made: `05-31 12:04:31`."""
+    """Return month, day and time of day in the record's own time zone: `05-31 12:04:31`."""
     return record.time[5:19].replace("T", " ")
 
 
@@ -56,7 +56,7 @@ def _row(place: int, record: AuditRecord, operators: int) -> Row:
 
 
 def audit_table(records: Sequence[AuditRecord], note: str = "", empty: str = "") -> Table:
-    """Records in the sequence given; `note` stands beside the title, `empty` where there is none."""
+    """Return records in the given sequence; `note` is beside the title, `empty` shown if there are none."""
     operators = column((record.operator for record in records), 3, 10)
     rows = LateRows(range(len(records)), lambda place: _row(place, records[place], operators))
     return Table(
@@ -65,7 +65,7 @@ def audit_table(records: Sequence[AuditRecord], note: str = "", empty: str = "")
 
 
 def details(record: AuditRecord) -> list[str]:
-    """All that a record says, in a few lines."""
+    """Return all fields of a record, in a few lines."""
     by = f"{record.time}  {record.operator} at {record.console}" + (", demo" if record.demo else "")
     about = [what_text(record, with_ids=True)]
     about += [f"on {record.floor}"] if record.floor else []

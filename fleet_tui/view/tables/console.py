@@ -1,4 +1,4 @@
-"""The console on itself: what its pictures cost, what it takes of the machine, and its own log."""
+"""The console's own page: the cost of its pictures, its use of the machine, and its own log."""
 
 from collections.abc import Iterator, Sequence
 
@@ -10,14 +10,13 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Table
 
 Spread = tuple[float, float, float]
-"""Median, the 95 % and the longest, in seconds."""
+"""Median, 95th percentile and maximum, in seconds."""
 
 
 class OwnFacts(Struct, frozen=True):
-    """`tick` and `paint` are what the last hundred took: making the picture, and turning what changed of
-    it into bytes; `budget` are the seconds between two ticks;
-    `held` counts pictures that were held back because the terminal did not read; memory in bytes,
-    None where the system does not tell."""
+    """`tick` and `paint` are the times of the last hundred: making the picture, and encoding its changes;
+    `budget` are the seconds between two ticks; `held` counts pictures held back because the terminal did
+    not read; memory in bytes, None if unknown."""
 
     budget: float
     tick: Spread | None
@@ -54,7 +53,7 @@ def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
 
 
 def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
-    """The facts, then the log, newest first, as far as `wanted` stands in a line."""
+    """Return the facts, then the log, newest first, of the lines that contain `wanted`."""
     above = [Row(name, ((f"{name:<10}", StyleRole.DIM), (text, ink))) for name, text, ink in _facts(facts)]
     sought = wanted.casefold()
     lines = [line for line in reversed(log) if sought in line.casefold()]

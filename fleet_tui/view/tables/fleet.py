@@ -23,36 +23,36 @@ CARGO = "■"
 
 
 def place(robot: Robot, vertex: str) -> str:
-    """A vertex as an operator reads it; one that no graph of the robot has is marked."""
+    """Return a vertex as an operator reads it; one missing from every graph of the robot is marked."""
     name = robot.name_of(vertex)
     return sanitize(name) if name is not None else f"{sanitize(vertex)}?"
 
 
 def mission(robot: Robot, order: Order) -> str:
-    """`A -> B` by labels."""
+    """Return `A -> B` by labels."""
     return sanitize(order.label) if order.label and not order.stops else way(robot, order.stops)
 
 
 def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
-    """The same, and whether another client gave it, where robots keep no orders of their own."""
+    """Return the mission, marked if another client gave it, for robots without a queue."""
     ours = not robot.kind.keeps_goals or order.is_over or order not in foreign(state, robot)
     return mission(robot, order) + ("" if ours else " (not ours)")
 
 
 def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
-    """Stops by their labels."""
+    """Return stops by their labels."""
     return route_text(stops, partial(place, robot))
 
 
 def floor_text(state: FleetState, robot: Robot) -> str:
-    """The floor a robot is on, as far as its pose tells."""
+    """Return the floor a robot is on, as far as its pose shows."""
     if robot.pose is None:
         return "-" if "pose" in robot.kind.reports else ""
     return robot.floor or "unknown floor"
 
 
 def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """A value that has gone quiet while its robot speaks must not look live."""
+    """Return the age of a value that is silent while its robot is online: it must not look live."""
     readings = {
         "pose": robot.pose,
         "battery": robot.battery,
@@ -74,7 +74,7 @@ def _paused(state: FleetState, robot: Robot) -> str:
 
 
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Return what a person should know about a robot, the most urgent first."""
+    """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
     if robot.heard is None:
         yield "never seen", StyleRole.DIM
@@ -111,7 +111,7 @@ def _battery(state: FleetState, robot: Robot) -> Run:
 
 
 class _Columns(NamedTuple):
-    """Widths in cells, 0 for a column that no robot of the fleet has a value for."""
+    """Widths in cells, 0 for a column for which no robot of the fleet has a value."""
 
     numbers: int
     names: int
@@ -133,7 +133,7 @@ class _Columns(NamedTuple):
 
 
 def _head(state: FleetState, robot: Robot, selected: bool, columns: _Columns) -> list[Run]:
-    """Return what every row begins with: whether it is there, which one it is, its battery."""
+    """Return the start of every row: link state, name, battery."""
     online = state.is_online(robot)
     ink = StyleRole.TEXT if online else StyleRole.DIM
     dot: Run = (
@@ -168,14 +168,14 @@ def _row(state: FleetState, robot: Robot, head: list[Run], columns: _Columns, wi
         (fit(floor_text(state, robot), columns.floors), ink),
         (f" {CARGO} " if robot.has_cargo else " " * columns.cargo, ink),
     ]
-    # News must not be cut: where both don't fit, the floor gives way.
+    # News must not be cut: if both don't fit, the floor is dropped.
     fits = width_of([*head, *floor, *told]) <= width + 1
     middle = [*floor, *told] if fits else [*told, *floor]
     return Row(robot.name, (*head, *middle, _doing(state, robot, ink)))
 
 
 def fleet_table(state: FleetState, selected: str, width: int) -> Table:
-    """The whole fleet, in the order of the config, for a pane of `width` cells."""
+    """Return the whole fleet, in the order of the config, for a pane of `width` cells."""
     robots = list(state.robots.values())
     online = sum(state.is_online(robot) for robot in robots)
     columns = _Columns.of(state)

@@ -1,4 +1,4 @@
-"""Rows of /diagnostics: one for each part, its values below where it is opened."""
+"""Rows of /diagnostics: one for each part, its values below while it is opened."""
 
 from collections import Counter
 from collections.abc import Collection, Hashable, Iterator, Mapping
@@ -25,7 +25,7 @@ def _look(level: int) -> tuple[str, StyleRole]:
 
 
 def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: float) -> Table:
-    """Parts by name, so that no row moves; `opened` are the keys of rows whose values are shown."""
+    """Return parts by name, so that no row moves; `opened` are the keys of rows whose values are shown."""
     sought = wanted.casefold()
     found = sorted(
         (

@@ -1,4 +1,4 @@
-"""The diagnostics of each link: whether it is there, how fast it answers, how much comes, what was lost."""
+"""The diagnostics of each link: state, response time, rate, losses."""
 
 from collections.abc import Iterator, Sequence
 
@@ -13,11 +13,11 @@ from fleet_tui.view.tables.table import Row, Run, Table
 Links = Sequence[tuple[LinkState, LinkCounter]]
 
 LATE = 11.0
-"""Seconds after which a heartbeat is overdue: there is one every 5 s, which may take 5 s."""
+"""Seconds after which a heartbeat is overdue: sent every 5 s, it may take 5 s."""
 
 
 def down(links: Links) -> tuple[Run, ...]:
-    """`no link` where not everything can be live, and to whom; nothing where all is well."""
+    """Return `no link`, and to which bridge, if some data can't be live; empty if all links are up."""
     names = [sanitize(link.name) for link, _ in links if link.phase is not Phase.UP]
     if not names:
         return ()
@@ -25,7 +25,7 @@ def down(links: Links) -> tuple[Run, ...]:
 
 
 def link_table(links: Links, now: float) -> Table:
-    """All links, one below the other. `now` is monotonic."""
+    """Return all links, one below the other. `now` is monotonic."""
     rows: list[Row] = []
     for link, counter in links:
         runs = (f"{sanitize(link.name)} ", StyleRole.TITLE), (sanitize(link.url), StyleRole.TEXT)

@@ -1,4 +1,4 @@
-"""The part of a table that is in view: a cursor that stays with its row, scrolled and slid."""
+"""The visible part of a table: a cursor that stays with its row, scrolling in both directions."""
 
 from collections.abc import Hashable
 
@@ -12,7 +12,7 @@ SLIDE = 8
 
 
 class Listing:
-    """`cursor` is the key of the row that keys and menus mean."""
+    """`cursor` is the key of the row for keys and menus."""
 
     def __init__(self) -> None:
         self.cursor: Hashable | None = None
@@ -22,7 +22,7 @@ class Listing:
         self._place = 0
 
     def show(self, table: Table) -> None:
-        """Take the newest rows. If the cursor's row is gone, the one now in its place has it."""
+        """Show the newest rows. If the cursor's row is gone, it moves to the one now in its place."""
         self._table = table
         keys = table.keys
         if self.cursor in keys:
@@ -32,7 +32,7 @@ class Listing:
             self.cursor = keys[self._place] if keys else None
 
     def move(self, step: int) -> bool:
-        """Move the cursor by rows; return False where there are none."""
+        """Move the cursor by rows; return False if there are none."""
         rows = self._table.rows
         if rows:
             self._place = max(0, min(self._place + step, len(rows) - 1))
@@ -46,7 +46,7 @@ class Listing:
     def lines(self, width: int, height: int, focused: bool) -> list[tuple[Run, ...]]:
         """Return the title and the rows in view, each `width` cells wide."""
         rows = height - 1
-        # The cursor's row stays in view, and no line is wasted at the end.
+        # The cursor's row stays visible, and no line is wasted at the end.
         self._top = max(0, min(self._top, self._place, len(self._table.rows) - rows))
         self._top = max(self._top, self._place - rows + 1, 0)
         mark = MARK, StyleRole.ACCENT if focused else StyleRole.DIM
@@ -74,11 +74,11 @@ class Listing:
         return y > 0 and self._top + y - 1 < len(self._table.rows)
 
     def steps_to(self, y: int) -> int:
-        """Return how far the row of line `y` is from the cursor."""
+        """Return the number of rows from the cursor to the row of line `y`."""
         return self._top + y - 1 - self._place
 
     def button_at(self, x: int, y: int) -> str:
-        """Return the name of the button in cell (x, y), empty where there is none: in the title, or in the
+        """Return the name of the button in cell (x, y), empty if there is none: in the title, or in the
         cursor's row."""
         if y == 0:
             return _pressed(self._table.title_buttons, x - 2)
@@ -90,7 +90,7 @@ def _pressed(buttons: tuple[Button, ...], x: int) -> str:
 
 
 def _slide(row: Row, cells: int, width: int) -> tuple[Run, ...]:
-    """Return a row without its first cells, never further than its end."""
+    """Return a row without its first cells, at most to its end."""
     if not cells:
         return cut(row.runs, width)
     left = max(0, min(cells, width_of(row.runs) - width))

@@ -11,7 +11,7 @@ NEVER_THERE = frozenset({Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT, Stage.REF
 
 
 def _told(record: CommandRecord) -> str:
-    """Return what became of a command, stage by stage."""
+    """Return the stages of a command."""
     stages = [step.stage.value for step in record.steps if step.stage not in (Stage.CHECKED, Stage.SENT)]
     return ", ".join(stages or ["sent"])
 
@@ -27,7 +27,7 @@ def _may_be(record: CommandRecord, order: Order) -> bool:
 
 
 def origin(state: FleetState, robot: str, order: Order, clock: Callable[[float], str]) -> str:
-    """`given here at 12:04:31, accepted, confirmed`, or that this console did not give it."""
+    """Return `given here at 12:04:31, accepted, confirmed`, or that this console did not give it."""
     ours = [record for record in state.commands if record.command.robot == robot]
     for record in ours:
         if record.order_id == order.id and isinstance(record.command, PlaceOrder):

@@ -7,7 +7,7 @@ from fleet_tui.text.durations import age
 
 
 def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
-    """Write how far the current order is: `12.5 m, 31 s, 2 recoveries`; empty where nothing fresh tells."""
+    """Return the progress of the current order: `12.5 m, 31 s, 2 recoveries`; empty without fresh data."""
     if robot.progress is None or not robot.orders.is_current(order) or not state.is_fresh(robot, "progress"):
         return ""
     told = robot.progress.value

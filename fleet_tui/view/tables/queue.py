@@ -23,7 +23,7 @@ Listed = tuple[Robot, int, Order]
 
 
 def listed(state: FleetState, selected: str, all_robots: bool) -> list[Listed]:
-    """(robot, position from 0, order) of the selected robot's orders, or of all robots'."""
+    """Return (robot, position from 0, order) of the selected robot's orders, or of all robots'."""
     robots = state.robots.values() if all_robots else [state.robots[selected]]
     return [
         (robot, position, order)
@@ -41,8 +41,7 @@ def _under_way(state: FleetState, selected: str, all_robots: bool) -> list[Comma
 
 
 def _awaited(state: FleetState, under_way: list[CommandRecord]) -> int:
-    """Return how many orders were given here that no queue shows yet: one that it shows may lack its
-    answer."""
+    """Return the number of orders given here that no queue shows yet: one in a queue may lack its answer."""
     placed = [
         one for one in under_way if isinstance(one.command, PlaceOrder) and one.stage is not Stage.WAITING
     ]
@@ -52,7 +51,7 @@ def _awaited(state: FleetState, under_way: list[CommandRecord]) -> int:
 
 
 def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tuple[str, str], str]:
-    """By robot and order: how far a cancel of it is; an empty order stands for all."""
+    """Return by robot and order the stage of its cancellation; an empty order means all."""
     return {
         (command.robot, command.order_id if isinstance(command, CancelOrder) else ""): stage_text(
             record, state.now
@@ -63,7 +62,7 @@ def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tup
 
 
 def _status(order: Order, room: int) -> str:
-    """Its state, in the robot's own word where that is all that there is room for."""
+    """Return its state, only the robot's own word if space is short."""
     text, word = sanitize(order.state_text), sanitize(order.word)
     return word if cell_width(text) > room >= cell_width(word) > 0 else text
 
@@ -136,7 +135,7 @@ def _rows(
 
 
 def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) -> Table:
-    """The orders in a pane of `width` cells."""
+    """Return the orders in a pane of `width` cells."""
     entries = listed(state, selected, all_robots)
     under_way = _under_way(state, selected, all_robots)
     robot = state.robots[selected]
@@ -156,7 +155,7 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
 
 
 def _empty(robot: Robot) -> str:
-    """Return what stands where no order does."""
+    """Return the text shown without orders."""
     if not robot.kind.lists_orders:
         return "this kind has no queue"
     if robot.queue is not None:

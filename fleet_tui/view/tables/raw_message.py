@@ -1,4 +1,4 @@
-"""A message as it came, for reading: JSON with indents, long lists cut, and that said."""
+"""A raw message for reading: JSON with indents, long lists visibly cut."""
 
 import json
 from collections.abc import Iterator
@@ -19,20 +19,20 @@ from fleet_tui.view.tables.table import Row, Table
 
 MOST_LINES = 1000
 SHOWN_ITEMS = 12
-"""Items of a list that are shown."""
+"""Number of list items that are shown."""
 DEEPEST = 30
 LONGEST_STRING = 300
 LINE, BINARY_LINE = 200, 24
-"""Characters of a line of what is no JSON, bytes of one of what is binary."""
+"""Characters of a line of non-JSON text, bytes of one of binary data."""
 LONGEST_COPY = 50_000
-"""Characters that are copied: terminals take about 75,000 bytes."""
+"""Number of characters that are copied: terminals take about 75,000 bytes."""
 
 _NOTHING = object()
 
 
 @lru_cache(maxsize=4)
 def raw_lines(raw: Raw) -> tuple[str, ...]:
-    """At most MOST_LINES lines."""
+    """Return at most MOST_LINES lines."""
     value = _published(raw)
     lines = _plain(raw) if value is _NOTHING else _value_lines(value, 0)
     shown = tuple(sanitize(line) for line in islice(lines, MOST_LINES + 1))
@@ -40,8 +40,7 @@ def raw_lines(raw: Raw) -> tuple[str, ...]:
 
 
 def copied(raw: Raw) -> tuple[str, str]:
-    """Return what is copied of a message, and what to say of that: all of it, whatever the view leaves
-    out."""
+    """Return the text to copy of a message, and its description: complete, whatever the view leaves out."""
     text = "\n".join(sanitize(line) for line in _whole(raw).split("\n"))
     if len(text) <= LONGEST_COPY:
         return text, f"{len(text):,} characters"
@@ -49,7 +48,7 @@ def copied(raw: Raw) -> tuple[str, str]:
 
 
 def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Table:
-    """The message of a topic; `why` it could not be read, empty where it could."""
+    """Return the message of a topic; `why` is the reason it could not be read, empty if it could."""
     title = [("Raw ", StyleRole.TITLE), (sanitize(topic.topic), StyleRole.TEXT)]
     if raw is None:
         return Table(tuple(title), (), "no bad message" if why else "nothing received yet")
@@ -63,8 +62,7 @@ def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Tab
 
 
 def _published(raw: Raw) -> Any:
-    """Return what was published, without the envelope; `_NOTHING` where it can't be read, or is not all
-    there."""
+    """Return the published value, without the envelope; `_NOTHING` if it can't be read, or is incomplete."""
     if not raw.is_whole:
         return _NOTHING
     try:

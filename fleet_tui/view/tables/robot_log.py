@@ -1,4 +1,4 @@
-"""The log of the robots, newest last: level and text filter it."""
+"""The log of the robots, newest last, filtered by level and text."""
 
 from collections.abc import Callable
 
@@ -21,14 +21,14 @@ _LOOKS = {
 
 
 def lines_of(links: Links) -> tuple[LogLine, ...]:
-    """Return what all robots said, in the order in which it came."""
+    """Return the log lines of all robots, in the order of arrival."""
     return tuple(
         sorted((line for _, counter in links for line in snapshot(counter.log)), key=lambda one: one.at)
     )
 
 
 def wanted_lines(lines: tuple[LogLine, ...], least: Severity, wanted: str) -> list[LogLine]:
-    """Those of a level, and worse, in which `wanted` stands. A level that nobody knows is let through."""
+    """Return those of a level, and worse, that contain `wanted`. An unknown level passes."""
     sought = wanted.casefold()
     return [
         line
@@ -60,8 +60,8 @@ def robot_log_table(
     least: Severity,
     wanted: str,
 ) -> Table:
-    """Make a row for each line. `clock` writes Unix seconds as the time of day: the line's own, or that at
-    which it came."""
+    """Return a row for each line. `clock` formats Unix seconds as the time of day: the line's own, or that of
+    its arrival."""
     found = wanted_lines(lines, least, wanted)
     nodes = column((line.node for line in found), 4, 24)
     offset = state.wall - state.now

@@ -12,7 +12,7 @@ Run = tuple[str, StyleRole]
 
 
 class Button(Struct, frozen=True):
-    """Something to press in the cells from `start` to before `end` of a row."""
+    """A button for the mouse in the cells from `start` to before `end` of a row."""
 
     start: int
     end: int
@@ -20,7 +20,7 @@ class Button(Struct, frozen=True):
 
 
 class Row(Struct, frozen=True):
-    """One row. `key` says whose it is, so that the cursor stays with it when rows move."""
+    """One row. `key` identifies it, so that the cursor stays with it when rows move."""
 
     key: Hashable
     runs: tuple[Run, ...]
@@ -28,7 +28,7 @@ class Row(Struct, frozen=True):
 
 
 class LateRows(Sequence[Row]):
-    """Rows that are made when they are looked at: of many a pane shows a few, ten times a second."""
+    """Rows that are made on access: of many a pane shows a few, ten times a second."""
 
     def __init__(self, keys: Sequence[Hashable], make: Callable[[int], Row]) -> None:
         self.keys = keys
@@ -47,7 +47,7 @@ class LateRows(Sequence[Row]):
 
 
 class Table(Struct, frozen=True):
-    """A pane at one moment. `empty` stands where there is no row."""
+    """A pane at one moment. `empty` is shown if there are no rows."""
 
     title: tuple[Run, ...]
     rows: Sequence[Row]
@@ -56,17 +56,17 @@ class Table(Struct, frozen=True):
 
     @property
     def keys(self) -> Sequence[Hashable]:
-        """Return whose the rows are, one after the other."""
+        """Return the keys of the rows in order."""
         return self.rows.keys if isinstance(self.rows, LateRows) else [row.key for row in self.rows]
 
 
 def width_of(runs: Iterable[Run]) -> int:
-    """The cells that runs take."""
+    """Return the width of runs in cells."""
     return sum(cell_width(text) for text, _ in runs)
 
 
 def cut(runs: Iterable[Run], cells: int) -> tuple[Run, ...]:
-    """Runs in exactly `cells` cells: cut with an ellipsis or padded."""
+    """Return runs in exactly `cells` cells: cut with an ellipsis or padded."""
     result: list[Run] = []
     left = cells
     for text, ink in runs:
@@ -83,5 +83,5 @@ def cut(runs: Iterable[Run], cells: int) -> tuple[Run, ...]:
 
 
 def column(texts: Iterable[str], at_least: int = 0, at_most: int = 24) -> int:
-    """The width of a column that holds these texts: it doesn't dance when values change."""
+    """Return the width of a column for these texts: it doesn't jitter when values change."""
     return max(at_least, min(at_most, max(map(cell_width, texts), default=0)))

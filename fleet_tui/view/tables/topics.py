@@ -1,4 +1,4 @@
-"""Every topic that is asked for: whether it is well, its rate and age, what could not be read."""
+"""Every requested topic: its state, rate and age, and unreadable messages."""
 
 from collections.abc import Mapping, Sequence
 
@@ -18,7 +18,7 @@ Entry = tuple[LinkState, TopicCounter]
 
 
 def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: float) -> Run:
-    """Return how a topic is, in a sign and words."""
+    """Return the state of a topic, as a sign and words."""
     if topic.not_subscribed:
         return "✗ not subscribed", StyleRole.ALARM
     if link.phase is not Phase.UP:
@@ -36,7 +36,7 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
 
 
 def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
-    """The topics in which `wanted` stands, robot by robot in the order of the config, then the others."""
+    """Return the topics that contain `wanted`, robot by robot in the order of the config, then the others."""
     places: Mapping[str, int] = {robot: n for n, robot in enumerate(state.robots)}
     found = [
         (link, topic)
@@ -48,7 +48,7 @@ def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
 
 
 def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Table:
-    """A row for each; its key is link and topic."""
+    """Return a row for each; its key is link and topic."""
     found = entries(state, links, wanted)
     states = [topic_state(link, topic, now, _silent_after(state, topic)) for link, topic in found]
     names = column((topic.topic for _, topic in found), 10, 34)
