@@ -1,4 +1,4 @@
-"""The arrival screen: what was found behind an address and is not certain, to be chosen before anything is
+"""The arrival screen: the uncertain findings behind an address, for the user to choose before anything is
 sent."""
 
 from collections.abc import Callable, Mapping
@@ -16,11 +16,11 @@ from fleet_tui.view.tables.arrival import Line, Rows, arrival_rows
 
 KEYS = (("enter", "open"), ("up/down", "line"), ("left/right", "choose"), ("q", "quit"))
 NONE = {"floor": "any floor", "frame": "no floor"}
-"""What an option that is empty means."""
+"""Text of an empty option."""
 
 
 class Arrival(RowsScreen):
-    """Every choice has its best guess already: Enter opens."""
+    """Every choice is preset to the best guess: Enter opens."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("enter", "open", "Open the console"),
@@ -42,39 +42,39 @@ class Arrival(RowsScreen):
         self._cursor = 0
 
     def rows(self, width: int, height: int) -> Rows:
-        """Return what was found, and the choices."""
+        """Return the findings and the choices."""
         site = self._site
         summary = f"{site.bridge.shown}: {site.summary}"
         lines = [_line(choice) for choice in site.choices]
         return arrival_rows(summary, lines, site.lacks, self._cursor, width, height)
 
     def action_move(self, step: int) -> None:
-        """Another line."""
+        """Move to another line."""
         self._cursor = max(0, min(len(self._site.choices) - 1, self._cursor + step))
         self.show()
 
     def action_choose(self, step: int) -> None:
-        """Another option of the line."""
+        """Select another option of the line."""
         choices = self._site.choices
         if choices:
             choice = choices[self._cursor]
             options = _options(choice)
             chosen = options[(options.index(choice.chosen) + step) % len(options)]
             self._site = replace(self._site, answers={**self._site.answers, choice.id: chosen})
-            # Of another kind there may be fewer choices.
+            # Another kind may have fewer choices.
             self.action_move(0)
 
     def action_open(self) -> None:
-        """Take it as it is chosen."""
+        """Open the console with the current choices."""
         self._done(self._site)
 
     def action_leave(self) -> None:
-        """Open nothing."""
+        """Leave without opening a console."""
         self._done(None)
 
 
 def _options(choice: Choice) -> list[str]:
-    """Everything that can be chosen; nothing, where that is an answer or nothing was found better."""
+    """Return every choice; none if there is no address or a better one was found."""
     is_open = choice.id[0] in NONE or not choice.chosen
     return [*([""] if is_open else []), *choice.options]
 

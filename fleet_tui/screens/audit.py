@@ -1,4 +1,4 @@
-"""The audit log on the screen: typing filters it, Enter shows one command from the key to its end."""
+"""The audit log on the screen: typed text filters it, Enter shows one command from the key to its end."""
 
 from collections.abc import Callable, Iterator
 from datetime import datetime
@@ -24,12 +24,12 @@ from fleet_tui.widgets.messages import RowChosen, RowPicked
 from fleet_tui.widgets.rows_pane import RowsPane
 
 SHOWN = 1000
-"""Records that are listed; a narrower search reaches the older ones."""
+"""Number of records that are listed; a narrower search reaches the older ones."""
 HOW = "type to filter, robot: by: outcome: since:2h  Enter steps  Ctrl-S CSV"
 
 
 class AuditLog(Overlay):
-    """Reads the files in a thread, so that no size of theirs holds up the console."""
+    """Reads the files in a thread, so that large ones don't block the console."""
 
     BINDINGS: ClassVar[list[BindingType]] = [("escape", "close", "Close")]
 
@@ -38,10 +38,10 @@ class AuditLog(Overlay):
         self._audit = audit
         self._records: list[AuditRecord] = []
         self.rows = RowsPane(id="audit-rows")
-        self.rows.can_focus = False  # the keys stay in the field
+        self.rows.can_focus = False  # keys are typed into the field
 
     def compose(self) -> ComposeResult:
-        """A field above the records, and below them all about the marked one."""
+        """Compose a field above the records, and the details of the marked one below them."""
         keys: Keys = {
             "escape": self.action_close,
             "enter": self._look_closer,
@@ -61,7 +61,7 @@ class AuditLog(Overlay):
         self._find("")
 
     def _find(self, typed: str) -> None:
-        """Search for what is typed from now on."""
+        """Start a search for the typed text."""
         field = self.query_one(Field)
         with field.prevent(Input.Changed):
             field.value = typed
@@ -73,7 +73,7 @@ class AuditLog(Overlay):
         self._search()
 
     def _wanted(self) -> "tuple[AuditReader, Search] | None":
-        """The log and what is searched in it, unless what was typed is no search."""
+        """Return the log and the search, unless the typed text is no valid search."""
         audit = self._audit()
         if audit is None:
             self._list([], empty="no audit log on this console")
@@ -92,7 +92,7 @@ class AuditLog(Overlay):
             self.run_worker(partial(self._read, *wanted), thread=True, exclusive=True, group="audit")
 
     def _read(self, reading: "AuditReader", search: "Search") -> None:
-        """In a thread: the newest that match."""
+        """Read the newest matching records, in a thread."""
         worker = get_current_worker()
         found: list[AuditRecord] = []
         problem = "no matching record"
@@ -130,7 +130,7 @@ class AuditLog(Overlay):
 
     @on(RowChosen)
     def _look_closer(self) -> None:
-        """The marked command alone, with all its steps; again, everything."""
+        """Show the marked command alone, with all its steps; again, all records."""
         place = self.rows.listing.cursor
         if not isinstance(place, int) or place >= len(self._records):
             return
@@ -145,7 +145,7 @@ class AuditLog(Overlay):
             self.run_worker(partial(self._write, *wanted), thread=True, group="audit export")
 
     def _write(self, reading: "AuditReader", search: "Search") -> None:
-        """In a thread: everything that matches, to a new file beside the log."""
+        """Write all matching records to a new file beside the log, in a thread."""
         worker = get_current_worker()
 
         def wanted() -> Iterator[AuditRecord]:

@@ -13,7 +13,7 @@ from fleet_tui.widgets.line_view import LineView
 
 
 class RowsScreen(Screen[None]):
-    """One page of rows above a footer. Its keys are the screen's own: nothing has the focus."""
+    """One page of rows above a footer. Keys belong to the screen: no widget has the focus."""
 
     AUTO_FOCUS = ""
 
@@ -30,16 +30,16 @@ class RowsScreen(Screen[None]):
         self._footer.set_inks(inks)
 
     def compose(self) -> ComposeResult:
-        """The page, and its keys below."""
+        """Compose the page, and its keys below."""
         yield self.page
         yield self._footer
 
     def rows(self, width: int, height: int) -> Rows:
-        """Return what the page shows."""
+        """Return the rows of the page."""
         raise NotImplementedError
 
     def show(self) -> None:
-        """Show what holds now."""
+        """Show the current rows."""
         width, height = self.page.size
         if width and height:
             self.page.paint_rows(self.rows(width, height))

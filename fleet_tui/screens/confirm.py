@@ -1,4 +1,4 @@
-"""Asks once before something is lost or sent against a warning. Only `y` does it."""
+"""Asks once before something is lost or sent against a warning. Only `y` confirms."""
 
 from collections.abc import Callable
 from typing import ClassVar
@@ -15,7 +15,7 @@ ASK_AGAIN_EVERY = 0.5
 
 
 class Confirm(Overlay, can_focus=True):
-    """A question with what will be lost; the default is No. What it says stays true while it waits."""
+    """A question with the losses; the default is No. Its text is kept up to date while it is open."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("y", "confirm", "Confirm"),
@@ -23,14 +23,14 @@ class Confirm(Overlay, can_focus=True):
     ]
 
     def compose(self) -> ComposeResult:
-        """The question above its two answers."""
+        """Compose the question above its two answers."""
         yield Static(id="question", markup=False)
         with Horizontal():
             yield MouseButton("y  Confirm", id="yes", compact=True)
             yield MouseButton("n  Cancel", id="no", compact=True)
 
     def on_mount(self) -> None:
-        """The question is put anew while it waits."""
+        """Update the question while it is open."""
         self._timer = self.set_interval(ASK_AGAIN_EVERY, self._put, pause=True)
 
     def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
@@ -48,7 +48,7 @@ class Confirm(Overlay, can_focus=True):
 
     @on(Button.Pressed, "#yes")
     def action_confirm(self) -> None:
-        """Yes."""
+        """Confirm."""
         if not self.is_open:
             return
         # Closing restyles the screen; the command does not wait for that.
@@ -57,5 +57,5 @@ class Confirm(Overlay, can_focus=True):
 
     @on(Button.Pressed, "#no")
     def refuse(self) -> None:
-        """No."""
+        """Refuse."""
         self.action_close()

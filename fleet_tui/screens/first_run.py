@@ -1,5 +1,5 @@
-"""The first-run screen: no configuration was found. Shows where one was looked for and what the local bridge
-has; opens nothing by itself."""
+"""The first-run screen, without a configuration: shows the searched paths and the robots of the local bridge;
+opens nothing by itself."""
 
 import asyncio
 from collections.abc import Callable, Mapping, Sequence
@@ -22,15 +22,15 @@ KEYS = (("enter", "open"), ("a", "other address"), ("r", "retry"), ("q", "quit")
 BEGUN = "ws://"
 LOCAL = "ws://127.0.0.1:9090"
 EVERY = 0.1
-"""Seconds between two looks at how far it is."""
+"""Seconds between two progress updates."""
 
 
 class FirstRun(RowsScreen):
-    """Asks at one address at a time."""
+    """Queries one address at a time."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("enter", "open", "Open the console"),
-        # Before all else: the next key, which may already be on its way, belongs into the field.
+        # Before all else: the next key, which may already be in the queue, belongs to the field.
         Binding("a", "address", "Enter another address", priority=True),
         ("r", "ask", "Retry"),
         ("q,escape", "leave", "Quit"),
@@ -52,22 +52,22 @@ class FirstRun(RowsScreen):
         self._field.select_on_focus = False
 
     def compose(self) -> ComposeResult:
-        """The page, the field for an address, and the keys."""
+        """Compose the page, the field for an address, and the keys."""
         page, keys = super().compose()
         yield from (page, self._field, keys)
 
     def on_mount(self) -> None:
-        """Ask at once: discovery commands nothing."""
+        """Query at once: discovery only reads."""
         self._field.display = False
         self.set_interval(EVERY, self.show)
         self.action_ask()
 
     def rows(self, width: int, height: int) -> Rows:
-        """Return where a configuration was looked for, and how it stands at the address."""
+        """Return the searched paths, and the result at the address."""
         return first_run_rows(self._places, self._asked, width, height)
 
     def action_ask(self) -> None:
-        """Ask what is at the address."""
+        """Query the robots at the address."""
         self._site = None
         if self._asking is not None:
             self._asking.cancel()
@@ -87,28 +87,28 @@ class FirstRun(RowsScreen):
             self._asked = Asked(shown, said, is_over=True)
 
     def _watch(self, done: int, total: int, doing: str) -> None:
-        """Take note of progress, on the network's thread."""
+        """Record progress, on the network's thread."""
         count = f", {done} of {total}" if total else ""
         self._asked = self._asked._replace(words=f"discovering the fleet: {doing}{count}")
 
     def action_open(self) -> None:
-        """Open the console on what was found."""
+        """Open the console on the discovered robots."""
         if self._site is not None:
             self._done(self._site)
 
     def action_leave(self) -> None:
-        """Open nothing."""
+        """Leave without opening a console."""
         self._done(None)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """In the field the key is a letter."""
+        """Disable the key in the field: it is a letter there."""
         return action != "address" or self.focused is not self._field
 
     def action_address(self) -> None:
-        """Type another address."""
+        """Focus the field for another address."""
         self._field.value = BEGUN
         self._field.cursor_position = len(BEGUN)
-        self._field.display = True  # not by a class, which would only count after a while
+        self._field.display = True  # not by a class, which would only take effect later
         self.set_focus(self._field)
 
     def _close(self) -> None:
@@ -118,14 +118,14 @@ class FirstRun(RowsScreen):
     def _typed(self) -> None:
         typed = self._field.value.strip()
         rest = typed.removeprefix(BEGUN)
-        # A whole address may have been pasted after what the field begins with.
+        # A whole address may have been pasted after the preset text of the field.
         self._address = rest if "://" in rest else typed
         self._close()
         self.action_ask()
 
 
 def _found(site: DiscoveredSite) -> Asked:
-    """Say what was found. Raises FleetError where no robot was."""
+    """Return the text of the result. Raises FleetError if no robot was found."""
     names, floors = [robot.name for robot in site.config.robots], [floor.name for floor in site.config.floors]
     more = [_listed(names), _listed(floors), "Enter opens the console. No commands sent before."]
     return Asked(site.bridge.shown, site.summary, tuple(more), is_found=True, is_over=True)

@@ -1,4 +1,4 @@
-"""Help: every key there is, made from the table of keys; typing searches."""
+"""Help: every key, generated from the table of keys; typed text searches."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -37,7 +37,7 @@ Pause is not a safety device: near people, use the robot's own stop."""
 
 
 def notes(kind: Kind) -> str:
-    """Return what else there is to know for robots of a kind."""
+    """Return further notes for robots of a kind."""
     typed = ", ".join(text for verb, text in TYPED.items() if kind.can(verb))
     typed = typed.format(alone="cargo on board" if "cargo" in kind.reports else "directly")
     form = ORDER_FORM if kind.can(ORDER) else ""
@@ -53,7 +53,7 @@ class Help(Overlay):
         self._pane, self._hidden, self._kind = Pane.CONSOLE, set[str](), Kind()
 
     def compose(self) -> ComposeResult:
-        """A search field above the list."""
+        """Compose a search field above the list."""
         keys: Keys = {
             "escape": self.action_close,
             "up": partial(self.action_scroll, -1),
@@ -66,8 +66,8 @@ class Help(Overlay):
             yield Static(id="keys", markup=False)
 
     def show(self, pane: Pane, detail: str, kind: Kind, hidden: set[str]) -> None:
-        """Open on the keys of a pane, but for those `hidden`, for robots of a kind; `detail` says what the
-        terminal can do."""
+        """Open on the keys of a pane, except those `hidden`, for robots of a kind; `detail` describes the
+        terminal."""
         self._pane, self._detail, self._kind, self._hidden = pane, detail, kind, hidden
         search = self.query_one("#search", Input)
         search.value = ""
@@ -76,7 +76,7 @@ class Help(Overlay):
 
     @on(Input.Changed, "#search")
     def search(self, event: Input.Changed) -> None:
-        """Only what was typed."""
+        """Filter by the typed text."""
         event.stop()
         self._list(event.value)
 
@@ -84,7 +84,7 @@ class Help(Overlay):
         lines = []
         for section in sorted(SECTIONS, key=lambda section: section is not self._pane):
             if section is Pane.RECORDING and self._pane is not section:
-                continue  # none is played
+                continue  # no recording is open
             shown = (key for key in KEYS if key.section is section and key.id not in self._hidden)
             found = [self._line(key) for key in shown if self._is_wanted(wanted, key)]
             if found:
@@ -98,12 +98,12 @@ class Help(Overlay):
         return f"  {' '.join(self._keys[key.id]) or '(palette)':<10} {key.text}  ({key.id})"
 
     def _is_wanted(self, wanted: str, key: Key[Any]) -> bool:
-        """A single character means the key itself."""
+        """Tell whether a key matches; a single character means the key itself."""
         if len(wanted) == 1:
             return wanted in self._keys[key.id]
         texts = (key.text, key.id, *self._keys[key.id])
         return any(wanted.casefold() in text.casefold() for text in texts)
 
     def action_scroll(self, rows: int) -> None:
-        """Further up or down."""
+        """Scroll up or down."""
         self.query_one(VerticalScroll).scroll_relative(y=rows, animate=False)

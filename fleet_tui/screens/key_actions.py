@@ -1,4 +1,4 @@
-"""The action of every key, as a reference: the type checker names one that is missing."""
+"""The action of every key, as a reference: the type checker reports a missing one."""
 
 from collections.abc import Callable
 from functools import partial
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
-    """Return what keys do on a screen with all its controllers."""
+    """Return the actions of keys on a screen with all its controllers."""
     return Actions(
         app=_app_actions(screen, rest),
         commands=CommandActions(
@@ -59,7 +59,7 @@ def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
 
 
 def _back(rest: "Rest") -> None:
-    """Go one level back: the map's mode ends, then the focus goes to the map."""
+    """Go one level back: end the map's mode, then focus the map."""
     rest.map_controls.leave_mode()
     if rest.map.display:
         rest.map.screen.set_focus(rest.map)

@@ -1,4 +1,4 @@
-"""The main screen: map, fleet, alarms, queue, and what opens over the map."""
+"""The main screen: map, fleet, alarms, queue, and the overlays over the map."""
 
 from collections.abc import Mapping
 from inspect import isawaitable
@@ -43,7 +43,7 @@ class MainScreen(Screen[None]):
     """Shows the newest state at every tick, and forwards keys and mouse to the controllers."""
 
     BINDINGS = [*bindings(Pane.CONSOLE), *bindings(Pane.RECORDING)]  # noqa: RUF012  # as Textual declares it
-    BLANK = True  # nothing is to be seen of the screen itself
+    BLANK = True  # the screen itself is covered completely
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
     VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall")]  # noqa: RUF012  # as Textual declares it
@@ -82,8 +82,9 @@ class MainScreen(Screen[None]):
         self._mapped: tuple[str, str] | None = None
 
     def compose(self) -> ComposeResult:
-        """The panes in the order of Tab; the map and what opens over them come after the first paint."""
-        # Textual would find out after the first layout, and style and lay out all of it again.
+        """Compose the panes in the order of Tab; the map and the overlays are mounted after the first
+        paint."""
+        # Textual would detect it after the first layout, and repeat style and layout.
         for cells, steps in zip(
             self.app.size, (self.HORIZONTAL_BREAKPOINTS, self.VERTICAL_BREAKPOINTS), strict=True
         ):
@@ -94,7 +95,7 @@ class MainScreen(Screen[None]):
         yield self.hints
 
     async def mount_rest(self) -> None:
-        """Get what is not on the first picture: importing it takes as long as painting that."""
+        """Mount the widgets missing in the first picture: their import takes as long as painting that."""
         from fleet_tui.screens.rest import Rest
 
         self.rest = Rest(self)
@@ -130,7 +131,7 @@ class MainScreen(Screen[None]):
             self.rest.simple.show()
 
     def _mark_robot(self, robot: str) -> None:
-        """Put the fleet's cursor on a robot; it is shown with the next rows."""
+        """Put the fleet's cursor on a robot; it is drawn with the next rows."""
         self.fleet.listing.cursor = robot
 
     def _show_floor(self, state: FleetState) -> None:
@@ -138,7 +139,7 @@ class MainScreen(Screen[None]):
 
         selection = self.navigation.settle(state, self.rest.map.picture.viewport.follow)
         owner = chart_robot(state, selection)
-        # The live map of what is shown, unless a file gives it.
+        # The live map of the shown floor, unless a file has it.
         has_file = state.floors[selection.floor].grid is not None
         wanted = (owner.name, "" if has_file else selection.floor) if owner else None
         if wanted is not None and wanted != self._mapped:
@@ -147,8 +148,8 @@ class MainScreen(Screen[None]):
         self.rest.map.show(floor_scene(state, selection))
 
     def _show_alarms(self, state: FleetState) -> None:
-        """Show the newest alarms. Unless somebody is at it, the cursor leaves what has been seen for
-        what has not; it never leaves an alarm that an `a` on its way may mean."""
+        """Show the newest alarms. Unless it has the focus, the cursor moves from acknowledged to
+        unacknowledged alarms; it never leaves an alarm that an `a` in the queue may mean."""
         fresh = unacknowledged(state)
         if fresh and self.alarms.listing.cursor not in fresh and not self.alarms.has_focus:
             self.alarms.listing.cursor = fresh[0]
@@ -160,7 +161,7 @@ class MainScreen(Screen[None]):
         return self.is_complete
 
     def focused_pane(self) -> Pane:
-        """Return the pane whose keys help and the footer list first."""
+        """Return the pane whose keys help and footer list first."""
         if self.session.pane or not self.is_complete or self.focused is self.rest.map:
             return self.session.pane or Pane.MAP
         return Pane.DIAGNOSTICS if self.rest.diagnostics.is_open else Pane.TABLE
@@ -171,14 +172,13 @@ class MainScreen(Screen[None]):
         self.tick()
 
     async def action_key(self, id_: str) -> None:
-        """Do what a key is for."""
+        """Run the action of a key."""
         done = BY_ID[id_].action(self.rest.actions)
         if isawaitable(done):
             await done
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """Leave out keys that mean nothing in this session. What comes before all else does not reach through
-        what is open already."""
+        """Disable keys without a use in this session. Priority keys don't act through an open overlay."""
         if action != "key":
             return super().check_action(action, parameters)
         key = BY_ID[str(parameters[0])]
@@ -188,12 +188,12 @@ class MainScreen(Screen[None]):
         return not opened or (key.eager == "selects" and opened == [self.rest.why])
 
     def _in_overlay(self) -> bool:
-        """Tell whether the focus is in what is open over the panes: most keys stay in there."""
+        """Tell whether the focus is in an overlay: most keys stay in there."""
         focused = self.focused
         return focused is not None and any(isinstance(one, Overlay) for one in focused.ancestors_with_self)
 
     def on_descendant_focus(self) -> None:
-        """Hide what is open, undone, when the mouse gives the focus to something outside it."""
+        """Close the overlay, without its effect, when a click outside it takes the focus."""
         for overlay in self.query(Overlay):
             if overlay.is_open and (self.focused is None or overlay not in self.focused.ancestors_with_self):
                 overlay.display = False
@@ -205,5 +205,5 @@ class MainScreen(Screen[None]):
     @on(messages.ButtonPressed)
     @on(messages.TimePicked)
     def picked(self, event: messages.Picked) -> None:
-        """Forward what the operator pointed at."""
+        """Forward a click or selection of the operator."""
         self.rest.picked(event)

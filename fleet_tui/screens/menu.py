@@ -1,4 +1,4 @@
-"""A row's menu: what can be done with it."""
+"""A row's menu: its possible actions."""
 
 from collections.abc import Sequence
 from typing import ClassVar
@@ -12,7 +12,7 @@ from fleet_tui.screens.overlay import Overlay
 
 
 class Menu(Overlay):
-    """A short list; Enter does the marked entry, its number any entry."""
+    """A short list; Enter runs the marked entry, its number any entry."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("escape,q", "close", "Close"),
@@ -22,12 +22,12 @@ class Menu(Overlay):
     ]
 
     def compose(self) -> ComposeResult:
-        """The title above the entries."""
+        """Compose the title above the entries."""
         yield Static(id="menu-title", markup=False)
         yield OptionList(markup=False)
 
     def show(self, title: str, entries: Sequence[Entry]) -> None:
-        """Offer the entries."""
+        """Show the entries."""
         self._entries = entries
         self.query_one("#menu-title", Static).update(title)
         options = self.query_one(OptionList)
@@ -37,18 +37,18 @@ class Menu(Overlay):
         self.open(options)
 
     def action_step(self, way: str) -> None:
-        """The mark up or down."""
+        """Move the mark up or down."""
         options = self.query_one(OptionList)
         (options.action_cursor_down if way == "down" else options.action_cursor_up)()
 
     def action_choose(self, number: int) -> None:
-        """Do an entry by its number."""
-        # A second key may have been on its way already.
+        """Run an entry by its number."""
+        # A second key may already have been in the queue.
         if self.is_open and number <= len(self._entries):
             self.action_close()
             self._entries[number - 1][1]()
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
-        """Do it."""
+        """Run it."""
         event.stop()
         self.action_choose(event.option_index + 1)

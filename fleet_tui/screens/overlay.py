@@ -1,7 +1,7 @@
-"""Overlays over the map: the status line stays in view, keys stay inside.
+"""Overlays over the map: the status line remains visible, keys stay inside.
 
-It is part of the main screen, mounted from the start, so that a key typed right after the one
-that opened it already finds it.
+It is part of the main screen, mounted from the start, so that the key after the one that opened it already
+reaches it.
 """
 
 from textual.containers import Vertical
@@ -10,30 +10,30 @@ from textual.widgets import Button
 
 
 class MouseButton(Button, can_focus=False):
-    """For the mouse alone: the keys stay where they are, and Enter never presses it."""
+    """For the mouse only: it never takes the focus or Enter."""
 
 
 class Overlay(Vertical):
-    """Hidden until opened. Only keys that work everywhere reach through it."""
+    """Hidden until opened. Only keys that work everywhere pass through it."""
 
     _before: Widget | None = None
 
     @property
     def is_modal(self) -> bool:
-        """Textual looks no further than here for the binding of a key."""
+        """Stop Textual's search for a key binding here."""
         return True
 
     @property
     def is_open(self) -> bool:
-        """Tell whether it is in view."""
+        """Tell whether it is visible."""
         return self.display
 
     def on_mount(self) -> None:
-        """Out of view until opened. Not by a CSS class: that would restyle all within at each turn."""
+        """Hide until opened. Not by a CSS class: that would restyle all its children at each change."""
         self.display = False
 
     def open(self, first: Widget) -> None:
-        """Come into view with the focus on `first`."""
+        """Show it with the focus on `first`."""
         others = [other for other in self.screen.query(Overlay) if other.is_open and other is not self]
         if others:
             self._before = others[0]._before
@@ -42,11 +42,11 @@ class Overlay(Vertical):
         for other in others:
             other.display = False
         self.display = True
-        # Not Widget.focus(), which waits for a refresh: a key may be next in line.
+        # Not Widget.focus(), which waits for a refresh: the next key may already be in the queue.
         self.screen.set_focus(first)
 
     def action_close(self) -> None:
-        """Go, and give the focus back."""
+        """Close, and restore the focus."""
         self.display = False
         if self._before is not None and self._before.is_attached:
             self.screen.set_focus(self._before)

@@ -1,4 +1,4 @@
-"""The command palette: typed commands, every action of the keys table, "go to" for all that has a name."""
+"""The command palette: typed commands, every action of the keys table, "go to" for everything with a name."""
 
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -18,7 +18,7 @@ SHOWN = 40
 
 
 class Palette(Overlay):
-    """Typing searches, Enter does the marked entry, Tab completes a command."""
+    """Typed text searches, Enter runs the marked entry, Tab completes a command."""
 
     def __init__(self, entries: Callable[[], Iterable[Entry]], typed: Callable[[str], Typed]) -> None:
         super().__init__(id="palette")
@@ -28,7 +28,7 @@ class Palette(Overlay):
         self._matches = Matches(id="wishes")
 
     def compose(self) -> ComposeResult:
-        """A field above what matches."""
+        """Compose a field above the matches."""
         keys: Keys = {
             "enter": self._do,
             "escape": self.action_close,
@@ -41,17 +41,17 @@ class Palette(Overlay):
         yield self._matches
 
     def show(self, line: str = "") -> None:
-        """Open with everything there is, or with a line that is begun."""
+        """Open with all entries, or with the beginning of a line."""
         self._fill(line)
         field = self.query_one(Field)
-        # What is typed next goes on with the line.
+        # Further letters continue the line.
         field.select_on_focus = not line
         self.open(field)
 
     def _fill(self, line: str) -> None:
-        """Put a line into the field, and list what it can mean."""
+        """Put a line into the field, and list its matches."""
         field = self.query_one(Field)
-        # Without its Changed message: that would arrive after what is typed next.
+        # Without its Changed message: that would arrive after the next typed text.
         with field.prevent(Input.Changed):
             field.value = line
         field.cursor_position = len(line)
@@ -63,8 +63,8 @@ class Palette(Overlay):
         self._list()
 
     def _list(self) -> None:
-        """A command first, then what matches, the best first; without a wish everything in its own
-        sequence. Enter on a line that a command can become goes on typing."""
+        """List a command first, then the matches, best first; without input everything in its usual sequence.
+        Enter on an incomplete command continues typing."""
         line = self.query_one(Field).value
         typed, command = line.strip(), self._typed_as(line)
         matcher = Matcher(typed)
@@ -83,7 +83,7 @@ class Palette(Overlay):
         self._matches.show(text for text, _ in found)
 
     def _complete(self) -> None:
-        """The next of the lines that the last word can become."""
+        """Replace the last word by its next completion."""
         field = self.query_one(Field)
         if len(self._turn) > 1 and field.value == self._turn[0]:
             self._turn = [*self._turn[1:], self._turn[0]]
@@ -97,7 +97,7 @@ class Palette(Overlay):
         self._fill(line)
 
     def _do(self) -> None:
-        # What was typed last may not have been listed yet.
+        # The last letters may not have been listed yet.
         marked = self._matches.marked
         before = [text for text, _ in self._found]
         self._list()

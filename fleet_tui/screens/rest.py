@@ -1,5 +1,5 @@
-"""Parts of the main screen that follow its first paint: the map, what opens over the panes, and the
-controllers that need them."""
+"""Parts of the main screen after its first paint: the map, the overlays, and the controllers that need
+them."""
 
 from functools import partial
 from typing import TYPE_CHECKING, Any, assert_never
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 class Rest:
-    """Widgets and controllers, each given what it needs, and the action of every key."""
+    """Widgets and controllers with their dependencies, and the action of every key."""
 
     def __init__(self, screen: "MainScreen") -> None:
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
@@ -66,7 +66,7 @@ class Rest:
         self.actions = key_actions(screen, self)
 
     async def mount(self, screen: "MainScreen") -> None:
-        """Put everything in its place, the focus on the map. The audit log begins before there is a link."""
+        """Mount all widgets, the focus on the map. The audit log starts before there is a link."""
         opens = (self.order_form, self.confirm, self.menu, self.key_help, self.palette, self.why)
         with screen.app.batch_update():
             await screen.query_one("#map").remove()
@@ -89,14 +89,14 @@ class Rest:
         return SimpleSwitch(screen.query_one("#panes"), self.map, make, self.orders.may_order)
 
     def picked(self, event: messages.Picked) -> None:
-        """Do what is meant by a pick on the map, a row or its button, or the time line."""
+        """Run the action for a click or selection on the map, a row or its button, or the time line."""
         match event:
             case messages.RobotPicked():
                 self._navigation.select(event.name)
             case messages.VertexPicked():
                 self.orders.start_at(event.id, self._navigation.floor)
             case messages.RowPicked():
-                # The fleet's cursor selects. It may have moved on since.
+                # The fleet's cursor selects. It may have moved since.
                 if event.pane == "fleet" and event.key == self._fleet.listing.cursor:
                     self._navigation.select(str(event.key))
             case messages.RowChosen():
@@ -126,5 +126,5 @@ class Rest:
 
 
 def _run(screen: "MainScreen", key: Key[Any]) -> None:
-    """Do what a key is for, after what is going on."""
+    """Run the action of a key, after the current one."""
     screen.call_later(screen.run_action, action_of(key))

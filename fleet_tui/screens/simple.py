@@ -1,4 +1,4 @@
-"""The simple interface, in the map's place: robot, from, to, send. Arrows and Enter, or the mouse."""
+"""The simple interface, in place of the map: robot, from, to, send. Arrows and Enter, or the mouse."""
 
 from collections.abc import Callable
 from typing import Any, ClassVar, Self
@@ -18,35 +18,35 @@ from fleet_tui.text.sanitize import sanitize
 
 
 class Large(Button):
-    """A button that does its work at once: the next key is meant for what comes of it."""
+    """A button that acts at once: the next key goes to the result."""
 
     def __init__(self, label: str, field: str, pressed: Callable[[str], None], **options: Any) -> None:
         super().__init__(label, id=f"simple-{field}", **options)
         self._pressed, self._field = pressed, field
 
     def press(self) -> Self:
-        """By Enter or by mouse."""
+        """Press, by Enter or by mouse."""
         if self.display:
             self._pressed(self._field)
         return self
 
 
 class Choices(OptionList):
-    """A list whose choice is made at once."""
+    """A list whose choice acts at once."""
 
     def __init__(self, chosen: Callable[[int], None]) -> None:
         super().__init__(id="simple-list", markup=False)
         self._chosen = chosen
 
     def action_select(self) -> None:
-        """By Enter or by mouse."""
+        """Choose, by Enter or by mouse."""
         if self.highlighted is not None:
             self._chosen(self.highlighted)
 
 
 class Simple(Vertical):
-    """One large button for each choice; pressed, the buttons give way to the list of what can be
-    chosen. The robot is the console's `selected` one; `select` selects another."""
+    """One large button for each choice; a press replaces the buttons by the list of choices. The robot is the
+    console's `selected` one; `select` selects another."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("down,j", "step(1)", "Down"),
@@ -70,7 +70,7 @@ class Simple(Vertical):
         self._shown: tuple[object, ...] = ()
 
     def compose(self) -> ComposeResult:
-        """The four buttons, what is missing, and the list that takes their place."""
+        """Compose the four buttons, a note on missing input, and the list that replaces them."""
         for field in ("robot", "from", "to"):
             yield Large("", field, self._ask)
         yield Large("Send", "send", self._finish, variant="primary")
@@ -79,7 +79,7 @@ class Simple(Vertical):
         yield Choices(self._choose)
 
     def show(self) -> None:
-        """Follow the robot: another one, or cargo that came or went, changes what is asked."""
+        """Update the form when another robot is selected or its cargo changes."""
         robot = self._robot()
         if robot.name != self._whose:
             self._whose = robot.name
@@ -103,7 +103,7 @@ class Simple(Vertical):
         self.query_one("#simple-question").display = self.query_one(OptionList).display = bool(self._choosing)
 
     def start(self) -> None:
-        """Come into view, the first thing to choose in focus."""
+        """Show it, with the focus on the first choice to make."""
         self._leave()
         self._say("")
         self.show()
@@ -122,7 +122,7 @@ class Simple(Vertical):
         self._choosing = ""
 
     def _missing(self) -> str:
-        """The first field that has not been chosen, empty when all have."""
+        """Return the first field without a choice, empty if all have one."""
         robot = self._robot()
         fields = ("to",) if destination_only(robot) or may_skip_start(robot) else ("from", "to")
         return next((field for field in fields if field not in self._chosen), "")
@@ -131,21 +131,21 @@ class Simple(Vertical):
         self.screen.set_focus(self._button(self._missing() or "send"))
 
     def action_step(self, step: int) -> None:
-        """The next button that is in view."""
+        """Focus the next visible button."""
         buttons = [button for button in self.query(Button) if button.display]
         if self.screen.focused in buttons:
             at = buttons.index(self.screen.focused)
             self.screen.set_focus(buttons[max(0, min(at + step, len(buttons) - 1))])
 
     def action_leave_list(self) -> None:
-        """Back to the buttons, nothing chosen."""
+        """Return to the buttons without a choice."""
         field = self._choosing or "robot"
         self._leave()
         self.show()
         self.screen.set_focus(self._button(field))
 
     def _ask(self, field: str) -> None:
-        """List what can be chosen."""
+        """Show the list of choices."""
         robot = self._robot()
         self._choices = [] if field == "robot" else places(robot)
         names = [f"{sanitize(place.name)}  ({place.floor})" for place in self._choices]
@@ -163,7 +163,7 @@ class Simple(Vertical):
         self.screen.set_focus(options)
 
     def _choose(self, index: int) -> None:
-        """Take it, and go on to what is missing."""
+        """Take a choice, and go on to the next missing one."""
         field = self._choosing
         if not field:
             return

@@ -1,4 +1,4 @@
-"""Turns the simple interface on and off, in the map's place."""
+"""Turns the simple interface on and off, in place of the map."""
 
 from collections.abc import Callable
 
@@ -8,7 +8,7 @@ from fleet_tui.screens.simple import Simple
 
 
 class SimpleSwitch:
-    """The simple interface is made when it is first wanted."""
+    """Creates the simple interface on first use."""
 
     def __init__(
         self, panes: Widget, map_view: Widget, make: Callable[[], Simple], may_order: Callable[[], bool]
@@ -17,14 +17,14 @@ class SimpleSwitch:
         self._simple: Simple | None = None
 
     async def turn(self) -> None:
-        """Put the simple interface in the map's place, or the map again."""
+        """Replace the map by the simple interface, or the reverse."""
         panes = self._panes
         if not panes.has_class("-simple") and not self._may_order():
             return
         if self._simple is None:
             simple = self._make()
             await panes.mount(simple, before=self._map)
-            self._simple = simple  # not before: ticks that come meanwhile would look for what it is made of
+            self._simple = simple  # not before: ticks during the mounting would query missing widgets
         if panes.toggle_class("-simple").has_class("-simple"):
             self._simple.start()
         else:
@@ -32,5 +32,5 @@ class SimpleSwitch:
 
     def show(self) -> None:
         """Show the newest state."""
-        if self._simple is not None and self._simple.children:  # none while the console ends
+        if self._simple is not None and self._simple.children:  # no screen while the console ends
             self._simple.show()

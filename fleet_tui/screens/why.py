@@ -16,11 +16,11 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.why import why_lines
 from fleet_tui.widgets.bindings import action_of, bindings
 
-EVERY = 0.1  # seconds between two looks, as in the panes
+EVERY = 0.1  # seconds between two updates, as in the panes
 
 
 class Why(Overlay, can_focus=True):
-    """The keys that help work in here as they do outside."""
+    """The suggested keys work in here as they do outside."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         *(
@@ -44,7 +44,7 @@ class Why(Overlay, can_focus=True):
         self._timer: Timer | None = None
 
     def compose(self) -> ComposeResult:
-        """Only text."""
+        """Compose only text."""
         yield Static(id="reasons", markup=False)
 
     def show(self) -> None:
@@ -63,7 +63,7 @@ class Why(Overlay, can_focus=True):
             self._timer = None
 
     def look(self) -> None:
-        """Show what holds now."""
+        """Show the current reasons."""
         state, name = self._looked_at()
         self.border_title = Content(f"Stop reasons: {sanitize(name)}")
         lines = why_lines(state, state.robots[name], self._keys)
@@ -72,7 +72,7 @@ class Why(Overlay, can_focus=True):
             self.query_one("#reasons", Static).update("\n".join(lines))
 
     async def action_help_it(self, id_: str) -> None:
-        """Do what the key does everywhere."""
+        """Run the key's usual action."""
         if BY_ID[id_].helps == "leaves":
             self.action_close()
         await self.screen.run_action(action_of(BY_ID[id_]))

@@ -1,4 +1,4 @@
-"""Actions of the diagnostics screen: its page, and what is kept or copied of it."""
+"""Actions of the diagnostics screen: pages, freezing and copying."""
 
 import base64
 import os
@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 
 
 def clipboard(text: str) -> str:
-    """Return the bytes that ask a terminal to put a text into its clipboard (OSC 52)."""
+    """Return the bytes that put a text into the terminal's clipboard (OSC 52)."""
     return f"\x1b]52;c;{base64.b64encode(text.encode(errors='replace')).decode()}\x07"
 
 
 class DiagnosticsControls:
-    """`current` is the page that is shown, `notice` the answer to the last key."""
+    """`current` is the open page, `notice` the response to the last key."""
 
     def __init__(self, view: "Diagnostics", pages: Pages) -> None:
         self._view, self._pages = view, pages
@@ -28,13 +28,13 @@ class DiagnosticsControls:
         self._came_from_topics = False
 
     def begin(self, robot: str) -> None:
-        """Show the page that was shown last; the first time a topic of `robot` is marked."""
+        """Show the page that was open last; the first time a topic of `robot` is marked."""
         if self._pages.topic is None:
             self._pages.topic = self._cursors[Page.TOPICS] = self._pages.first_topic(robot)
         self.page(self.current)
 
     def page(self, number: int) -> None:
-        """Show a page, with the cursor where it was."""
+        """Show a page, with its last cursor position."""
         self._cursors[self.current] = self._view.rows.listing.cursor
         self.current, self.notice, self._came_from_topics = Page(number), "", False
         self._view.rows.listing.cursor = self._cursors.get(self.current)
@@ -46,17 +46,17 @@ class DiagnosticsControls:
         self.page((self.current - 1 + step) % len(Page) + 1)
 
     def filter(self) -> None:
-        """Type what the rows must contain."""
+        """Open the field for the filter of the rows."""
         self._view.open_filter()
 
     def freeze(self) -> None:
-        """Keep the message or the log as it is, or go on."""
+        """Freeze the message or the log, or resume."""
         nothing = "only the message and the robot log can be frozen"
         self.notice = "" if self._pages.freeze(self.current) else nothing
         self._view.look()
 
     def copy(self, tries: int = 5) -> None:
-        """Copy to the clipboard of the terminal, wherever that runs. It may still be reading the last
+        """Copy to the clipboard of the local terminal, also over ssh. It may still be reading the last
         picture."""
         output = self._view.output
         text, what = self._pages.copy(self.current, self._view.rows.listing.cursor, output.budget)
@@ -79,20 +79,20 @@ class DiagnosticsControls:
             self._view.look()
 
     def show_bad(self) -> None:
-        """Show the last bad message of the topic, or the last one again."""
+        """Show the last bad message of the topic, or its newest one again."""
         if self.current is Page.RAW:
             self._pages.turn_bad()
             self._view.look()
 
     def leave(self) -> None:
-        """Go one level back: from a message to the topics, else out."""
+        """Go one level back: from a message to the topics, else close the screen."""
         if self.current is Page.RAW and self._came_from_topics:
             self.page(Page.TOPICS)
         else:
             self._view.action_close()
 
     def choose(self, key: Hashable) -> None:
-        """Look closer at a row."""
+        """Open a row."""
         match self.current, key:
             case Page.LINK, _:
                 self.page(Page.TOPICS)

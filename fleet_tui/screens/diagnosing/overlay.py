@@ -1,4 +1,4 @@
-"""The diagnostics screen: what `doctor` finds out once, live. Nothing of it works while it is closed."""
+"""The diagnostics screen: a live version of `doctor`. It uses no resources while it is closed."""
 
 from collections.abc import Hashable, Mapping
 from functools import partial
@@ -27,11 +27,11 @@ from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.rows_pane import RowsPane
 
 KEYS = by_id(DIAGNOSTICS)
-EVERY = 0.25  # seconds between two looks
+EVERY = 0.25  # seconds between two updates
 
 
 class Diagnostics(Overlay):
-    """One table whose rows are those of the page that is shown."""
+    """One table with the rows of the open page."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         *bindings(Pane.DIAGNOSTICS),
@@ -54,7 +54,7 @@ class Diagnostics(Overlay):
         self._foot = LineView(id="diagnostics-keys", keep_right=True)
 
     def compose(self) -> ComposeResult:
-        """The pages' names, a field that shows up when it is used, the rows, the keys."""
+        """Compose the pages' names, a field that appears on use, the rows, the keys."""
         keys: Keys = {
             "enter": self._leave_field,
             "escape": partial(self._leave_field, clear=True),
@@ -74,7 +74,7 @@ class Diagnostics(Overlay):
             view.set_inks(styles)
 
     def show(self, robot: str) -> None:
-        """Open, first on the link; `robot` is the one whose topic is marked first."""
+        """Open, first on the link page; `robot` is the one whose topic is marked first."""
         self.open(self.rows)
         self._controls.begin(robot)
         self._tick()
@@ -98,12 +98,12 @@ class Diagnostics(Overlay):
 
     @property
     def output(self) -> DisplayDriver:
-        """The way to the terminal, which takes what is copied."""
+        """The output to the terminal, for copying."""
         assert isinstance(self.app, LeanApp)
         return self.app.output
 
     def look(self) -> None:
-        """Show what is there now."""
+        """Show the current page."""
         page, listing = self._controls.current, self.rows.listing
         table = self._pages.table(page, self.output.budget)
         keys = table.keys
@@ -118,18 +118,19 @@ class Diagnostics(Overlay):
         self._foot.show(*foot_runs(self._keys, page, self._controls.notice))
 
     def action_key(self, id_: str) -> None:
-        """Do what a key of this screen is for."""
+        """Run the action of a key of this screen."""
         KEYS[id_].action(self._controls)
 
     def put_filter(self, text: str) -> None:
-        """Show what the rows of the page must contain, with the focus on the rows."""
+        """Filter the rows of the page, with the focus on the rows."""
         field = self.query_one(Field)
         with field.prevent(Input.Changed):
             field.value = text
         self._leave_field()
 
     def open_filter(self) -> None:
-        """Go to the field where it is typed. Raises SkipAction there: it is a letter of a topic."""
+        """Focus the field of the filter. Raises SkipAction if it has the focus: the key is a letter of a
+        topic."""
         field = self.query_one(Field)
         if self.screen.focused is field:
             raise SkipAction

@@ -22,7 +22,7 @@ from fleet_tui.view.tables.topics import topic_table
 
 
 class Page(IntEnum):
-    """The pages, by the keys that show them."""
+    """The pages, by their keys."""
 
     LINK = 1
     TOPICS = 2
@@ -36,8 +36,8 @@ FILTERED = (Page.TOPICS, Page.LOG, Page.HEALTH, Page.CONSOLE)
 
 
 class Pages:
-    """`topic` is the link and the topic whose messages are shown, `least` the level of the robots' log
-    from which on lines are shown, `wanted` what must stand in the rows of a page."""
+    """`topic` is the link and the topic of the messages, `least` the minimum level of the robots' log,
+    `wanted` the filter text of a page."""
 
     def __init__(
         self,
@@ -56,19 +56,19 @@ class Pages:
         self._lines: tuple[LogLine, ...] = ()
 
     def links(self) -> Links:
-        """Each link, and what came over it."""
+        """Return each link, and its counters."""
         state, counters = self._state(), self._backend.counters
         return [(state.links[name], counter) for name, counter in counters.items() if name in state.links]
 
     def first_topic(self, robot: str) -> tuple[str, str] | None:
-        """The topic to begin with: a robot's first."""
+        """Return the topic to begin with: a robot's first."""
         found = [(link.name, one) for link, counter in self.links() for one in counter.topics.values()]
         return next(((link, one.topic) for link, one in found if one.robot == robot), None)
 
     def table(self, page: Page, budget: Budget) -> Table:
-        """The rows of a page."""
+        """Return the rows of a page."""
         state, links, wanted = self._state(), self.links(), self.wanted.get(page, "")
-        # In a recording it may be earlier now: what was frozen has not come yet.
+        # In a recording the time may be earlier now, before the frozen message.
         self._frozen = {one: at for one, at in self._frozen.items() if at <= state.now}
         match page:
             case Page.LINK:
@@ -111,17 +111,17 @@ class Pages:
         self._frozen.pop(Page.RAW, None)
 
     def turn_bad(self) -> None:
-        """The last bad message, or the last one again."""
+        """Show the last bad message, or the newest one again."""
         self.shows_bad = not self.shows_bad
         self._frozen.pop(Page.RAW, None)
 
     def next_level(self) -> None:
-        """Fewer lines of the robots' log, after the fewest all again."""
+        """Show fewer levels of the robots' log, after the fewest all again."""
         least = Severity.DEBUG if self.least is Severity.FATAL else Severity(self.least + 1)
         self.least = least
 
     def freeze(self, page: Page) -> bool:
-        """Keep what is shown, or go on; False where there is nothing to keep."""
+        """Freeze the page, or resume; False if there is nothing to freeze."""
         if page not in (Page.RAW, Page.LOG):
             return False
         if page in self._frozen:
@@ -131,12 +131,12 @@ class Pages:
         return True
 
     def frozen(self, page: Page) -> str:
-        """Since when a page shows what was, empty where it is live."""
+        """Return the text for the time since a page was frozen, empty if it is live."""
         at = self._frozen.get(page)
         return "" if at is None else f"frozen {age(self._state().now - at)} ago"
 
     def copy(self, page: Page, key: Hashable, budget: Budget) -> tuple[str, str]:
-        """Return what is copied, and what to say of it; empty where there is nothing."""
+        """Return the text to copy, and its description; empty if there is nothing."""
         if page is Page.RAW and self._raw[0] is not None and self.topic is not None:
             text, size = copied(self._raw[0])
             return text, f"the message of {self.topic[1]}, {size}"

@@ -16,7 +16,7 @@ Choices = list[Place] | list[str]
 def choices(
     state: FleetState, robot: Robot | None, field: str, typed: str, chosen: Place | None = None
 ) -> Choices:
-    """The likeliest first; where the robot was sent last comes first in `to`."""
+    """Return the choices, best first; in `to` the robot's last destination leads."""
     if field == "robot":
         wanted = typed.strip().casefold()
         return [name for name in state.robots if wanted in name.casefold()][:SHOWN]
@@ -25,17 +25,17 @@ def choices(
     found = matches(robot, typed, recent_ends(state, robot) if field == "to" else ())[:SHOWN]
     if chosen is None or sanitize(chosen.name) != typed:
         return found
-    # Floors may have the same label: what was chosen stays what Enter takes.
+    # Floors may share labels: Enter takes the chosen one again.
     return [chosen, *(place for place in found if place != chosen)]
 
 
 def is_in_label(robot: Robot | None, typed: str) -> bool:
-    """Tell whether a label of the robot has this in it."""
+    """Tell whether a label of the robot contains this."""
     return robot is not None and any(typed.casefold() in place.name.casefold() for place in places(robot))
 
 
 def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Request:
-    """Orders that visit the places one after the other; `only_to`: without a start."""
+    """Return orders that visit the places in sequence; `only_to`: without a start."""
     floors = {place.vertex: place.floor for place in visited}
     vertices = [place.vertex for place in visited]
     return Request(chain(robot.name, vertices, only_to, robot.kind.takes_stops), floors)
@@ -48,13 +48,13 @@ def title(robot: Robot | None, has_start: bool) -> str:
 
 
 def wanted_now(robot: Robot, only_to: bool) -> str:
-    """Return what a robot needs since its cargo or its orders changed."""
+    """Return the notice after a change of the robot's cargo or orders."""
     alone = "now has cargo and no orders: To only" if robot.has_cargo else "needs only To"
     return f"{robot.name} {alone if only_to else 'now needs From'}. Enter sends"
 
 
 def missing(field: str, typed: str = "") -> str:
-    """Return what a field still needs."""
+    """Return the text for a missing field."""
     if typed.strip():
         return f"{field.capitalize()}: Enter selects the marked place of this robot"
     remedy = "its name" if field == "robot" else "a label or a vertex id"
@@ -62,7 +62,7 @@ def missing(field: str, typed: str = "") -> str:
 
 
 def line(choice: Place | str) -> str:
-    """One of them as it is listed."""
+    """Return the line of a choice."""
     return (
         choice
         if isinstance(choice, str)

@@ -14,8 +14,8 @@ NAMES = ("robot", "from", "to")
 
 
 class OrderFields(Vertical):
-    """Robot, from, to; From is hidden where an order needs no start. `chosen`: the places that the texts of
-    the fields stand for."""
+    """Robot, from, to; From is hidden if an order needs no start. `chosen`: the places for the texts of the
+    fields."""
 
     def __init__(self, keys: Keys) -> None:
         super().__init__(id="order-fields")
@@ -27,7 +27,7 @@ class OrderFields(Vertical):
         return self._boxes[name]
 
     def compose(self) -> ComposeResult:
-        """Each with its name before it."""
+        """Compose each field after its name."""
         for name, box in self._boxes.items():
             with Horizontal(classes="field"):
                 yield Static(name.capitalize(), classes="name")
@@ -35,12 +35,12 @@ class OrderFields(Vertical):
 
     @property
     def values(self) -> list[str]:
-        """Return everything that is in the fields."""
+        """Return the contents of the fields."""
         return [box.value for box in self._boxes.values()]
 
     @property
     def current(self) -> str:
-        """Return the name of the field that is being filled."""
+        """Return the name of the field with the cursor."""
         focused = self.screen.focused
         return focused.id if isinstance(focused, LegField) and focused.id in NAMES else "to"
 
@@ -50,7 +50,7 @@ class OrderFields(Vertical):
         return self._boxes["from" if self._boxes["from"].display and not self.chosen else "to"]
 
     def clear(self, robot: str) -> None:
-        """Empty them, but for the robot."""
+        """Clear all but the robot."""
         self.chosen, self._robot = {}, robot
         for name, box in self._boxes.items():
             box.put(robot if name == "robot" else "", Legs())
@@ -69,8 +69,8 @@ class OrderFields(Vertical):
         self.chosen[name] = place
 
     def drop_changed(self, name: str) -> None:
-        """Drop the place of a field whose text is another one by now."""
-        # The message of a change may be about letters that were typed before the choice was made.
+        """Drop the place of a field whose text has changed."""
+        # A Changed message may be about letters typed before the choice was made.
         if name in self.chosen and sanitize(self.chosen[name].name) != self._boxes[name].typed:
             del self.chosen[name]
 

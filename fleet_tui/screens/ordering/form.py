@@ -1,4 +1,4 @@
-"""The order form: robot, from, to. Typing filters the labels, Enter goes on, the last Enter sends; `>`
+"""The order form: robot, from, to. Typed text filters the labels, Enter goes on, the last Enter sends; `>`
 after a label adds a leg: A > B > C."""
 
 from collections.abc import Callable
@@ -29,8 +29,8 @@ from fleet_tui.widgets.matches import Matches
 
 
 class OrderForm(Overlay):
-    """`start` opens it for a robot. What is complete goes to `give`, which returns what is wrong with
-    it, and calls back when it was sent."""
+    """`start` opens it for a robot. A complete request goes to `give`, which returns its problems, and calls
+    back when it was sent."""
 
     def __init__(
         self, state: Callable[[], FleetState], give: Callable[[Request, Callable[[], None]], str]
@@ -55,7 +55,7 @@ class OrderForm(Overlay):
         )
 
     def compose(self) -> ComposeResult:
-        """Three fields, the matches of the one that is being filled, and what is missing."""
+        """Compose three fields, the matches of the current one, and a note on missing input."""
         yield self._fields
         yield self._matches
         yield Static(id="missing", markup=False)
@@ -66,7 +66,7 @@ class OrderForm(Overlay):
 
     def start(self, robot: str, picked: Place | None = None) -> None:
         """Open with the robot chosen and the cursor in the first field to fill. A vertex `picked` on the map
-        is the start, or the end where the order needs no start."""
+        is the start, or the end if the order needs no start."""
         self._picked = picked
         self._fields.clear(robot)
         self._say("")
@@ -79,7 +79,7 @@ class OrderForm(Overlay):
             self._fields.choose_for(robot.name)
 
     def _arrange(self) -> None:
-        """With cargo on board and no orders there is only a destination."""
+        """Hide the start if there is cargo on board without an order."""
         has_start = (robot := self._robot()) is None or not destination_only(robot)
         self._fields.show_start(has_start)
         if self._picked is not None:
@@ -89,7 +89,7 @@ class OrderForm(Overlay):
         self.border_title = title(robot, has_start)
 
     def _say(self, text: str, field: str = "") -> None:
-        """Say what is wrong, and go to the field where it is."""
+        """Show an error, and focus its field."""
         self._said_of = self._fields.values
         self.query_one("#missing", Static).update(text)
         if field:
@@ -119,7 +119,7 @@ class OrderForm(Overlay):
 
     @on(Matches.OptionSelected, "#matches")
     def click_match(self, event: Matches.OptionSelected) -> None:
-        """A match by mouse."""
+        """Take a match by mouse."""
         event.stop()
         if self.is_open and event.option_index < len(self._found):
             self._take(self._fields.current, self._found[event.option_index])
@@ -131,7 +131,7 @@ class OrderForm(Overlay):
             self._take(self._fields.current, choice)
 
     def _add_leg(self) -> None:
-        """Take the marked match as one place of several, unless a label goes on with the sign."""
+        """Take the marked match as one place of several, unless the sign is part of a label."""
         field = self._fields.current
         box = self._fields[field]
         if field == "robot" or is_in_label(self._robot(), box.typed + SIGN):
@@ -143,8 +143,8 @@ class OrderForm(Overlay):
             self._list()
 
     def _choice(self) -> Place | str | None:
-        """Return what Enter takes, None after saying why there is nothing."""
-        # What was typed last may not have been listed yet: look again before choosing.
+        """Return the choice for Enter, None after showing an error if there is none."""
+        # The last letters may not have been listed yet: update before choosing.
         field = self._fields.current
         typed = self._fields[field].typed
         found = choices(self._state(), self._robot(), field, typed, self._fields.chosen.get(field))
@@ -171,7 +171,7 @@ class OrderForm(Overlay):
             self._fields.step(1)
 
     def _finish(self) -> None:
-        """Send what is complete; name what is missing."""
+        """Send a complete request; name missing input."""
         robot = self._robot()
         if robot is None:
             self._say(f"Robot: no match for {self._fields['robot'].value.strip()!r}", "robot")

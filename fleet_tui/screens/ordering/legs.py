@@ -1,4 +1,4 @@
-"""A chain of orders while it is typed: `A > B > `, and what comes next."""
+"""A chain of orders while it is typed: `A > B > `, and the text after it."""
 
 from dataclasses import dataclass
 
@@ -13,42 +13,42 @@ SIGN = ">"
 
 @dataclass(frozen=True, slots=True)
 class Legs:
-    """The places that stand already at the start of a field's text."""
+    """The places already chosen at the start of a field's text."""
 
     places: tuple[Place, ...] = ()
 
     @property
     def text(self) -> str:
-        """Return what the field begins with."""
+        """Return the text of these places."""
         return "".join(f"{sanitize(place.name)} {SIGN} " for place in self.places)
 
     def kept(self, typed: str) -> "Legs":
-        """Those that still stand in what is typed."""
+        """Return those still present in the typed text."""
         legs = self
         while not typed.startswith(legs.text):
             legs = Legs(legs.places[:-1])
         return legs
 
     def rest(self, typed: str) -> str:
-        """Return what is typed after them, without the sign that stays when a leg is taken back."""
+        """Return the text after them, without the sign left by a removed leg."""
         return typed[len(self.text) :].removesuffix(f" {SIGN}")
 
 
 class LegField(Field):
-    """A field that may hold several places, one after the other."""
+    """A field that may hold several places in sequence."""
 
     legs = Legs()
 
     @property
     def typed(self) -> str:
-        """Return what is typed after the legs that still stand."""
+        """Return the text after the legs that are still present."""
         self.legs = self.legs.kept(self.value)
         return self.legs.rest(self.value)
 
     def put(self, text: str, legs: Legs | None = None) -> None:
         """Put a text after the legs."""
         self.legs = self.legs if legs is None else legs
-        # Without its Changed message: that would arrive after what is typed next.
+        # Without its Changed message: that would arrive after the next typed text.
         with self.prevent(Input.Changed):
             self.value = self.legs.text + text
         self.cursor_position = len(self.value)
