@@ -1,1 +1,1 @@
-"""Plain objects between keys and the fleet: each is given what it needs, none knows Textual."""
+"""Plain objects between keys and the fleet: dependencies are passed in, none uses Textual."""

@@ -17,11 +17,11 @@ from fleet_tui.view.tables.alarms import unacknowledged
 from fleet_tui.widgets.rows_pane import RowsPane
 
 SHOWN = 3
-"""Robots of a group that its menu can go to."""
+"""Number of robots of a group that its menu lists."""
 
 
 class AlarmResponses:
-    """Answers the alarm under the cursor of a pane, or all of them."""
+    """Acts on the alarm under the cursor of a pane, or on all of them."""
 
     def __init__(
         self,
@@ -43,7 +43,7 @@ class AlarmResponses:
             self._notices.say(problem)
 
     def acknowledge(self) -> None:
-        """Acknowledge the alarm under the cursor, and go to the next: the row moves to those seen."""
+        """Acknowledge the alarm under the cursor, and go to the next: the row moves down."""
         key, fresh = self._pane.listing.cursor, unacknowledged(self._store.state)
         if not isinstance(key, tuple):
             return
@@ -57,7 +57,7 @@ class AlarmResponses:
         self._tell(AlarmAcknowledged())
 
     def menu(self, source: str, kind: str) -> None:
-        """List what can be done with an alarm."""
+        """List the actions for an alarm."""
         alarm = next((one for one in self._store.state.alarms if one.key == (source, kind)), None)
         if alarm is None:
             self._notices.say(f"the alarm of {source} has cleared")
@@ -68,7 +68,7 @@ class AlarmResponses:
         self._open_menu(title, [*self._ways_to(alarm), *self._answers(alarm)])
 
     def _ways_to(self, alarm: Alarm) -> Iterator[Entry]:
-        """To the robot, or to some of a group."""
+        """Return entries that go to the robot, or to some of a group."""
         whose = {alarm.condition.source, *alarm.condition.parts}
         names = [name for name in self._store.state.robots if name in whose]
         if len(names) == 1:

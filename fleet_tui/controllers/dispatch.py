@@ -1,4 +1,4 @@
-"""The one way from a request to the robots: checked, asked where something speaks against it, sent."""
+"""The single path of a request to the robots: checked, confirmed if there are warnings, sent."""
 
 import time
 from collections.abc import Callable
@@ -19,11 +19,11 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, question
 
 Ask = Callable[[Callable[[], str], Callable[[], None]], None]
-"""Puts a question, and calls what follows only after a yes."""
+"""Asks a question, and calls the next step only after a yes."""
 
 
 class Dispatch:
-    """Decides whether a command may leave. What destroys asks once; a pause never asks."""
+    """Decides whether a command may be sent. Destructive ones are confirmed once; a pause never is."""
 
     def __init__(
         self, store: Store, backend: Backend, permissions: Permissions, notices: Notices, ask: Ask
@@ -34,7 +34,7 @@ class Dispatch:
         self._held = Held(self._give_held, notices.say)
 
     def arm(self) -> None:
-        """Let commands leave this console, or no longer: orders that wait here neither."""
+        """Enable or disable commands from this console, including the orders that wait here."""
         armed = not self.permissions.armed
         self.permissions = replace(self.permissions, armed=armed)
         for held in () if armed else hold_all(self._store.state, "this console is not armed"):
@@ -46,9 +46,9 @@ class Dispatch:
         return [*repeated(request, self.given, time.monotonic()), *found]
 
     def give(self, request: Request, sent: Callable[[], None] = lambda: None) -> str:
-        """Send a request, after asking where something is lost or was warned of; `sent` is called when it
-        has left, or waits for the first connection. Returns why it is not sent, empty where it is or where
-        that is asked."""
+        """Send a request, after a question if something is lost or has a warning; `sent` is called when it
+        was sent, or waits for the first connection. Returns the reason not to send it, empty if it was
+        sent or the question is open."""
         if self._backend.refusal:
             return self._backend.refusal
         request, left_out = acceptable(self._store.state, request)
@@ -72,7 +72,7 @@ class Dispatch:
             self._notices.say(problem)
 
     def release_held(self) -> None:
-        """Give what waited for the link, when that is there."""
+        """Send the requests that waited for the link, once it is up."""
         self._held.release(self._store.state, time.monotonic())
 
     def _give_now(self, request: Request, sent: Callable[[], None]) -> str:
@@ -90,7 +90,7 @@ class Dispatch:
         return ""
 
     def _send_after_all(self, request: Request, sent: Callable[[], None]) -> None:
-        """While it was asked, the fleet went on: what must not be sent now is not."""
+        """Send a confirmed request, checked again: the fleet may have changed during the question."""
         wrong = [problem.text for problem in self._problems(request) if problem.blocks]
         if wrong:
             self._notices.say(f"not sent: {sanitize(wrong[0])}")
@@ -98,7 +98,8 @@ class Dispatch:
             self._send(request, sent)
 
     def _refusal(self) -> str:
-        """Return why nothing may leave now. Looked at last, for each command: the checks let pauses pass."""
+        """Return the reason to send nothing now. Checked last, for each command: the checks let pauses
+        pass."""
         if self._backend.refusal or self.permissions.armed:
             return self._backend.refusal
         return "not sent: this console is not armed: use Arm in the palette (:)"
@@ -113,6 +114,6 @@ class Dispatch:
         sent()
 
     def do(self, request: Request) -> None:
-        """Send a request, or say why not."""
+        """Send a request, or show the reason not to."""
         if problem := self.give(request):
             self._notices.say(problem)

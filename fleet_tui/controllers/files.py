@@ -1,4 +1,4 @@
-"""Files that a console writes beside its work."""
+"""Files that a console writes."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from fleet_tui.recording.recordings import Recordings
 
 Pack = Callable[[str, Callable[[], bool]], Path]
-"""From a screenshot (SVG) to the archive; ends early once it is told so. Raises OSError."""
+"""From a screenshot (SVG) to the archive; ends early once cancelled. Raises OSError."""
 
 
 class ConsoleFiles:
@@ -33,10 +33,10 @@ class ConsoleFiles:
 
     @property
     def operator(self) -> str:
-        """The operator's name as the audit log has it."""
+        """The operator's name in the audit log."""
         return self.audit.origin.operator if self.audit else ""
 
     def notes(self) -> list[str]:
-        """Tell what is recorded, and what fails."""
+        """Return notes on recording and its failures."""
         audit = self.audit.notes if self.audit else []
         return [*audit, *(self.recordings.notes() if self.recordings else [])]

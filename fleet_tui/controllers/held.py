@@ -1,4 +1,4 @@
-"""Requests made while the console starts: they wait a moment for the link instead of being refused."""
+"""Requests made during startup: they wait a moment for the link instead of being refused."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -10,10 +10,10 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 
 LINK_WITHIN, PAUSE_WITHIN = 1.0, 5.0
-"""Seconds after which a request, and one to pause, no longer waits for the first connection."""
+"""Seconds after which a request, and a pause, no longer wait for the first connection."""
 
 LATEST = 0.5
-"""Seconds after that within which the console must look again: a request is not sent long after its key."""
+"""Seconds after that within which the console must check again: a request is not sent long after its key."""
 
 Give = Callable[[Request], None]
 
@@ -32,19 +32,20 @@ class _HeldInput(NamedTuple):
 
 
 class Held:
-    """Keeps requests until the link of their robots is there, or the time is up."""
+    """Holds requests until the link of their robots is up, or the time is over."""
 
     def __init__(self, give: Give, refuse: Callable[[str], None]) -> None:
-        """`refuse` is told why a request is not sent."""
+        """`refuse` is called with the reason that a request is not sent."""
         self._give, self._refuse = give, refuse
         self._waiting: list[_HeldInput] = []
 
     def hold(self, state: FleetState, request: Request, now: float) -> Request | None:
-        """Keep what has to wait. Returns what need not, None where that is nothing."""
+        """Hold the commands that have to wait. Returns the others, None if there are none."""
         return self._keep_starting(state, _HeldInput(request, now))
 
     def release(self, state: FleetState, now: float) -> None:
-        """Give what need not wait any longer; where the time is up, the checks say why it is not sent."""
+        """Send the requests that need not wait any longer; after the time limit the checks give the reason
+        not to."""
         waiting, self._waiting = self._waiting, []
         for one in waiting:
             ready = self._keep_starting(state, one) if now < one.until else one.request
@@ -56,7 +57,7 @@ class Held:
                 self._give(ready)
 
     def _keep_starting(self, state: FleetState, one: _HeldInput) -> Request | None:
-        """Keep the commands whose link is not there yet, whatever the other links do."""
+        """Keep the commands whose link is still starting, whatever the other links do."""
         commands = one.request.commands
         starting = tuple(command for command in commands if _is_starting(state, command))
         if starting:

@@ -1,4 +1,4 @@
-"""One key packs into an archive what a ticket about an incident needs."""
+"""Packs the files for an incident ticket into an archive, by one key."""
 
 import logging
 from collections.abc import Callable
@@ -24,13 +24,13 @@ class IncidentPacking:
         screenshot: Callable[[], str],
         in_thread: Callable[[Callable[[Cancelled], None]], object],
     ) -> None:
-        """`in_thread` has a function run that is told how to find out whether it is cancelled."""
+        """`in_thread` runs a function, passing it a check for cancellation."""
         self._files, self._say, self._say_from_thread = files, say, say_from_thread
         self._screenshot, self._in_thread = screenshot, in_thread
         self._packing = False
 
     def pack(self) -> None:
-        """Pack what belongs to an incident into one archive."""
+        """Pack the files of an incident into one archive."""
         pack = self._files.pack
         if pack is None:
             self._say("nothing to pack: not a live console")
@@ -43,14 +43,14 @@ class IncidentPacking:
             self._in_thread(partial(self._pack, pack, shot))
 
     def _pack(self, pack: Pack, shot: str, is_cancelled: Cancelled) -> None:
-        """In a thread."""
+        """Pack, in a thread."""
         try:
             path = pack(shot, is_cancelled)
-            # The usual place fits 80 columns.
+            # The usual path fits 80 columns.
             where = str(path).replace(str(Path.home()), "~", 1)
             said = f"packed {size_text(path.stat().st_size)}: {where}"
         except Exception as problem:
-            # Whatever it is, the operator learns of it, and may try again.
+            # The operator sees any error, and may try again.
             LOG.exception("packing")
             said = f"incident not packed: {problem}"
         LOG.info("%s", said)

@@ -1,4 +1,4 @@
-"""Actions on the map: zoom, follow, what is drawn, the mode and its cursor."""
+"""Actions on the map: zoom, follow, layers, the mode and its cursor."""
 
 from dataclasses import replace
 from time import monotonic
@@ -11,7 +11,7 @@ from fleet_tui.widgets.map_view import MapView
 
 
 class MapControls:
-    """Changes how the map pane looks at its floor. Without a scene nothing happens but to the options."""
+    """Changes the view of the map pane. Without a scene only the options change."""
 
     def __init__(self, view: MapView) -> None:
         self._view, self._picture = view, view.picture
@@ -87,7 +87,7 @@ class MapControls:
         self._view.draw()
 
     def enter(self, mode: MapMode) -> None:
-        """Work on the map in this mode from now on."""
+        """Switch the map to this mode."""
         self._picture.mode = mode
         self._picture.options = replace(self._picture.options, cursor=mode.cursor)
         self._view.draw()
@@ -114,7 +114,7 @@ class MapControls:
             self.enter(CursorMode(place))
 
     def pick(self) -> None:
-        """Pick what Enter means in this mode."""
+        """Pick the object that Enter means in this mode."""
         picture = self._picture
         if picture.scene is not None:
             self._view.post_pick(picture.mode.pick(picture.viewport, picture.scene))

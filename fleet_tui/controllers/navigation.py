@@ -1,4 +1,4 @@
-"""The robot and the floor that the operator looks at, chosen by key, by mouse and by name."""
+"""The selected robot and floor, chosen by key, by mouse and by name."""
 
 from collections.abc import Callable
 from typing import Protocol
@@ -11,14 +11,14 @@ from fleet_tui.view.selection import Selection, first_selection
 
 
 class MapCamera(Protocol):
-    """The part of the map that is moved from elsewhere."""
+    """The part of the map that other objects move."""
 
     def centre(self, at: tuple[float, float] | None = None) -> None:
         """Centre on a place in metres of the shown floor, or on the selected robot."""
 
 
 class Navigation:
-    """Owns the selection. `selected` is told of each robot that is selected."""
+    """Owns the selection. `selected` is called with each selected robot."""
 
     def __init__(
         self,

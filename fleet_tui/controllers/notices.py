@@ -7,7 +7,7 @@ from fleet_tui.view.lines.commands import newest
 
 
 class Notices:
-    """Keeps the newest text and the number of the command that was newest then."""
+    """Keeps the newest text and the number of the newest command at that time."""
 
     def __init__(self, store: Store, refresh: Callable[[], None], text: str = "") -> None:
         self._store, self._refresh = store, refresh

@@ -1,4 +1,5 @@
-"""Lines of the command palette: every action of the keys table, "go to" for all that has a name, themes."""
+"""Lines of the command palette: every action of the keys table, "go to" for everything with a name,
+themes."""
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
@@ -16,7 +17,7 @@ from fleet_tui.view.lines.hints import hidden_keys
 
 
 class Offers:
-    """Lists what can be done, and reads what is typed; `run` does what a key is for."""
+    """Lists the possible actions, and parses typed text; `run` runs the action of a key."""
 
     def __init__(
         self,
@@ -32,7 +33,7 @@ class Offers:
         self._session, self._save, self._themes, self._run = session, save, themes, run
 
     def entries(self) -> Iterator[Entry]:
-        """Everything the palette offers."""
+        """Return every entry of the palette."""
         state, navigation = self._store.state, self._navigation
         hidden = hidden_keys(state, navigation.robot)
         for key in KEYS:
@@ -56,7 +57,7 @@ class Offers:
                     yield f"Go to vertex {sanitize(label)}", find
 
     def typed(self, line: str) -> Typed:
-        """Read a typed line: a time, a file to save to, else a command."""
+        """Parse a typed line: a time, a file to save to, else a command."""
         return (
             self._session.typed(line)
             or self._save.typed(line)

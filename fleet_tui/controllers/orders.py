@@ -46,7 +46,7 @@ class OrderRequests:
             self._open_form(self._navigation.robot, None)
 
     def may_order(self) -> bool:
-        """Tell whether the selected robot takes orders; say so where it does not."""
+        """Tell whether the selected robot takes orders; show a notice if not."""
         robot = self._robot
         if not robot.kind.can(kind.ORDER):
             self._notices.say(f"{robot.name}: {robot.kind.lack(kind.ORDER)}")
@@ -84,7 +84,7 @@ class OrderRequests:
         self._dispatch.do(Request((ClearOrders(self._navigation.robot),)))
 
     def menu(self, name: str, order_id: str) -> None:
-        """List what can be done with an order, below where it comes from."""
+        """List the actions for an order, below its origin."""
         robot = self._store.state.robots[name]
         order = next((order for order in robot.orders.orders if order.id == order_id), None)
         if order is None:

@@ -1,4 +1,4 @@
-"""One action begins a recording and ends it."""
+"""Starts and stops a recording, by one action."""
 
 import logging
 from collections.abc import Callable
@@ -11,7 +11,7 @@ LOG = logging.getLogger(__name__)
 
 
 class RecordingSwitch:
-    """Works in a thread, as a disk may take its time."""
+    """Works in a thread, as a disk may be slow."""
 
     def __init__(
         self,
@@ -25,7 +25,7 @@ class RecordingSwitch:
         self._switching = False
 
     def turn(self) -> None:
-        """Begin a recording, or end it."""
+        """Start a recording, or stop it."""
         if self._files.recordings is None:
             self._say("nothing to record: not a live console")
         elif not self._switching:
@@ -33,7 +33,7 @@ class RecordingSwitch:
             self._in_thread(self._turn)
 
     def _turn(self) -> None:
-        """In a thread."""
+        """Start or stop, in a thread."""
         recordings = self._files.recordings
         assert recordings is not None
         try:
@@ -46,5 +46,5 @@ class RecordingSwitch:
         finally:
             self._switching = False
         LOG.info("%s", said)
-        # The usual place fits 80 columns.
+        # The usual path fits 80 columns.
         self._say_from_thread(said.replace(str(Path.home()), "~", 1))

@@ -1,4 +1,4 @@
-"""A console on a recording: what it says of it, and the keys that move in it."""
+"""A console on a recording: its notices, and the keys that move in it."""
 
 import time
 from collections.abc import Callable
@@ -34,13 +34,13 @@ class Replay:
         clock: Callable[[float], str],
         jumped: Callable[[], bool],
     ) -> None:
-        """`jumped` is called when another time is shown; it returns False as long as there is no map."""
+        """`jumped` is called when another time is shown; it returns False while there is no map."""
         self._player, self._notices, self._clock, self._jumped = player, notices, clock, jumped
         self._jumps = 0
         self._time_line: TimeLine | None = None
 
     def offers(self, key: Key[Any]) -> bool:
-        """Leave out what only a live console can do."""
+        """Leave out the keys of live consoles."""
         return not key.only_live
 
     def headline(self, state: FleetState, robot: str) -> Headline:
@@ -54,23 +54,23 @@ class Replay:
         return ((f" REPLAY {date} ", StyleRole.WARN), *status_line(state, robot, addressed=False)), ()
 
     def time_line(self) -> "TimeLine":
-        """Make the time line, which is shown at every tick from now on."""
+        """Return the time line widget, updated at every tick."""
         self._time_line = TimeLine(id="time-line")
         return self._time_line
 
     def play(self, do: Callable[[PlayerActions], object]) -> None:
-        """Have the player do something; say why it does not."""
+        """Run an action of the player; show the reason if it fails."""
         said = do(self._player)
         if isinstance(said, str) and said:
             self._notices.say(said)
 
     def typed(self, line: str) -> "Typed | None":
-        """Read a typed line as a time of the recording to go to, None where it is none."""
+        """Parse a typed line as a time of the recording, None if it is not one."""
         text = line.strip().removeprefix("@").strip()
         if not (line.startswith("@") or text.startswith("+") or ":" in text):
             return None
         if not text:
-            from fleet_tui.recording.play.times import FORMS  # numpy comes with it
+            from fleet_tui.recording.play.times import FORMS  # imports numpy
 
             return Typed(problem=f"enter a time: {FORMS}")
         try:

@@ -42,7 +42,7 @@ class RobotRequests:
         self._dispatch.do(Request(tuple(map(PauseRobot, self._store.state.robots))))
 
     def menu(self, robot: str) -> None:
-        """List what can be done with a robot."""
+        """List the actions for a robot."""
         known = self._store.state.robots[robot]
         fault = known.last_fault
         asked = (

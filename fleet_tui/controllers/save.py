@@ -1,4 +1,4 @@
-"""`:save [FILE]`: the configuration of this console as a file."""
+"""The `:save [FILE]` command: the configuration of this console as a file."""
 
 from collections.abc import Callable
 from functools import partial
@@ -16,7 +16,7 @@ WORD = "save"
 
 
 class SaveCommand:
-    """Writes a file after asking where there is one; `begin` has a line typed on."""
+    """Writes a file, asking before it overwrites; `begin` opens the palette with a line."""
 
     def __init__(
         self, files: ConsoleFiles, ask: Ask, begin: Callable[[str], None], say: Callable[[str], None]
@@ -24,12 +24,12 @@ class SaveCommand:
         self._files, self._ask, self._begin, self._say = files, ask, begin, say
 
     def start(self) -> None:
-        """Type where to, where it is in no file yet."""
+        """Ask for a path if the configuration is in no file yet."""
         is_kept = self._files.saving is None or self._files.saving.path
         self._begin(WORD if is_kept else f"{WORD} {USUAL}")
 
     def typed(self, line: str) -> Typed | None:
-        """Read a typed line as a file to save to, None where it is none."""
+        """Parse a typed line as a file to save to, None if it is not one."""
         word, _, name = line.strip().partition(" ")
         if word.casefold() != WORD:
             return None
@@ -41,7 +41,7 @@ class SaveCommand:
         return Typed([(f"Save this configuration to {sanitize(name)}", partial(self._save, saving, name))])
 
     def _unsavable(self, name: str) -> str:
-        """Say why there is nothing to write, empty where there is."""
+        """Return the reason that nothing can be saved, empty if something can."""
         if self._files.saving is None:
             return "nothing to save: this console has no fleet of its own"
         path = self._files.saving.path
@@ -50,7 +50,7 @@ class SaveCommand:
         return ""
 
     def _save(self, saving: Saving, name: str) -> None:
-        """Write it, after asking where something is there already."""
+        """Save, asking before overwriting a file."""
         if expanded(name).exists():
             question = f"{sanitize(name)} exists. Overwrite?"
             self._ask(lambda: question, partial(self._write, saving, name))

@@ -1,4 +1,4 @@
-"""Differences between a live fleet and a recording of one, as the screen sees them."""
+"""Differences between a live fleet and a recording, as needed by the screen."""
 
 import time
 from collections.abc import Callable
@@ -17,38 +17,38 @@ if TYPE_CHECKING:
     from fleet_tui.widgets.time_line import TimeLine
 
 Headline = tuple[tuple[Run, ...], tuple[Run, ...]]
-"""The line that is always in view: its left and its right end."""
+"""The line that is always visible: its left and its right end."""
 
 
 class ConsoleSession(Protocol):
     """A console on a live fleet or on a recording."""
 
     panes: tuple[Pane, ...]
-    """The panes of keys that work everywhere."""
+    """The panes whose keys work everywhere."""
     pane: Pane | None
-    """The pane whose keys come first, None for the one with the focus."""
+    """The pane whose keys are listed first, None for the one with the focus."""
 
     def offers(self, key: Key[Any]) -> bool:
-        """Tell whether a key means anything."""
+        """Tell whether a key has a use."""
 
     def headline(self, state: FleetState, robot: str) -> Headline:
-        """Return the line that is always in view."""
+        """Return the line that is always visible."""
 
     def time_line(self) -> "TimeLine | None":
-        """Make the widget that shows where in a recording this is."""
+        """Return the widget of the position in a recording."""
 
     def play(self, do: Callable[[PlayerActions], object]) -> None:
-        """Have the player of a recording do something; say why it does not."""
+        """Run an action of a recording's player; show the reason if it fails."""
 
     def typed(self, line: str) -> "Typed | None":
-        """Read a typed line as a time to go to, None where it is none."""
+        """Parse a typed line as a time to go to, None if it is not one."""
 
     def pick_time(self, x: int, width: int) -> None:
         """Go to the time of cell `x` of a time line `width` cells wide."""
 
 
 class LiveSession:
-    """A console on the fleet itself: no key of a recording means anything."""
+    """A console on the live fleet: the keys of recordings are disabled."""
 
     panes: tuple[Pane, ...] = (Pane.CONSOLE,)
     pane: Pane | None = None
@@ -61,20 +61,20 @@ class LiveSession:
         return key.pane is not Pane.RECORDING
 
     def headline(self, state: FleetState, robot: str) -> Headline:
-        """Show what holds for this console, the link, and who commands."""
+        """Return the state of this console and of the link, and the console in command."""
         may = self._dispatch.permissions
         notes = console_notes(state, may.read_only, may.armed, time.monotonic() - state.now)
         runs = status_line(state, robot, [*notes, *self._files.notes()])
         return runs, status_right(self._clock(state.wall), self._files.operator)
 
     def time_line(self) -> None:
-        """Show no time line."""
+        """Return no time line."""
 
     def play(self, do: Callable[[PlayerActions], object]) -> None:
         """Do nothing: there is no player."""
 
     def typed(self, line: str) -> None:
-        """Read no line as a time."""
+        """Parse no line as a time."""
 
     def pick_time(self, x: int, width: int) -> None:
         """Do nothing: there is no time line."""

@@ -11,8 +11,8 @@ from fleet_tui.view.map.drawing import Drawing
 
 class ConsoleSettings(Struct, frozen=True):
     """`keys`: the keys of each id; `clock`: Unix seconds as text; `permissions`: those at the start;
-    `themes`: for each a function that changes to it; `announce` is shown every state, `resized` is called
-    after a change of size; `terminal`: the text about it in help; `message`: the first one to be shown."""
+    `themes`: for each a function that switches to it; `announce` is called with every state, `resized`
+    after a change of size; `terminal`: its description in help; `message`: the first notice."""
 
     keys: Mapping[str, tuple[str, ...]]
     clock: Callable[[float], str]

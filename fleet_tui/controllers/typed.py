@@ -14,14 +14,14 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import wish_text
 
 Entry = tuple[str, Callable[[], object]]
-"""A line to choose, and what it does."""
+"""A line to choose, and its action."""
 OpenMenu = Callable[[str, Sequence[Entry]], None]
 """Opens a menu: its title, its entries."""
 
 
 @dataclass(frozen=True)
 class Typed:
-    """A typed line: the effect of Enter, completions, and the fault so far."""
+    """A typed line: the effect of Enter, completions, and the error so far."""
 
     entries: Sequence[Entry] = ()
     completed: Sequence[str] = ()
@@ -29,12 +29,12 @@ class Typed:
 
     @property
     def is_command(self) -> bool:
-        """Tell whether it is one, or one that is not complete."""
+        """Tell whether it is a command, complete or not."""
         return bool(self.entries or self.problem)
 
 
 def typed(line: str, state: FleetState, selected: str, do: Callable[[Request], None]) -> Typed:
-    """Return what a line means, where it is one that `do` can do."""
+    """Return the command of a line, if `do` can run it."""
     completed = complete(line, state, selected)
     if not is_command(line, state):
         return Typed(completed=completed)
