@@ -1,1 +1,1 @@
-"""Discovery: what is behind the address of a bridge, as a configuration."""
+"""Discovery: from the address of a bridge to a configuration."""

@@ -10,7 +10,8 @@ _WEB = {"http": "ws", "https": "wss"}
 
 
 def bridge_at(url: str, known: Link | None = None) -> Link:
-    """Return the bridge at an address, reached as a `known` one is. Raises ConfigError for what is none."""
+    """Return the bridge at an address, with the settings of a `known` one. Raises ConfigError for an invalid
+    address."""
     bridge = msgspec.structs.replace(known or Link(), url=url.strip())
     scheme, _, rest = bridge.url.partition("://")
     if scheme.lower() in ("mqtt", "mqtts") and rest:
@@ -28,7 +29,7 @@ def bridge_at(url: str, known: Link | None = None) -> Link:
 
 
 def _meant(bridge: Link, scheme: str, rest: str) -> str:
-    """Say what was probably meant, empty where that can't be told."""
+    """Return the probably intended address, empty if unknown."""
     if scheme.lower() in _WEB and rest:
         meant = f"{_WEB[scheme.lower()]}://{rest}"
     elif "://" not in bridge.url and is_address(bridge.url):

@@ -24,10 +24,10 @@ START_IT = f"start rosbridge on it ({named(START_BRIDGE, 0)}), or correct"
 
 
 class Approach:
-    """Walks to one bridge. Everything runs on the network loop."""
+    """Connects to one bridge step by step. Everything runs on the network loop."""
 
     def __init__(self, name: str, bridge: Link, wire: BridgeConnection, key: str = "") -> None:
-        """`key`: where its address stands, if not in the config."""
+        """`key`: config key of its address, if not the usual one."""
         self._name, self._bridge, self._wire = name, bridge, wire
         parts = urlsplit(bridge.url)
         self._host = parts.hostname or ""
@@ -37,7 +37,7 @@ class Approach:
         """What is being tried."""
 
     async def walk(self) -> AsyncIterator[Finding]:
-        """One finding for each step; the first failure is the last that was tried."""
+        """Return one finding for each step; the first failure is the last step."""
         walks = {
             "name": self._look_up,
             "tcp": self._reach,
@@ -106,7 +106,7 @@ class Approach:
         return f"{version}, certificate trusted until {certificate.get('notAfter', 'an unknown date')}"
 
     async def _speaks_tls(self) -> bool:
-        """Tell whether TLS is spoken at a port where we speak none."""
+        """Tell whether a port expects TLS, for a configuration without it."""
         anyone = ssl.create_default_context()
         anyone.check_hostname, anyone.verify_mode = False, ssl.CERT_NONE
         try:

@@ -1,4 +1,4 @@
-"""Waiting for a discovery, with a line of progress on a terminal where it takes long."""
+"""Waiting for a discovery, with a line of progress on a terminal if it takes long."""
 
 import os
 import sys
@@ -8,11 +8,11 @@ from fleet_tui.config.schema import Link
 from fleet_tui.discovery.site import WITHIN, DiscoveredSite, start_discovery
 
 QUIET, EVERY = 1.0, 0.2
-"""Seconds until progress is shown, and between two looks at it."""
+"""Seconds until progress is shown, and between two updates."""
 
 
 class Discovering:
-    """A discovery under way. Nothing of what it shows is left behind."""
+    """A running discovery. Its progress line is erased at the end."""
 
     def __init__(self, bridge: Link, within: float = WITHIN) -> None:
         self._bridge = bridge
@@ -21,12 +21,12 @@ class Discovering:
         self._shown = False
 
     def _watch(self, done: int, total: int, doing: str) -> None:
-        """Take note of progress, on the network's thread."""
+        """Record progress, on the network's thread."""
         self._done, self._total, self._doing = done, total, doing
 
     def result(self) -> DiscoveredSite:
-        """Wait for it. Raises LinkError where there is no way to the bridge, FleetError where it does not
-        tell."""
+        """Wait for the result. Raises LinkError if the bridge can't be reached, FleetError if rosapi
+        fails."""
         try:
             wait([self._future], QUIET)
             while not self._future.done():

@@ -11,12 +11,12 @@ from fleet_tui.discovery.recognition import Found, assigned, contested
 
 Id = tuple[str, ...]
 Answers = Mapping[Id, str]
-"""The options chosen by a person, by the question."""
+"""The options chosen by a person, by question."""
 ANY_FLOOR = ""
 
 
 class Choice(NamedTuple):
-    """A question in a few words; `chosen` is one of the options, empty where nothing was."""
+    """A question in a few words; `chosen` is one of the options, empty for none."""
 
     id: Id
     text: str
@@ -24,13 +24,13 @@ class Choice(NamedTuple):
     chosen: str
 
     def __str__(self) -> str:
-        """The question with what holds, and what else could."""
+        """Return the question with its current value, and the other options."""
         others = [option for option in self.options if option != self.chosen]
         return f"{self.text}: {self.chosen or 'unknown'}, possibly {', '.join(others)}"
 
 
 def decided(claims: Found, answers: Answers) -> Found:
-    """Return what was found, with these answers and the best guess for everything else."""
+    """Return the findings, with these answers and the best guess for everything else."""
     kinds = {
         robot: answers["kind", *robots]
         for robots in contested(claims).values()
@@ -54,7 +54,7 @@ def _answered(kind: str, found: Discovery, answers: Answers) -> Discovery:
 
 
 def choices_of(claims: Found, found: Found, frames: Mapping[str, str], answers: Answers) -> list[Choice]:
-    """Return every question that is open or was answered, with what holds now."""
+    """Return every open or answered question, with its current value."""
     choices = list(_kinds(claims, found))
     for kind, one in found.items():
         choices += _names(kind, one)
@@ -76,7 +76,7 @@ def _names(kind: str, found: Discovery) -> Iterator[Choice]:
 
 
 def _floors(kind: str, claim: Discovery, found: Discovery, answers: Answers) -> Iterator[Choice]:
-    """Ask for the floor of each robot that has several and tells nowhere on which it is."""
+    """Ask for the floor of each robot that has several and does not report its own."""
     topics = KINDS[kind].vocabulary.topics
     if "floor" not in topics or topics["floor"][0] or found.topics.get("floor"):
         return
@@ -88,12 +88,12 @@ def _floors(kind: str, claim: Discovery, found: Discovery, answers: Answers) -> 
 
 
 def placed(answers: Answers) -> dict[str, str]:
-    """Return the frame of each floor to which a person gave one."""
+    """Return the frame of each floor that a person assigned."""
     return {floor: id_[1] for id_, floor in answers.items() if id_[0] == "frame"}
 
 
 def lacks(found: Found) -> list[str]:
-    """Say what is missing that robots can't be shown without."""
+    """Return the missing settings without which robots can't be shown."""
     return [
         f"no pose topic for {kind} robots: listed, but not on the map"
         for kind, one in found.items()
@@ -102,7 +102,7 @@ def lacks(found: Found) -> list[str]:
 
 
 def strange_frames(found: Found, frames: Mapping[str, str]) -> list[str]:
-    """Return the frames of poses that are no floor's name."""
+    """Return the frames of poses that are not names of floors."""
     return sorted(set(frames.values()) - set(floors_of(found)) - {""})
 
 

@@ -1,4 +1,4 @@
-"""A configuration as text: what was found behind a bridge, ready to edit. Pure."""
+"""A configuration as text: the findings behind a bridge, ready to edit. Pure."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -22,8 +22,8 @@ NOBODY = "# No robot topics found. Name the robots here and their topics in [pro
 def render(
     bridge: Link, found: Found, frames: Mapping[str, str], placed: Mapping[str, str] = MappingProxyType({})
 ) -> str:
-    """Write a configuration. `frames`: of poses whose frame means a floor, by robot; `placed`: those that a
-    person gave to floors."""
+    """Return a configuration as text. `frames`: of poses whose frame means a floor, by robot; `placed`: those
+    that a person assigned to floors."""
     lines = [*FIRST, *_differing(bridge), "", *_floors(found, frames, placed)]
     usual = next(iter(found))
     lines += _robots(found, usual)
@@ -35,7 +35,7 @@ def render(
 
 
 def _robots(found: Found, usual: str) -> Iterator[str]:
-    """Each robot, those of several kinds in the order of their names."""
+    """Return each robot, those of several kinds in the order of their names."""
     all_floors = floors_of(found)
     robots = [(name, kind) for kind, one in found.items() for name in one.robots]
     for name, kind in sorted(robots, key=lambda robot: natural(robot[0])):
@@ -49,7 +49,7 @@ def _robots(found: Found, usual: str) -> Iterator[str]:
 
 
 def _profile(kind: str, found: Discovery, where: str) -> Iterator[str]:
-    """The tables in which a profile differs from what is usual for its kind."""
+    """Return the tables in which a profile differs from the usual one of its kind."""
     if kind != DEFAULT_KIND:
         yield from (f"[{where}]", f"kind = {_text(kind)}", "")
     for table in ("topics", "types", "services", "service_types", "actions"):
@@ -63,7 +63,7 @@ def _profile(kind: str, found: Discovery, where: str) -> Iterator[str]:
 
 
 def _text(value: object) -> str:
-    """A string or a list of them as TOML, in ASCII: JSON but for what it writes as half a surrogate pair."""
+    """Return a string or a list of them as TOML, in ASCII: JSON except for surrogate pairs."""
     text = json.dumps(value, ensure_ascii=False)
     return "".join(
         letter if letter.isprintable() and letter < "\x7f" else f"\\U{ord(letter):08x}" for letter in text
@@ -71,7 +71,7 @@ def _text(value: object) -> str:
 
 
 def _differing(bridge: Link) -> Iterator[str]:
-    """Return what of a bridge is not as by default, the address always."""
+    """Return the settings of a bridge that differ from the defaults, the address always."""
     usual = Link()
     for name in bridge.__struct_fields__:
         value = getattr(bridge, name)
@@ -80,7 +80,7 @@ def _differing(bridge: Link) -> Iterator[str]:
 
 
 def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) -> Iterator[str]:
-    """Each floor, with the frame in which poses on it come, as far as that can be told."""
+    """Return each floor, with the frame of the poses on it, if known."""
     floors = floors_of(found)
     live = {floor for one in found.values() for floor in one.live_maps}
     needs_graph = {floor for kind, one in found.items() if _has_no_graph(kind) for floor in one.floors}

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.model.events import Event
 
-LONG_ENOUGH = 1.5  # seconds without a message that mean anything
+LONG_ENOUGH = 1.5  # seconds of silence that count as evidence
 
 
 def is_hidden(topic: str) -> bool:
@@ -16,9 +16,9 @@ def is_hidden(topic: str) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class RosapiFacts:
-    """The answers of rosapi: types by topic, types by service (None where it was not asked), nodes, by topic
-    the nodes that publish it, by service its node, the names of action servers, and which ROS it is (0: not
-    known) in which distribution ("": not known). `problem` is why it tells nothing."""
+    """The answers of rosapi: types by topic, types by service (None if not asked), nodes, by topic the nodes
+    that publish it, by service its node, the names of action servers, and the ROS version (0: unknown) and
+    distribution ("": unknown). `problem` is the reason for no answer."""
 
     topics: Mapping[str, str] = field(default_factory=dict)
     services: Mapping[str, str | None] = field(default_factory=dict)
@@ -32,26 +32,27 @@ class RosapiFacts:
 
     @property
     def is_absent(self) -> bool:
-        """Tell whether there is none beside the bridge."""
+        """Tell whether the bridge runs without a rosapi."""
         return "does not exist" in self.problem
 
     @property
     def is_silent(self) -> bool:
-        """Tell whether its node is there and does not answer: we waited long enough, or the bridge did."""
+        """Tell whether its node exists and does not answer: the wait was long enough, here or at the
+        bridge."""
         words = ("no reply from rosapi", "Unable to communicate with service", "Timeout exceeded")
         return any(word in self.problem for word in words)
 
     def lists_action_of(self, topic: str) -> bool:
-        """Tell whether a hidden topic's action server is there."""
+        """Tell whether a hidden topic's action server is listed."""
         return is_hidden(topic) and topic.partition("/_action/")[0] in self.actions
 
     def lacks_action_of(self, topic: str) -> bool:
-        """Tell whether a hidden topic's action server is known not to be there."""
+        """Tell whether a hidden topic's action server is known not to exist."""
         return is_hidden(topic) and bool(self.actions) and not self.lists_action_of(topic)
 
     def has(self, topic: str) -> bool:
-        """Tell whether a topic is there to be heard: every open console keeps the names of its own listed.
-        The topics of actions never are."""
+        """Tell whether a topic has a publisher: every open console keeps the names of its own listed. The
+        topics of actions are never listed."""
         return is_hidden(topic) or (topic in self.topics and self.publishers.get(topic) != ())
 
 
@@ -59,10 +60,10 @@ class RosapiFacts:
 class TopicFacts:
     """Measurements of one topic. Seconds: `waited` for it, `first_after` the subscribe, `age` of the last.
 
-    `event` is the last message that could be read, `problem` why another could not. `lag`: the least
-    of arrival by our clock minus the robot's stamp, `late`: the last of it beyond the least. `again`: it
-    was asked for once more, plainly; `fragmented`: bytes of a message that came in pieces; `held_by`: the
-    bridge's node, where it held the topic still when we had let go; `complaint`: what its log says of it.
+    `event` is the last readable message, `problem` the error of another. `lag`: the least of arrival by our
+    clock minus the robot's stamp, `late`: the last of it beyond the least. `again`: it was subscribed once
+    more, with default options; `fragmented`: bytes of a fragmented message; `held_by`: the bridge's node, if
+    it still held the topic after we unsubscribed; `complaint`: the message about it in the bridge's log.
     """
 
     wanted: Feed
@@ -84,13 +85,13 @@ class TopicFacts:
 
     @property
     def topic(self) -> str:
-        """Its name on the wire."""
+        """Return its name on the wire."""
         return self.wanted.address
 
     @property
     def is_silent(self) -> bool:
-        """Tell whether nothing came in a time that means anything. Of what speaks only on change that is so
-        where the bridge complains."""
+        """Tell whether nothing arrived in a sufficient time. For a topic published only on change, only if
+        the bridge complains."""
         means = not self.wanted.silent or bool(self.complaint)
         return not self.count and self.waited >= LONG_ENOUGH and means
 
@@ -98,9 +99,9 @@ class TopicFacts:
 @dataclass(frozen=True, slots=True)
 class BridgeFacts:
     """Everything about one bridge that answers. `round_trips` in seconds, `busy_trips` those while all topics
-    came; `ahead`: by how many seconds its clock is ahead of ours, None where it does not say; `lost`: why the
-    link ended meanwhile; `behind`: by how many seconds we ourselves were late at most; `adapters` by
-    robot; `answers` of the services that probes ask, by name."""
+    were subscribed; `ahead`: seconds by which its clock is ahead of ours, None if not reported; `lost`:
+    the reason the link ended meanwhile; `behind`: our own maximum delay in seconds; `adapters` by robot;
+    `answers` of the services that probes call, by name."""
 
     name: str
     rosapi: RosapiFacts
@@ -114,15 +115,15 @@ class BridgeFacts:
     answers: Mapping[str, object] = field(default_factory=dict)
 
     def of(self, robot: str) -> list[TopicFacts]:
-        """A robot's topics."""
+        """Return a robot's topics."""
         return [facts for facts in self.topics if robot in facts.wanted.robots]
 
     def table(self, robot: str) -> str:
-        """Return where a robot's profile stands in the config."""
+        """Return the config table of a robot's profile."""
         return self.adapters[robot].names.table
 
     def knows(self, robot: str) -> bool:
-        """Tell whether the bridge knows anything of a robot; true where it can't be asked."""
+        """Tell whether the bridge knows anything of a robot; true if unknown."""
         own = [one for one in self.of(robot) if not one.wanted.is_shared]
         return bool(self.rosapi.problem) or any(
             one.count or self.rosapi.lists_action_of(one.topic) or self._has(one.topic) for one in own

@@ -7,7 +7,7 @@ from enum import Enum
 
 
 class Verdict(Enum):
-    """The verdict of a finding; `SKIPPED` where an earlier step failed, or where nothing can be told."""
+    """The verdict of a finding; `SKIPPED` if an earlier step failed, or the result is unknown."""
 
     OK = "ok"
     WARN = "warn"
@@ -17,9 +17,10 @@ class Verdict(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One line: of what, which check, what was measured, what to do about it, and the bare numbers.
+    """One line: subject, check, measurement, remedy, and the bare numbers.
 
-    `out_of_time`: it was skipped since the time was over."""
+    `out_of_time`: it was skipped since the time was over.
+    """
 
     subject: str
     check: str
@@ -31,22 +32,22 @@ class Finding:
 
     @property
     def is_failure(self) -> bool:
-        """Tell whether something is broken."""
+        """Tell whether it is a failure."""
         return self.verdict is Verdict.FAIL
 
 
 def nearest(name: str, known: Iterable[str], count: int = 3) -> list[str]:
-    """The known names that look most like one that is not known."""
+    """Return the known names most similar to an unknown one."""
     return get_close_matches(name, sorted(known), n=count, cutoff=0.6)
 
 
 def listed(names: Iterable[str], most: int = 3) -> str:
-    """Names with commas; of many the first ones."""
+    """Return names with commas; of many the first ones."""
     names = list(names)
     more = f" and {len(names) - most} more" if len(names) > most else ""
     return ", ".join(names[:most]) + more
 
 
 def milliseconds(seconds: float) -> str:
-    """A short time as a person reads it."""
+    """Return the text of a short time."""
     return f"{seconds * 1000:.1f} ms" if seconds < 0.1 else f"{seconds:.2f} s"

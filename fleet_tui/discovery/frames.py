@@ -1,4 +1,4 @@
-"""The frames in which robots tell their poses, heard from the robots themselves."""
+"""The frames of the robots' poses, read from their messages."""
 
 import asyncio
 import time
@@ -16,16 +16,17 @@ from fleet_tui.errors import LinkError
 from fleet_tui.model.events import PoseReported
 
 WITHIN = 2.0
-"""Seconds in which a robot that is on says where it is."""
+"""Seconds within which a robot that is online sends its pose."""
 MOST, BATCH = 100, 20
-"""Robots that are heard; subscribes at once, of which a real bridge needs 20 ms for each."""
+"""Maximum number of robots to listen to; subscriptions at once, of which a real bridge needs 20 ms for
+each."""
 
 
 async def hear_frames(
     wire: BridgeConnection, found: Found, types: Mapping[str, str], until: float
 ) -> dict[str, str]:
-    """Return the frame_id of each robot's poses, of those that speak and whose frames mean floors. `types` of
-    the topics that are there: with a wrong type one would be spoiled for every client."""
+    """Return the frame_id of each robot's poses, of those that are online and whose frames mean floors.
+    `types` of the existing topics: a wrong type would make one unusable for every client."""
     poses = [feed for feed in _poses(wire, found) if same_type(types.get(feed.address, ""), feed.type)][:MOST]
     try:
         for first in range(0, len(poses), BATCH):
@@ -44,7 +45,7 @@ async def hear_frames(
 
 
 def _poses(wire: BridgeConnection, found: Found) -> list[Feed]:
-    """Return the topics of poses, and have the wire read them."""
+    """Return the topics of poses, and register their readers."""
     profiles = {kind: Profile(kind=kind, topics=one.topics) for kind, one in found.items()}
     robots = [RobotEntry(robot, profile=kind) for kind, one in found.items() for robot in one.robots]
     config = Config(robots=robots, profiles=profiles)

@@ -1,4 +1,4 @@
-"""The questions to rosapi by which robots are recognised: a few, and never many at once."""
+"""The queries of rosapi by which robots are recognised: few, and never many at once."""
 
 import time
 from collections.abc import Callable
@@ -11,16 +11,17 @@ from fleet_tui.discovery.sampling import alike, next_questions, silent, telling_
 from fleet_tui.discovery.wire import BridgeConnection
 
 MOST_TOPICS, MOST_SERVICES = 300, 100
-"""Questions: 8 s of a real bridge. What is beyond is taken as it is listed."""
+"""Maximum number of queries: 8 s of a real bridge. The rest is taken as listed."""
 
 Watch = Callable[[int, int, str], object]
-"""Told of progress: done, of how many that are known of, doing what."""
+"""Progress callback: number done, number known, current step."""
 
 
 async def listed_by(
     wire: BridgeConnection, rosapi: RosapiFacts, until: float, watch: Watch
 ) -> tuple[Listed, RosapiFacts]:
-    """Return what is published and offered, as far as it can be asked until the monotonic `until`."""
+    """Return the published topics and offered services, as far as can be queried until the monotonic
+    `until`."""
     rosapi = await _with_publishers(wire, rosapi, until, watch)
     groups = alike(telling_topics(rosapi.topics))
     unheard = {name for spaces in groups for name in silent(spaces, rosapi.publishers)}
@@ -40,7 +41,7 @@ async def _with_publishers(
         count = _Count(done, done + len(names), watch, "looking up publishers")
         rosapi = await ask_publishers(wire, rosapi, names, until, count)
         done += len(names)
-        if len(rosapi.publishers) == known:  # all is asked, or nothing answers
+        if len(rosapi.publishers) == known:  # all queries are done, or none is answered
             break
     return rosapi
 
@@ -48,7 +49,7 @@ async def _with_publishers(
 async def _service_types(
     wire: BridgeConnection, rosapi: RosapiFacts, until: float, watch: Watch
 ) -> dict[str, str]:
-    """Return the types of services by name, "" where not known: each robot's as those of one like it."""
+    """Return the types of services by name, "" if unknown: each robot's as those of a similar one."""
     groups = alike(telling_services(rosapi.services))
     names = [name for spaces in groups for name in spaces[0].values()][:MOST_SERVICES]
     count = _Count(0, len(names), watch, "looking up service types")
@@ -62,7 +63,7 @@ async def _service_types(
 
 
 class _Count:
-    """Counts the answers for who watches."""
+    """Counts the answers for the progress callback."""
 
     def __init__(self, done: int, total: int, watch: Watch, doing: str) -> None:
         self._done, self._total, self._watch, self._doing = done, total, watch, doing

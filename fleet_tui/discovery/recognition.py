@@ -7,11 +7,11 @@ from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS
 
 Found = Mapping[str, Discovery]
-"""What was found, by kind."""
+"""The findings, by kind."""
 
 
 def claimed(listed: Listed) -> Found:
-    """Return what each kind takes for its own. Guesses count only where nothing is certain."""
+    """Return the robots that each kind claims. Guesses count only without certain claims."""
     listed = listed.sane()
     found = {name: kind.discover(listed) for name, kind in KINDS.items()}
     certain = {name: one for name, one in found.items() if one.robots and not one.is_guess}
@@ -48,5 +48,5 @@ def assigned(claims: Found, chosen: Mapping[str, str]) -> Found:
 
 
 def discover(listed: Listed) -> Found:
-    """Return what was found, by kind; of no robots at all what the usual kind makes of it."""
+    """Return the findings, by kind; without any robots those of the usual kind."""
     return assigned(claimed(listed), {})

@@ -1,5 +1,5 @@
-"""The questions to rosapi. Only lists, and what is asked of a name that a list has: rosapi of ROS 2 dies of
-some other questions, for everybody."""
+"""The queries of rosapi. Only lists, and queries of listed names: some other queries crash rosapi of ROS 2
+for all clients."""
 
 import asyncio
 import time
@@ -17,11 +17,11 @@ from fleet_tui.errors import LinkError
 T = TypeVar("T")
 
 ANSWER_WITHIN = 2.0
-AT_ONCE = 8  # calls under way together: the bridge has a thread for each
+AT_ONCE = 8  # calls open at once: the bridge has a thread for each
 
 
 def _nothing() -> None:
-    """Watch no progress."""
+    """Ignore progress."""
 
 
 class _Time(msgspec.Struct):
@@ -31,7 +31,7 @@ class _Time(msgspec.Struct):
 
 
 async def look_around(wire: BridgeConnection) -> RosapiFacts:
-    """List the topics, services and nodes of a bridge, and tell which ROS it is."""
+    """List the topics, services and nodes of a bridge, and detect its ROS version."""
     try:
         topics, services, nodes, version = await asyncio.gather(
             *(
@@ -56,19 +56,19 @@ async def look_around(wire: BridgeConnection) -> RosapiFacts:
 
 
 async def _actions(wire: BridgeConnection) -> tuple[str, ...]:
-    """The names of action servers: neither topics nor services show them."""
+    """Return the names of action servers, which are neither in topics nor in services."""
     answer = await _ask(wire, "action_servers", {}, "action_servers", time.monotonic() + ANSWER_WITHIN)
     return tuple(map(str, answer)) if isinstance(answer, list) else ()
 
 
 def _ros(version: object, types: Mapping[str, str]) -> int:
-    """1 or 2: an old rosapi does not say, but only ROS 2 spells types with `/msg/`."""
+    """Return 1 or 2: an old rosapi does not report it, but only ROS 2 spells types with `/msg/`."""
     told = version.get("version") if isinstance(version, dict) else None
     return told if told in (1, 2) else 2 if any("/msg/" in type_ for type_ in types.values()) else 1
 
 
 async def clock_ahead(wire: BridgeConnection) -> float | None:
-    """By how many seconds the bridge's clock is ahead of ours, None where it does not say."""
+    """Return the seconds by which the bridge's clock is ahead of ours, None if unknown."""
     began, wall = time.monotonic(), time.time()
     try:
         answer = await wire.call("/rosapi/get_time", {}, ANSWER_WITHIN)
@@ -79,7 +79,7 @@ async def clock_ahead(wire: BridgeConnection) -> float | None:
 
 
 async def _ask(wire: BridgeConnection, verb: str, args: dict[str, object], key: str, until: float) -> Any:
-    """One field of an answer, None without an answer."""
+    """Return one field of an answer, None without an answer."""
     try:
         within = max(0.1, min(ANSWER_WITHIN, until - time.monotonic()))
         answer = await wire.call(f"/rosapi/{verb}", args, within)
@@ -95,8 +95,8 @@ async def ask_publishers(
     until: float,
     asked: Callable[[], object] = _nothing,
 ) -> RosapiFacts:
-    """Add who publishes these topics, as far as there is time until the monotonic `until`; `asked` is called
-    after each."""
+    """Add the publishers of these topics, as far as time allows until the monotonic `until`; `asked` is
+    called after each."""
 
     async def publishers_of(topic: str) -> tuple[str, ...] | None:
         nodes = await _ask(wire, "publishers", {"topic": topic}, "publishers", until)
@@ -108,7 +108,7 @@ async def ask_publishers(
 
 
 async def subscribers(wire: BridgeConnection, topic: str, until: float) -> list[str]:
-    """The nodes that are subscribed to a topic."""
+    """Return the nodes that are subscribed to a topic."""
     nodes = await _ask(wire, "subscribers", {"topic": topic}, "subscribers", until)
     return [str(node) for node in nodes] if isinstance(nodes, list) else []
 
@@ -116,7 +116,7 @@ async def subscribers(wire: BridgeConnection, topic: str, until: float) -> list[
 async def ask_services(
     wire: BridgeConnection, rosapi: RosapiFacts, services: Iterable[str], until: float
 ) -> RosapiFacts:
-    """Add the types of these services, then their nodes, as far as there is time."""
+    """Add the types of these services, then their nodes, as far as time allows."""
     there = [service for service in services if service in rosapi.services]
 
     async def node_of(service: str) -> str:
@@ -133,7 +133,7 @@ async def ask_service_types(
     until: float,
     asked: Callable[[], object] = _nothing,
 ) -> RosapiFacts:
-    """Add the types of these services, as far as there is time; `asked` is called after each."""
+    """Add the types of these services, as far as time allows; `asked` is called after each."""
 
     async def type_of(service: str) -> str:
         return str(await _ask(wire, "service_type", {"service": service}, "type", until) or "")
@@ -153,7 +153,7 @@ async def _each(
     until: float,
     asked: Callable[[], object] = _nothing,
 ) -> dict[str, T]:
-    """The answers that come in time, a few asked at once."""
+    """Yield the answers that arrive in time, a few queried at once."""
     free = asyncio.Semaphore(AT_ONCE)
     answers: dict[str, T] = {}
 

@@ -1,6 +1,8 @@
-"""Which names rosapi is asked about. Robots of a fleet are alike: the answers of a few stand for the rest.
+"""Selection of names to query from rosapi. Robots of a fleet are alike: the answers of a few are used for the
+rest.
 
-A real bridge takes about 20 ms for a question, one after the other. Pure."""
+A real bridge takes about 20 ms for each query in sequence. Pure.
+"""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
@@ -8,7 +10,7 @@ from fleet_tui.adapters.registry import KINDS
 from fleet_tui.adapters.ros.type_names import same_type
 
 EXAMPLES = 2
-"""Robots of those that look alike about which everything is asked."""
+"""Number of similar robots that are queried completely."""
 
 OF_EVERY_NODE = (
     *("describe_parameters", "get_parameter_types", "get_parameters", "list_parameters"),
@@ -16,17 +18,17 @@ OF_EVERY_NODE = (
     *("set_logger_level", "change_state", "get_state", "get_available_states"),
     *("get_available_transitions", "get_transition_graph"),
 )
-"""Services that say nothing of a robot, the last parts of their names."""
+"""Services without information on a robot, the last parts of their names."""
 
 Publishers = Mapping[str, tuple[str, ...]]
 Space = Mapping[str, str]
-"""The names in one namespace, by what they are called in it."""
+"""The names in one namespace, by their relative name."""
 Alike = Sequence[Space]
 """Namespaces that hold the same names with the same types."""
 
 
 def telling_topics(topics: Mapping[str, str]) -> dict[str, str]:
-    """Return the topics of types that some kind of robots has: the others tell nothing."""
+    """Return the topics of types that some kind of robots has: the others carry no information."""
     types = {type_ for kind in KINDS.values() for _, type_ in kind.vocabulary.topics.values()}
     known = {other: any(same_type(other, type_) for type_ in types) for other in set(topics.values())}
     return {name: type_ for name, type_ in topics.items() if known[type_]}
@@ -42,8 +44,8 @@ def telling_services(services: Collection[str]) -> dict[str, str]:
 
 
 def alike(names: Mapping[str, str]) -> list[Alike]:
-    """Put the namespaces of robots together that look alike, those first that have more than plain values.
-    `names` with their types."""
+    """Group similar namespaces of robots, those first that have more than plain values. `names` with their
+    types."""
     depth = _depth(names)
     spaces = dict[str, dict[str, str]]()
     for name in sorted(names):
@@ -61,14 +63,14 @@ def _is_plain(held: Collection[tuple[str, str]]) -> bool:
 
 
 def _depth(names: Mapping[str, str]) -> int:
-    """Tell of how many parts the name of a robot is: two where all share the first part."""
+    """Return the number of parts in the names of robots: two if all share the first part."""
     first = {name.strip("/").split("/")[0] for name in names if name.count("/") > 1}
     return 2 if len(first) == 1 else 1
 
 
 def next_questions(spaces: Alike, publishers: Publishers) -> list[str]:
-    """Return the topics to ask about next: everything of the first robots until some of them are there, then
-    one topic of each other robot, to tell whether it is."""
+    """Return the topics to query next: everything of the first robots until some of them exist, then one
+    topic of each other robot, to see whether it exists."""
     there = _examples(spaces, publishers)
     if len(there) < EXAMPLES:
         unknown = [space for space in spaces if not _is_known(space, publishers)]
@@ -80,7 +82,8 @@ def next_questions(spaces: Alike, publishers: Publishers) -> list[str]:
 
 
 def silent(spaces: Alike, publishers: Publishers) -> Iterator[str]:
-    """Yield the topics that are listed and not published: a console that asks for one keeps it listed."""
+    """Yield the topics that are listed and not published: a console that subscribes to one keeps it
+    listed."""
     there = _examples(spaces, publishers)
     for space in spaces:
         is_gone = bool(there) and publishers.get(space[_sign(there[0], publishers)]) == ()
@@ -100,5 +103,5 @@ def _is_known(space: Space, publishers: Publishers) -> bool:
 
 
 def _sign(example: Space, publishers: Publishers) -> str:
-    """The first topic that a robot publishes."""
+    """Return the first topic that a robot publishes."""
     return next(rest for rest, name in example.items() if publishers[name])

@@ -1,4 +1,5 @@
-"""From an address to a configuration: asks rosapi and listens; commands, advertises and publishes nothing."""
+"""From an address to a configuration: queries rosapi and subscribes; commands, advertises and publishes
+nothing."""
 
 import asyncio
 import time
@@ -29,8 +30,8 @@ WITHIN = 20.0
 
 @dataclass(frozen=True)
 class DiscoveredSite:
-    """The site behind a bridge. `claims`: what each kind takes for its own; `frames` of poses by robot;
-    `answers` of a person to its choices. `topics`: how many there are, to be said where nothing is found."""
+    """The site behind a bridge. `claims`: the findings of each kind; `frames` of poses by robot; `answers` of
+    a person to its choices. `topics`: their number, for the message when no robot is found."""
 
     bridge: Link
     claims: Found
@@ -40,18 +41,18 @@ class DiscoveredSite:
 
     @cached_property
     def found(self) -> Found:
-        """The robots, each of one kind."""
+        """Return the robots, each of one kind."""
         return decided(self.claims, self.answers)
 
     @cached_property
     def text(self) -> str:
-        """A configuration, ready to edit."""
+        """Return a configuration, ready to edit."""
         return render(self.bridge, self.found, self.frames, placed(self.answers))
 
     @cached_property
     def config(self) -> Config:
-        """The configuration that this text is. Raises FleetError where no robot was found, or where names
-        mean two things."""
+        """Return the configuration of this text. Raises FleetError if no robot was found, or names are
+        ambiguous."""
         if not any(one.robots for one in self.found.values()):
             raise FleetError(
                 f"{self.bridge.shown}: no robot found among {self.topics} topics: start the robot nodes, or"
@@ -65,28 +66,29 @@ class DiscoveredSite:
 
     @property
     def choices(self) -> list[Choice]:
-        """Return what could be otherwise, too."""
+        """Return the choices with other options."""
         return choices_of(self.claims, self.found, self.frames, self.answers)
 
     @property
     def unclear(self) -> list[str]:
-        """Robots that must not be commanded unseen: it would be in the words of another kind."""
+        """Return robots that need a person's confirmation before commands: those would be in another kind's
+        format."""
         how = f"fleet-tui {self.bridge.shown} to choose, then :save"
         return [f"nothing sent: {choice}: {how}" for choice in self.choices if choice.id[0] == "kind"]
 
     @property
     def warnings(self) -> list[str]:
-        """Return what is not certain, and what is missing."""
+        """Return the uncertain and missing settings."""
         return [*map(str, self.choices), *self.lacks]
 
     @property
     def lacks(self) -> list[str]:
-        """Return what is missing, in sentences."""
+        """Return the missing settings, in sentences."""
         return lacks(self.found)
 
     @property
     def summary(self) -> str:
-        """Return how many robots of which kinds on how many floors."""
+        """Return the number of robots of each kind and of floors."""
         kinds = {kind: len(one.robots) for kind, one in self.found.items()}
         of = ", ".join(kinds if len(kinds) == 1 else (f"{count} {kind}" for kind, count in kinds.items()))
         robots, floors = sum(kinds.values()), len(self.config.floors)
@@ -94,15 +96,15 @@ class DiscoveredSite:
 
 
 def unwatched(_done: int, _total: int, _doing: str) -> None:
-    """Watch no progress."""
+    """Ignore progress."""
 
 
 def start_discovery(
     bridge: Link, timeout: float = WITHIN, watch: Watch = unwatched
 ) -> Future[DiscoveredSite]:
-    """Find out what is behind a bridge; `watch` is called on another thread.
+    """Discover the site behind a bridge; `watch` is called on another thread.
 
-    The result raises LinkError where there is no way to it, FleetError where rosapi does not tell.
+    The result raises LinkError if it can't be reached, FleetError if rosapi fails.
     """
     return asyncio.run_coroutine_threadsafe(
         _discover(bridge, time.monotonic() + timeout, watch), network_loop()

@@ -1,4 +1,4 @@
-"""The commands that a remedy names: those of the ROS that is there, of both where that is not known. Pure."""
+"""The shell commands in remedies: those of the detected ROS, of both if unknown. Pure."""
 
 from fleet_tui.discovery.facts import RosapiFacts
 
@@ -12,14 +12,14 @@ LATCHED = {1: "latched", 2: "with durability transient local"}
 
 
 def named(tools: dict[int, str], ros: int, of: str = "") -> str:
-    """The command for a ROS, of a node where `of` names one."""
+    """Return the command for a ROS version, of a node if `of` names one."""
     if ros in tools:
         return f"{tools[ros]} {of}".strip() if ros == 1 else tools[ros]
     return f"{named(tools, 1, of)}, ROS 2: {named(tools, 2, of)}"
 
 
 def rosapi_remedy(rosapi: RosapiFacts) -> str:
-    """Say how to have a rosapi that answers."""
+    """Return the remedy for a missing or silent rosapi."""
     start = named(START_ROSAPI, rosapi.ros)
     if rosapi.is_absent:
         renew = "if it runs, the ROS master was restarted: restart rosapi and the robot nodes"

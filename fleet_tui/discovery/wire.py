@@ -1,4 +1,4 @@
-"""A connection of the doctor's own. It subscribes, and calls /rosapi/* and what adapters name as queries."""
+"""The doctor's own connection. It subscribes, and calls /rosapi/* and the queries named by adapters."""
 
 import asyncio
 import re
@@ -24,7 +24,7 @@ from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.transports.rosbridge.connection import Connection
 
 HEAVY_BYTES = 100_000
-QUEUE = 100  # lines of the log that the bridge keeps for us
+QUEUE = 100  # log lines that the bridge queues for us
 NAMED = re.compile(r'"topic":\s*"(?P<topic>[^"]+)"')
 FROZEN = "accepts connections but does not respond: restart it"
 
@@ -32,7 +32,7 @@ FROZEN = "accepts connections but does not respond: restart it"
 @dataclass(slots=True)
 class TopicListening:
     """The messages of a topic so far. Monotonic seconds: `asked` for, and `since` when the bridge has
-    surely subscribed, which it does one by one."""
+    certainly subscribed, which it does one by one."""
 
     wanted: Feed
     asked: float
@@ -51,7 +51,7 @@ class TopicListening:
     held_by: str = ""
 
     def take(self, msg: object, at: float) -> None:
-        """One message, still encoded."""
+        """Take one message, still encoded."""
         try:
             found = list(self.read(self.wanted, msg, at))
         except WireError as problem:
@@ -59,7 +59,7 @@ class TopicListening:
         else:
             for event in found:
                 self._keep(event, at)
-        # Last: facts may be asked for in the middle of a large map, by another thread.
+        # Last: another thread may read the facts while a large map is processed.
         self.first, self.last = self.first or at, at
         self.count += 1
 
@@ -73,7 +73,7 @@ class TopicListening:
             self.late = lag - self.lag
 
     def facts(self, now: float) -> TopicFacts:
-        """Return what is known of the topic now."""
+        """Return the current facts of the topic."""
         span = self.last - self.first
         return TopicFacts(
             self.wanted,
@@ -116,7 +116,7 @@ class BridgeConnection:
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
 
     async def connect(self, within: float) -> str:
-        """Connect; why it did not work, "" if it did."""
+        """Connect; returns the reason for a failure, "" on success."""
         self.connection.connect()
         try:
             await asyncio.wait_for(self._settled.wait(), within)
@@ -125,17 +125,17 @@ class BridgeConnection:
         return self.lost
 
     async def call(self, service: str, args: Mapping[str, object], within: float) -> object:
-        """The answer of a service, a string where it fails. Raises LinkError without an answer."""
+        """Call a service; returns its answer, a string if it fails. Raises LinkError without an answer."""
         if self.lost:
             raise LinkError(self.lost)
         return (await self._calls.call(service, args, within)).values
 
     async def beat(self, within: float) -> str:
-        """Make the bridge itself answer; its words. Raises LinkError without an answer."""
+        """Make the bridge itself answer; returns its text. Raises LinkError without an answer."""
         return str(await self.call(HEARTBEAT, {}, within))
 
     def subscribe(self, wanted: Feed, type_: str, latched: bool) -> None:
-        """Hear a topic from now on, every message of it. Raises LinkError."""
+        """Subscribe to every message of a topic. Raises LinkError."""
         read = self.adapters[wanted.robot].read
         self.heard[wanted.address] = TopicListening(wanted, time.monotonic(), read)
         compression = "cbor" if wanted.large else "none"
@@ -143,33 +143,33 @@ class BridgeConnection:
         self.connection.send(operations.subscribe(subscription))
 
     def let_go(self, topic: str) -> None:
-        """Hear a topic no longer. Raises LinkError."""
+        """Unsubscribe from a topic. Raises LinkError."""
         self.connection.send(operations.unsubscribe(topic))
 
     def ask_plainly(self, wanted: Feed, type_: str) -> None:
-        """Hear a topic once more, as JSON and with the bridge's own quality of service. Raises LinkError."""
+        """Subscribe to a topic once more, as JSON and with the bridge's own QoS. Raises LinkError."""
         topic = wanted.address
         self.heard[topic].again = True
         self.connection.send(operations.subscribe(Subscription(topic, type_)))
 
     def subscribe_logs(self, type_: str) -> None:
-        """Hear what the bridge says in its log of our subscriptions. Raises LinkError."""
+        """Subscribe to the bridge's log for messages on our subscriptions. Raises LinkError."""
         self.connection.send(operations.subscribe(Subscription(ROSOUT, type_, queue_length=QUEUE)))
 
     def close(self) -> None:
-        """Close for good; subscriptions end with the connection."""
+        """Close permanently; subscriptions end with the connection."""
         self.connection.shut()
         self._decoder.shutdown(wait=False, cancel_futures=True)
 
     def on_connecting(self) -> None:
-        """A try has begun."""
+        """Do nothing: a connection attempt has begun."""
 
     def on_open(self) -> None:
-        """Frames can be sent."""
+        """Allow frames to be sent."""
         self._settled.set()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
-        """Once is enough: what comes after a loss would be measured on another connection."""
+        """End at the first loss: later measurements would be of another connection."""
         self.lost = self.lost or reason or "connection lost"
         self.connection.shut()
         self._calls.on_lost()
@@ -177,7 +177,7 @@ class BridgeConnection:
         self.came.set()
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
-        """Take an answer or a message; long ones are read beside the loop."""
+        """Take an answer or a message; long ones are read off the loop."""
         at = time.monotonic()
         if len(payload) < HEAVY_BYTES:
             self._answered(self._read(payload, is_binary, at))
@@ -206,7 +206,7 @@ class BridgeConnection:
                 self.complaints[about[0]] = about[1]
 
     def _fragment(self, piece: operations.Fragment) -> None:
-        """Note the size of a message that comes in pieces, by its first one."""
+        """Record the size of a fragmented message, by its first fragment."""
         named = NAMED.search(piece.data.replace("\\/", "/")) if piece.num == 0 else None
         if named and named["topic"] in self.heard:
             self.heard[named["topic"]].fragmented = len(piece.data) * piece.total
@@ -217,10 +217,10 @@ class BridgeConnection:
             self._calls.on_response(response)
 
     def on_sent(self, payload: bytes) -> None:
-        """A question left."""
+        """Ignore a sent frame."""
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
-        """A message over the limit of the config was passed over: say so at its topic."""
+        """Record at its topic that a message over the limit of the config was dropped."""
         plain = head.replace(rb"\/", b"/")
         for topic, heard in self.heard.items():
             if topic.encode() in plain:
