@@ -1,1 +1,1 @@
-"""`fleet-tui doctor`: facts are gathered over the wire, then judged without it, outside in."""
+"""The doctor command: facts are gathered over the wire, then judged without it, outside in."""

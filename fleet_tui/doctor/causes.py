@@ -1,4 +1,4 @@
-"""Causes that silence several topics at once: each is said first, what follows from it is folded. Pure."""
+"""Causes that silence several topics at once: each is listed first, its consequences are folded. Pure."""
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
@@ -10,12 +10,12 @@ from fleet_tui.discovery.finding import Finding, Verdict, listed
 from fleet_tui.discovery.tools import LOOK_FOR_NODE, named, rosapi_remedy
 from fleet_tui.rules.sourcing import Listening, unsourced_package
 
-FEWEST_TOPICS = 2  # of a node that is called silent: one alone is told as a topic
+FEWEST_TOPICS = 2  # of a node that counts as silent: a single one is listed as a topic
 
 
 @dataclass(frozen=True, slots=True)
 class Cause:
-    """A finding that explains others: `topics` and `services` it silences, `short` names it there."""
+    """A finding that explains others: `topics` and `services` it silences, `short` is its name there."""
 
     finding: Finding
     short: str
@@ -24,7 +24,7 @@ class Cause:
 
 
 def rosapi_finding(facts: BridgeFacts) -> Finding:
-    """Tell whether types, publishers and services can be looked up at all."""
+    """Judge whether types, publishers and services can be looked up at all."""
     rosapi = facts.rosapi
     if not rosapi.problem:
         counts = {"topics": len(rosapi.topics), "services": len(rosapi.services), "nodes": len(rosapi.nodes)}
@@ -32,21 +32,21 @@ def rosapi_finding(facts: BridgeFacts) -> Finding:
         return Finding(facts.name, "rosapi", Verdict.OK, measured, values=counts)
     remedy = rosapi_remedy(rosapi)
     lost = f"{rosapi.problem}: names, types, publishers and services are unavailable"
-    # Some sites run without it; one that is there and does not work is broken.
+    # Some sites run without it; one that exists and does not work is a failure.
     verdict = Verdict.WARN if rosapi.is_absent else Verdict.FAIL
     return Finding(facts.name, "rosapi", verdict, lost, f"{remedy}; topics work without it")
 
 
 def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
-    """Return what is wrong with a bridge or a node rather than with one topic, in the order in which to mend
-    it."""
+    """Return the faults of a bridge or a node rather than of one topic, in the order in which to fix them."""
     unsourced = list(_unsourced(facts))
     explained = {topic for cause in unsourced for topic in cause.topics}
     return [*unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
 
 
 def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
-    """After a restart of the ROS master topics go on between nodes that know each other already."""
+    """Find robots lost in a restart of the ROS master: their topics continue between nodes already
+    connected."""
     if facts.rosapi.problem:
         return
     heard = {one.wanted.robot for one in facts.topics if one.count}
@@ -72,7 +72,8 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
 
 
 def _has_services(adapter: Adapter, robot: str, rosapi: RosapiFacts) -> bool:
-    """Tell whether a robot has services by the names of the profile, or others: those are told one by one."""
+    """Tell whether a robot has services by the names of the profile, or others: those are listed one by
+    one."""
     known = {name for _, name, _ in adapter.services(robot)}
     return not known or any(
         service in known or service.startswith(f"/{robot}/") for service in rosapi.services
@@ -80,8 +81,8 @@ def _has_services(adapter: Adapter, robot: str, rosapi: RosapiFacts) -> bool:
 
 
 def _silent_nodes(facts: BridgeFacts, explained: Collection[str]) -> Iterator[Cause]:
-    """A node that is registered, and of which nothing comes. A robot all of whose nodes are silent is told
-    as a robot."""
+    """Find nodes that are registered but silent. A robot all of whose nodes are silent is listed as a
+    robot."""
     live = [one for one in facts.topics if not one.wanted.floor]
     awake = {one.wanted.robot for one in live if one.count}
     of_node: dict[str, list[TopicFacts]] = {}

@@ -22,20 +22,20 @@ OFF_MAP = 255
 
 @dataclass(frozen=True)
 class FloorSurvey:
-    """A floor as robots report it; robots that report the same share one."""
+    """A floor as robots report it; robots with equal reports share one."""
 
     graph: RouteGraph | None = None
     labels: Mapping[str, str] | None = None
     frame: MapFrame | None = None
 
     def name_of(self, vertex: str) -> str:
-        """A vertex as a person knows it."""
+        """Return the name of a vertex for people."""
         label = (self.labels or {}).get(vertex)
         return f"{vertex} ({label})" if label else str(vertex)
 
 
 def charts_of(floor: str, topics: list[TopicFacts]) -> list[tuple[FloorSurvey, list[str]]]:
-    """Every different chart of a floor, with the robots that gave it."""
+    """Return every different report of a floor, with its robots."""
     found = dict[str, FloorSurvey]()
     for facts in topics:
         if facts.wanted.floor != floor:
@@ -69,13 +69,13 @@ def _with(chart: FloorSurvey, event: Event | None) -> FloorSurvey:
 
 
 def live_grid(floor: str, topics: list[TopicFacts]) -> OccupancyGrid | None:
-    """A live map of a floor, if one came."""
+    """Return a live map of a floor, if one arrived."""
     events = (facts.event for facts in topics if facts.wanted.floor == floor)
     return next((event.grid for event in events if isinstance(event, GridReceived)), None)
 
 
 def class_at(grid: OccupancyGrid, x: float, y: float) -> int:
-    """Return what a map holds at a place in metres, OFF_MAP beside it."""
+    """Return the class of a map at a place in metres, OFF_MAP beside it."""
     column, row = grid.frame.to_pixel(x, y)
     if not (0 <= column < grid.frame.width and 0 <= row < grid.frame.height):
         return OFF_MAP

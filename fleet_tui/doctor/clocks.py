@@ -7,15 +7,15 @@ from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
 
 SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
-LATE = 0.5  # seconds by which poses get older while they are listened to
-BEHIND = 0.3  # seconds of our own lateness, beside which nothing is said of others
-MOST_MESSAGES = {1: 4000, 2: 500}  # a second of one bridge, as measured
+LATE = 0.5  # seconds by which poses grow older during the measurement
+BEHIND = 0.3  # seconds of our own delay, above which others are not judged
+MOST_MESSAGES = {1: 4000, 2: 500}  # per second of one bridge, as measured
 WRONG = 1.0  # seconds by which a clock may be off
 LONG_AGO = 1e8  # a robot that says 1973 or earlier counts from the start of a simulation
 
 
 def round_trip_finding(facts: BridgeFacts) -> Finding:
-    """Return how long a call and its answer take."""
+    """Judge the time of a call and its answer."""
     if not facts.round_trips:
         return Finding(facts.name, "round trip", Verdict.SKIPPED, "no reply to any call")
     median = statistics.median(facts.round_trips)
@@ -29,20 +29,21 @@ def round_trip_finding(facts: BridgeFacts) -> Finding:
 
 
 def _lateness(facts: BridgeFacts) -> tuple[float, float]:
-    """Seconds by which poses got older while all topics came, and that calls took meanwhile: the medians."""
+    """Return the seconds by which poses grew older while all topics were subscribed, and those of calls
+    meanwhile: the medians."""
     late = [topic.late for topic in facts.topics if topic.late is not None]
     trips = facts.busy_trips or facts.round_trips
     return statistics.median(late or [0.0]), statistics.median(trips or [0.0])
 
 
 def falls_behind(facts: BridgeFacts) -> bool:
-    """Tell whether the bridge has more to do than it can; unknown where we ourselves were late."""
+    """Tell whether the bridge is overloaded; unknown if we ourselves were late."""
     late, calls = _lateness(facts)
     return (late >= LATE or calls >= SLOW) and facts.behind <= BEHIND
 
 
 def load_finding(facts: BridgeFacts) -> Finding:
-    """Tell whether the bridge keeps up with all topics at once: else calls are slower, stamps older."""
+    """Judge whether the bridge keeps up with all topics at once: else calls are slower, stamps older."""
     rate = sum(topic.rate or 0.0 for topic in facts.topics)
     if not rate:
         return Finding(facts.name, "load", Verdict.SKIPPED, "no messages to measure")
@@ -63,7 +64,7 @@ def load_finding(facts: BridgeFacts) -> Finding:
 
 
 def clock_findings(facts: BridgeFacts) -> Iterator[Finding]:
-    """The bridge's clock and each robot's, against ours."""
+    """Compare the bridge's clock and each robot's with ours."""
     if facts.ahead is not None:
         yield _clock(facts.name, facts.ahead, "rosapi's time")
     for topic in facts.topics:

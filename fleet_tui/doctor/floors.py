@@ -17,7 +17,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN
 
 
 class FloorFiles(NamedTuple):
-    """The files of a floor, None where the config names none."""
+    """The files of a floor, None if not configured."""
 
     map: FloorMapLoaded | None = None
     graph: FloorGraphLoaded | None = None
@@ -26,7 +26,7 @@ class FloorFiles(NamedTuple):
 def floor_findings(
     config: Config, floor: FloorEntry, files: FloorFiles, mute: list[RobotEntry], topics: list[TopicFacts]
 ) -> Iterator[Finding]:
-    """The floor's map, then what each different chart says of it. `mute`: robots that publish no graph."""
+    """Judge the floor's map, then each different report of it. `mute`: robots that publish no graph."""
     loaded, file = files
     grid = loaded.grid if loaded else live_grid(floor.name, topics)
     yield _map(floor, loaded, grid)
@@ -51,7 +51,7 @@ def floor_findings(
 def placed_grid(
     loaded: FloorMapLoaded | None, topics: list[TopicFacts], floor: str, chart: FloorSurvey
 ) -> OccupancyGrid | None:
-    """A floor's map where it lies in the world: a plain image lies as a chart's map_metadata says."""
+    """Return a floor's map at its place in the world: a plain image is placed by a report's map_metadata."""
     grid = loaded.grid if loaded else live_grid(floor, topics)
     if grid is None or loaded is None or loaded.tied:
         return grid
@@ -74,7 +74,7 @@ def _size(frame: MapFrame) -> str:
 
 
 def _sizes(floor: FloorEntry, by: str, map_: MapFrame, told: MapFrame, tied: bool) -> Finding:
-    """Tell whether the picture and map_metadata speak of one map; a plain image has but its size."""
+    """Judge whether the picture and map_metadata describe one map; a plain image has only its size."""
     same = (map_.width, map_.height) == (told.width, told.height)
     if same and tied:
         pixel = told.resolution
@@ -133,7 +133,7 @@ Placed = PoseReported | LocalisationReported
 def place_finding(
     config: Config, pose: Placed, grids: Mapping[str, OccupancyGrid | None], floors: list[str], told: str
 ) -> Finding:
-    """Tell whether a robot stands on a map it knows. `told`: its floor, where its frame means none."""
+    """Judge whether a robot is on a map it knows. `told`: its floor, if its frame means none."""
     if isinstance(pose, LocalisationReported):
         return _place_on(pose, grids, floors, told)
     frame = pose.frame_id.lstrip("/")

@@ -1,4 +1,4 @@
-"""Everything that a bridge which answers tells: round trips, rosapi, and what comes on its topics."""
+"""Facts of a bridge that answers: round trips, rosapi, and the messages of its topics."""
 
 import asyncio
 import time
@@ -22,11 +22,11 @@ from fleet_tui.doctor.listening import listen
 from fleet_tui.errors import LinkError
 
 ROUND_TRIPS = 10
-BETWEEN = 0.05  # seconds between two of them while all topics come
+BETWEEN = 0.05  # seconds between two of them while all topics are subscribed
 
 
 async def measure_calls(wire: BridgeConnection, until: float, pause: float = 0.0) -> tuple[float, ...]:
-    """Round trips to the bridge itself in seconds, one after the other."""
+    """Return round trips to the bridge itself in seconds, one after the other."""
     trips = list[float]()
     until = min(until, time.monotonic() + ANSWER_WITHIN)
     while len(trips) < ROUND_TRIPS and time.monotonic() < until:
@@ -34,7 +34,7 @@ async def measure_calls(wire: BridgeConnection, until: float, pause: float = 0.0
         try:
             await wire.beat(max(0.1, until - time.monotonic()))
         except LinkError:
-            # The first one that is not answered has taken at least as long.
+            # The first unanswered one has taken at least as long.
             if wire.lost or trips:
                 break
         trips.append(time.monotonic() - began)
@@ -49,7 +49,7 @@ async def _look_up(
     rosapi: RosapiFacts,
     until: float,
 ) -> RosapiFacts:
-    """Ask rosapi about the topics and services of a bridge's robots."""
+    """Query rosapi about the topics and services of a bridge's robots."""
     named = [one.address for one in wanted]
     robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
     services = [service for robot in robots for _, service, _ in adapters[robot].services(robot)]
@@ -58,7 +58,7 @@ async def _look_up(
     rosapi = await ask_services(wire, rosapi, services, until)
     if all(map(rosapi.has, named)):
         return rosapi
-    # One of the same type may be what was meant.
+    # One of the same type may be the intended one.
     expected = {one.type for one in wanted}
     others = [
         topic
@@ -80,7 +80,7 @@ async def _ask_robots(
     rosapi: RosapiFacts,
     until: float,
 ) -> dict[str, object]:
-    """Ask the services of which only the type is known for sure: of another one `{}` may be a command."""
+    """Call the services whose type is certain: on another type `{}` may be a command."""
 
     async def answer(query: QueryProbe) -> object:
         try:
@@ -99,7 +99,8 @@ async def _ask_robots(
 
 
 async def gather(config: Config, name: str, wire: BridgeConnection, until: float) -> BridgeFacts:
-    """Everything about a bridge that answers, by the monotonic `until`: questions and topics side by side."""
+    """Gather everything about a bridge that answers, by the monotonic `until`: queries and topics in
+    parallel."""
     trips = await measure_calls(wire, until)
     rosapi, ahead = await look_around(wire), None
     drawn = [floor.name for floor in config.floors if floor.map]

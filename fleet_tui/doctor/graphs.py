@@ -11,7 +11,7 @@ from fleet_tui.model.order import natural
 
 
 def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing: int) -> Finding:
-    """Tell whether there is a file with the graph where robots need one, and all of it could be read."""
+    """Judge whether a graph file exists if robots need one, and was read completely."""
     if file is None:
         absent = (
             f"none, and {needing} of its robots publish{'es' * (needing == 1)} no graph: places have no names"
@@ -33,7 +33,7 @@ def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing
 def connection_finding(
     floor: FloorEntry, by: str, chart: FloorSurvey, graph: RouteGraph, has_others: bool
 ) -> Finding:
-    """Tell whether all vertices reachable from every other."""
+    """Judge whether all vertices can be reached from every other."""
     lost = _cut_off(graph, has_others)
     count = f"{len(graph.edges)} edges{by}"
     if not lost:
@@ -49,8 +49,8 @@ def connection_finding(
 
 
 def _cut_off(graph: RouteGraph, has_others: bool) -> set[str]:
-    """The vertices to or from which the largest part of the graph has no way. By elevator there is
-    a way over the other floors."""
+    """Return the vertices to or from which the largest part of the graph has no way. Elevators connect over
+    the other floors."""
     onward: dict[str, set[str]] = {id_: set() for id_ in graph.vertices}
     backward: dict[str, set[str]] = {id_: set() for id_ in graph.vertices}
     shafts = (
@@ -82,7 +82,7 @@ def _reached(start: str, ways: Mapping[str, set[str]]) -> set[str]:
 
 
 def label_finding(floor: FloorEntry, by: str, labels: Mapping[str, str], graph: RouteGraph) -> Finding:
-    """Tell whether each label names a vertex, and one only."""
+    """Judge whether each label names exactly one vertex."""
     lost = [f"{label} ({vertex})" for vertex, label in labels.items() if vertex not in graph.vertices]
     if lost:
         measured = f"{len(lost)} of {len(labels)} labels{by} name a missing vertex: {listed(lost)}"

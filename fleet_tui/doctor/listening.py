@@ -1,4 +1,4 @@
-"""Listening to the topics of a bridge together, over as many connections as that takes."""
+"""Subscribes to the topics of a bridge together, over as many connections as needed."""
 
 import asyncio
 import time
@@ -18,22 +18,22 @@ from fleet_tui.errors import LinkError
 
 CONNECT_WITHIN = 4.0
 LOOK_EVERY = 0.05  # seconds
-# Seconds that topics are listened to, at least and at most: a little longer than a robot may be silent
-# for and still be online.
+# Minimum and maximum seconds of listening to topics: a little longer than a robot may be silent
+# and still be online.
 AT_LEAST, AT_MOST = 1.5, 6.0
-BATCH = 20  # subscribes, of which a real bridge needs 20 ms for each
-SHARE = 150  # topics of one connection, 3 s of subscribing; the bridge works on several side by side
-ENOUGH = 3  # messages of a topic to tell its rate; poses are the fast ones
+BATCH = 20  # subscriptions, of which a real bridge needs 20 ms for each
+SHARE = 150  # topics of one connection, 3 s of subscribing; the bridge handles several in parallel
+ENOUGH = 3  # messages of a topic for its rate; poses are the frequent ones
 ENOUGH_FAST = 10
-# Seconds after which a floor's topic is let go, and for how long, so that the bridge forgets how it was
-# subscribed; and of how many of them it is asked who holds them meanwhile.
+# Seconds after which a floor's topic is unsubscribed, and for how long, so that the bridge forgets its
+# QoS; and the number of them whose subscribers are queried meanwhile.
 FIRST_TRY, LET_GO, MOST_HELD = 2.0, 0.7, 20
 
 Asked = list[tuple[Feed, str]]
 
 
 class Listened(NamedTuple):
-    """All topics, why a connection was lost meanwhile, and by how many seconds we ourselves were late."""
+    """All topics, the reason that a connection was lost meanwhile, and our own maximum delay in seconds."""
 
     topics: list[TopicFacts]
     lost: str
@@ -48,8 +48,8 @@ async def listen(
     until: float,
     drawn: Iterable[str] = (),
 ) -> Listened:
-    """Listen to all topics together until each has said enough, or the time is over. `adapters` by robot;
-    `drawn`: floors whose live map nobody needs."""
+    """Listen to all topics together until each has enough messages, or the time is over. `adapters` by robot;
+    `drawn`: floors whose live map is not needed."""
     asked = list(_worth_hearing(wanted, rosapi, drawn))
     count = -(-len(asked) // SHARE)
     wires = [BridgeConnection(bridge, adapters) for _ in range(count)]
@@ -70,9 +70,9 @@ async def listen(
 def _worth_hearing(
     wanted: Iterable[Feed], rosapi: RosapiFacts, drawn: Iterable[str]
 ) -> Iterator[tuple[Feed, str]]:
-    """Return what may be subscribed to, with the bridge's spelling of its type. With a wrong type, or before
-    it is there, a topic would be spoiled for every client. Of a floor one live map is enough, and none where
-    it is drawn already."""
+    """Return the topics to subscribe to, with the bridge's spelling of the type. A wrong type, or a topic
+    that does not exist yet, would make it unusable for every client. Of a floor one live map is enough,
+    and none if it has a map file."""
     floors, types = set(drawn), rosapi.topics
     for one in wanted:
         topic, type_ = one.address, one.type
@@ -112,7 +112,7 @@ async def _wait(wire: BridgeConnection, topics: list[Feed], until: float) -> Non
 
 
 async def _subscribe(wire: BridgeConnection, topics: Asked, latched: bool, until: float) -> None:
-    """Subscribe, some at a time: a call is answered when the subscribes before it are done.
+    """Subscribe in batches: a call is answered when the subscriptions before it are done.
 
     Raises LinkError.
     """
@@ -126,10 +126,10 @@ async def _subscribe(wire: BridgeConnection, topics: Asked, latched: bool, until
 
 
 async def _ask_again(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float) -> None:
-    """Ask plainly for what a floor's topics did not bring, to tell why. Raises LinkError.
+    """Subscribe with default options to a floor's silent topics, to find the reason. Raises LinkError.
 
-    A bridge of ROS 2 chooses the quality of service once, for all its clients, and sends nothing binary
-    that is larger than its limit.
+    A bridge of ROS 2 chooses the QoS once, for all its clients, and sends nothing binary that is larger than
+    its limit.
     """
     if rosapi.ros == 1 or until - time.monotonic() < 2 * FIRST_TRY:
         return
@@ -156,7 +156,7 @@ def _is_silent(wire: BridgeConnection, wanted: Feed) -> bool:
 
 
 def _may_wait(wanted: Feed) -> bool:
-    """Tell whether nothing need come of it now: before something changes, or a goal is given."""
+    """Tell whether silence is normal: before a change, or before a goal is given."""
     return wanted.silent and (not wanted.latched or is_hidden(wanted.address))
 
 

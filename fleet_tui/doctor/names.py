@@ -1,4 +1,4 @@
-"""Names that are near one that is not there, and names that ROS 2 spells otherwise. Pure."""
+"""Names similar to a missing one, and names that ROS 2 spells otherwise. Pure."""
 
 import re
 from collections.abc import Collection, Iterable, Mapping
@@ -11,7 +11,7 @@ from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 
 
 def robots_on(names: Names, rosapi: RosapiFacts) -> set[str]:
-    """The names in place of a robot's in the topics that are published on a bridge."""
+    """Return the names in place of a robot's in the topics that are published on a bridge."""
     found = set[str]()
     for topic in filter(rosapi.has, rosapi.topics):
         for key in names.vocabulary.topics.keys() - names.vocabulary.floor_topics:
@@ -23,7 +23,8 @@ def robots_on(names: Names, rosapi: RosapiFacts) -> set[str]:
 
 
 def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
-    """The published names that a topic may have now, those of its type first, as the config would say it."""
+    """Return the published names that a topic may have now, those of its type first, as written in the
+    config."""
     wanted, types = facts.wanted, bridge.rosapi.topics
     free = set(filter(bridge.rosapi.has, types)) - {one.topic for one in bridge.topics}
     fitting = [topic for topic in free if same_type(types[topic], wanted.type)]
@@ -42,7 +43,7 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
 
 
 def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:
-    """The floor of which this would be the topic, "" if it is not named so."""
+    """Return the floor of this topic, "" if its name does not match."""
     if not facts.wanted.floor:
         return ""
     before, _, after = names.topic(facts.wanted.key, facts.wanted.robot, "{floor}").partition("{floor}")
@@ -51,7 +52,7 @@ def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:
 
 
 def near_service(table: str, robot: str, key: str, service: str, free: Collection[str]) -> str:
-    """The free name that a robot's service may have now, as the profile's table would say it."""
+    """Return the free name that a robot's service may have now, as written in the profile's table."""
     near = nearest(service, (name for name in free if name.startswith(f"/{robot}/")), 1)
     if not near:
         return ""
@@ -60,9 +61,9 @@ def near_service(table: str, robot: str, key: str, service: str, free: Collectio
 
 
 def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:
-    """Return what to write where ROS 2 spells types otherwise: lower-case packages, CamelCase names.
+    """Return the types to write if ROS 2 spells them otherwise: lower-case packages, CamelCase names.
 
-    With rosapi the bridge's spelling is found out; without it a topic is asked for by the profile's.
+    With rosapi the bridge's spelling is detected; without it the profile's is used to subscribe.
     """
     rosapi = facts.rosapi
     asked = [(one.wanted.key, one.topic, one.wanted.type) for one in facts.topics]
@@ -85,7 +86,7 @@ def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:
 
 
 def _spelled(wanted: Iterable[tuple[str, str, str]], there: Mapping[str, str | None]) -> dict[str, str]:
-    """By key the types that are the expected ones, but for their spelling."""
+    """Return by key the types that match the expected ones except for their spelling."""
     return {
         key: found
         for key, name, expected in wanted

@@ -12,7 +12,7 @@ VERDICTS = {"ok": Verdict.OK, "warn": Verdict.WARN, "fail": Verdict.FAIL}
 
 
 def bridge_probes(facts: BridgeFacts) -> Iterator[Finding]:
-    """Judge the bridge once for each kind behind it that has a word on it."""
+    """Judge the bridge once for each kind behind it that has a check for it."""
     if facts.rosapi.problem:
         return
     probes = [probe for robot, adapter in facts.adapters.items() for probe in adapter.probes(robot)]
@@ -21,7 +21,7 @@ def bridge_probes(facts: BridgeFacts) -> Iterator[Finding]:
 
 
 def probe_findings(robot: str, facts: BridgeFacts) -> Iterator[Finding]:
-    """Judge what a robot's kind wants looked at, of a robot that is there."""
+    """Judge the probes of a robot that is online."""
     if not facts.knows(robot):
         return
     for probe in facts.adapters[robot].probes(robot):
@@ -72,7 +72,7 @@ def _query(robot: str, probe: QueryProbe, facts: BridgeFacts) -> Finding:
 
 
 def _heard(robot: str, probe: HeardProbe, facts: BridgeFacts) -> Iterator[Finding]:
-    """Judge what came, of a robot that speaks; what can't be read is told as a topic."""
+    """Judge the messages of a robot that is online; unreadable ones are listed at the topic."""
     topics = facts.of(robot)
     for one in topics if any(one.count for one in topics) else ():
         fits = one.wanted.key == probe.key and (one.count or one.waited >= LONG_ENOUGH)

@@ -16,7 +16,7 @@ _INDENT = " " * 10
 
 
 def line(finding: Finding, plain: bool, colour: bool, width: int = 0) -> str:
-    """One finding: verdict, glyph, what, measured, remedy. `width` 0: all on one line."""
+    """Return one finding: verdict, glyph, subject, measurement, remedy. `width` 0: all on one line."""
     verdict = f"{finding.verdict.value:>7} {(PLAIN if plain else GLYPHS)[finding.verdict]}"
     words = f"{finding.subject} {finding.check}: {finding.measured}"
     words = sanitize(f"{words} -> {finding.remedy}" if finding.remedy else words)
@@ -31,7 +31,7 @@ def line(finding: Finding, plain: bool, colour: bool, width: int = 0) -> str:
 
 
 def summary(findings: Sequence[Finding], width: int = 0) -> str:
-    """The last line: how many of each, and what to look at first."""
+    """Return the last line: the number of each verdict, and the first to look at."""
     counts = Counter(finding.verdict for finding in findings)
     text = ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict])
     first = next((finding for finding in findings if finding.is_failure), None)
@@ -50,7 +50,7 @@ def _left_out(findings: Sequence[Finding]) -> str:
 
 
 def as_values(findings: Sequence[Finding], wall: float, code: int) -> dict[str, Any]:
-    """Everything that `doctor --json` prints."""
+    """Return the values for `doctor --json`."""
     first = next((finding for finding in findings if finding.is_failure), None)
     return {
         "version": VERSION,

@@ -1,4 +1,4 @@
-"""`fleet-tui doctor`: every bridge one by one, then floors, clocks and the terminal."""
+"""The doctor command: every bridge one by one, then floors, clocks and the terminal."""
 
 import asyncio
 import json
@@ -39,13 +39,13 @@ from fleet_tui.model.navigation_events import FloorReported, LocalisationReporte
 from fleet_tui.transports.loop import network_loop
 
 FINE, BROKEN, NO_LINK = 0, 1, 3
-SPARE = 1.5  # seconds kept for what comes after the bridges, at most a quarter of all
+SPARE = 1.5  # seconds reserved for the steps after the bridges, at most a quarter of all
 
 Take = Callable[[Finding], None]
 
 
 async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFacts | None:
-    """One bridge from outside in; None where there is no way to it."""
+    """Connect to one bridge, outside in; None if it can't be reached."""
     bridge = config.bridge(name)
     wire = BridgeConnection(bridge)
     approach = Approach(name, bridge, wire, "" if config.path != Path() else "the address")
@@ -64,7 +64,7 @@ async def _walk(config: Config, name: str, until: float, take: Take) -> BridgeFa
 
 
 def only(config: Config, robot: str) -> Config:
-    """The same with one robot and its floors. Raises ConfigError for a name that no robot has."""
+    """Return the configuration of one robot and its floors. Raises ConfigError for an unknown name."""
     known = {entry.name: entry for entry in config.robots}
     if robot not in known:
         raise ConfigError([f"--robot {robot}: unknown robot{did_you_mean(robot, known)}"])
@@ -73,7 +73,7 @@ def only(config: Config, robot: str) -> Config:
 
 
 def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
-    """Return what one bridge that answers is judged by."""
+    """Return the findings of one bridge that answers."""
     yield round_trip_finding(facts)
     yield rosapi_finding(facts)
     yield load_finding(facts)
@@ -97,7 +97,7 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
 def building_findings(
     config: Config, part: Config, loaded: dict[str, FloorFiles], topics: list[TopicFacts]
 ) -> Iterator[Finding]:
-    """Return what floors, maps and places are judged by, over all bridges."""
+    """Return the findings of floors, maps and places, over all bridges."""
     grids, adapters = {}, adapters_of(part)
     mute = [robot for robot in part.robots if "graph" not in adapters[robot.name].kind.reports]
     for floor in part.floors:
@@ -111,7 +111,7 @@ def building_findings(
 def _places(
     config: Config, grids: dict[str, OccupancyGrid | None], topics: list[TopicFacts]
 ) -> Iterator[Finding]:
-    """Return where each robot stands that tells it."""
+    """Return the place of each robot that reports it."""
     floors_of = {robot.name: config.floors_of(robot) for robot in config.robots}
     told = {
         one.robot: one.floor for one in (facts.event for facts in topics) if isinstance(one, FloorReported)
@@ -125,7 +125,7 @@ def _places(
 
 
 def _bridges(whole: Config, config: Config, until: float, take: Take) -> Iterator[BridgeFacts]:
-    """Every bridge that can be reached, once all that is found on it is handed over."""
+    """Return every bridge that can be reached, after its findings are handed over."""
     names = list(config.bridges)
     for n, name in enumerate(names):
         now = time.monotonic()
@@ -138,8 +138,8 @@ def _bridges(whole: Config, config: Config, until: float, take: Take) -> Iterato
 
 
 def _all(whole: Config, config: Config, timeout: float, take: Take) -> int:
-    """Everything of `config`, a part of the whole one, in its order, each finding handed over at once; how
-    many bridges could be reached."""
+    """Check everything of `config`, a part of the whole one, in its order, each finding handed over at once;
+    returns the number of bridges reached."""
     until = time.monotonic() + timeout - min(SPARE, timeout / 4)
     for line_ in unsafe_places(config):
         take(Finding("config", "safety", Verdict.WARN, line_))
@@ -183,8 +183,8 @@ def doctor(
     robot: str = "",
     unnamed: str = "",
 ) -> int:
-    """Look at everything within `timeout` seconds, or at what concerns one robot, and say what was found;
-    the exit code. `unnamed`: why the configuration has no robots, if it has none."""
+    """Check everything within `timeout` seconds, or one robot only, and print the findings; returns the exit
+    code. `unnamed`: the reason that the configuration has no robots, if so."""
     part = only(config, robot) if robot else config
     plain = (sys.stdout.encoding or "ascii").lower().replace("-", "") != "utf8"
     is_tty = sys.stdout.isatty()

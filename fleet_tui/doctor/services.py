@@ -10,7 +10,7 @@ from fleet_tui.doctor.names import near_service
 
 
 def service_findings(robot: str, facts: BridgeFacts, causes: Sequence[Cause]) -> Iterator[Finding]:
-    """One finding for each service, one for all where they can't be looked up."""
+    """Return one finding for each service, one for all if they can't be looked up."""
     if facts.rosapi.problem:
         yield Finding(robot, "services", Verdict.SKIPPED, "unknown without rosapi")
     elif not facts.knows(robot):

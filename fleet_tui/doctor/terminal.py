@@ -12,9 +12,9 @@ from collections.abc import Iterator, Mapping
 from fleet_tui.discovery.finding import Finding, Verdict
 
 TERMINAL = "terminal"
-ASK_PLACE = b"\x1b[6n"  # where is the cursor? It answers when everything before is done
+ASK_PLACE = b"\x1b[6n"  # cursor position report: answered when all earlier output is processed
 PATIENCE = 1.0
-# What is written to measure the speed: resets, which nobody sees.
+# Output for measuring the speed: invisible resets.
 NOTHING = b"\x1b[0m" * 8192
 SLOW = 50_000  # bytes per second; a picture of the console takes a few thousand
 BRAILLE = "⣿⣿"
@@ -22,7 +22,7 @@ MULTIPLEXERS = {"tmux": "TMUX", "screen": "STY"}
 
 
 def terminal_findings() -> Iterator[Finding]:
-    """Everything about the terminal; nothing where the output is none."""
+    """Return everything about the terminal; nothing if the output is not one."""
     if not sys.stdout.isatty():
         return
     size = os.get_terminal_size(sys.stdout.fileno())
@@ -34,7 +34,7 @@ def terminal_findings() -> Iterator[Finding]:
 
 
 def size_finding(columns: int, rows: int) -> Finding:
-    """Tell whether the console fits."""
+    """Judge whether the console fits."""
     measured, values = f"{columns} x {rows}", {"columns": columns, "rows": rows}
     if columns < 60 or rows < 16:
         return Finding(
@@ -50,7 +50,7 @@ def size_finding(columns: int, rows: int) -> Finding:
 
 
 def colour_finding(environment: Mapping[str, str]) -> Finding:
-    """Return how many colours, by what the environment says."""
+    """Judge the number of colours, by the environment."""
     term, more = environment.get("TERM", ""), environment.get("COLORTERM", "")
     values = {"TERM": term, "COLORTERM": more}
     if environment.get("NO_COLOR"):
@@ -68,7 +68,7 @@ def colour_finding(environment: Mapping[str, str]) -> Finding:
 
 
 def locale_finding(encoding: str, name: str) -> Finding:
-    """Tell whether letters and glyphs leave as UTF-8."""
+    """Judge whether letters and glyphs are sent as UTF-8."""
     measured = f"{encoding}, LC_CTYPE {name}"
     if encoding.lower().replace("-", "") == "utf8":
         return Finding(TERMINAL, "locale", Verdict.OK, measured)
@@ -76,7 +76,7 @@ def locale_finding(encoding: str, name: str) -> Finding:
 
 
 def measured_findings(keys: int, screen: int) -> Iterator[Finding]:
-    """Glyphs and speed, by asking the terminal where its cursor is."""
+    """Judge glyphs and speed, by asking the terminal for its cursor position."""
     before = termios.tcgetattr(keys)
     try:
         tty.setcbreak(keys)
@@ -95,7 +95,7 @@ def measured_findings(keys: int, screen: int) -> Iterator[Finding]:
 
 
 def _measured(keys: int, screen: int) -> tuple[int, float, float] | None:
-    """Cells that the braille took, bytes per second, seconds of an answer."""
+    """Return the cells of the braille text, bytes per second, seconds of an answer."""
     os.write(screen, b"\r")
     start = _place(keys, screen)
     if start is None:
@@ -115,7 +115,7 @@ def _measured(keys: int, screen: int) -> tuple[int, float, float] | None:
 
 
 def glyph_finding(cells: int) -> Finding:
-    """Tell whether braille takes the cells it should."""
+    """Judge whether braille has the expected width."""
     values = {"cells": cells, "of": len(BRAILLE)}
     if cells == len(BRAILLE):
         return Finding(TERMINAL, "glyphs", Verdict.OK, "braille characters are one cell wide", values=values)
@@ -125,8 +125,8 @@ def glyph_finding(cells: int) -> Finding:
 
 
 def speed_finding(rate: float, answer: float, inside: str = "") -> Finding:
-    """Return how fast what is written is taken, bytes per second, and how long a key's echo would take.
-    `inside` a multiplexer it is that which is measured, not what is behind it."""
+    """Judge the output speed, bytes per second, and the echo time of a key. `inside` a multiplexer that is
+    measured, not the terminal behind it."""
     values = {"bytes_per_s": round(rate), "answer_s": round(answer, 4)}
     by = f" (measured to {inside}, not to the display)" if inside else ""
     measured = f"{rate / 1000:,.0f} kB/s, response {answer * 1000:.1f} ms{by}"
@@ -137,7 +137,7 @@ def speed_finding(rate: float, answer: float, inside: str = "") -> Finding:
 
 
 def _place(keys: int, screen: int) -> int | None:
-    """The column of the cursor, None if the terminal does not say."""
+    """Return the column of the cursor, None if the terminal does not report it."""
     os.write(screen, ASK_PLACE)
     answer, until = b"", time.monotonic() + PATIENCE
     while b"R" not in answer:

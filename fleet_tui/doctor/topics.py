@@ -18,12 +18,12 @@ UNSEEN = "existence unknown without rosapi"
 def robot_findings(
     config: Config, robot: RobotEntry, facts: BridgeFacts, causes: Sequence[Cause]
 ) -> Iterator[Finding]:
-    """The robot itself, then each of its topics. What has one of the `causes` is not told again."""
+    """Judge the robot itself, then each of its topics. Consequences of the `causes` are not repeated."""
     topics = facts.of(robot.name)
     first = _robot(config, robot, topics, facts, causes)
     yield first
     for one in topics:
-        if one.wanted.robot != robot.name:  # several share it: it is told of the first
+        if one.wanted.robot != robot.name:  # several share it: it is listed with the first
             continue
         cause = next((cause for cause in causes if one.topic in cause.topics), None)
         if cause is not None:
@@ -49,7 +49,7 @@ def _robot(
             f"not on this bridge: none of its {len(topics)} topics found",
             f"{remedy} in {place} ([{table}.topics] if all names differ), or switch it on",
         )
-    # What is latched tells of the past.
+    # Latched messages describe the past.
     live = [one for one in topics if not one.wanted.floor and not one.wanted.latched]
     live.sort(key=lambda one: one.wanted.silent)
     heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
@@ -83,7 +83,7 @@ def _finding(
 ) -> Finding:
     wanted = facts.wanted
     check = f"{wanted.key} of {wanted.floor}" if wanted.floor else wanted.key
-    # The only thing that is skipped with a remedy is what there was no time for.
+    # The only skipped check with a remedy is one for lack of time.
     out_of_time = verdict is Verdict.SKIPPED and bool(remedy)
     return Finding(
         wanted.robot, check, verdict, measured, remedy, {"topic": facts.topic, **values}, out_of_time
@@ -173,7 +173,7 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
 
 
 def _asked_again(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
-    """Return why a floor's topic came only when it was asked for plainly, or in pieces."""
+    """Return the reason that a floor's topic arrived only with default options, or fragmented."""
     if facts.fragmented:
         binary = "never as cbor, " if facts.wanted.large else ""
         return (
