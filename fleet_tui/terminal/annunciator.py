@@ -1,4 +1,4 @@
-"""Calls a person to the screen: the terminal's bell and its notifications (OSC 9), where the config asks."""
+"""Calls a person to the screen: the terminal's bell and its notifications (OSC 9), if configured."""
 
 import os
 from collections.abc import Callable
@@ -9,24 +9,24 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.sanitize import sanitize
 
 QUIET = 5.0
-"""Seconds between two calls: what is raised meanwhile is one call."""
+"""Seconds between two calls: alarms raised meanwhile are one call."""
 LONGEST = 200
 """Characters of a notification."""
 
 
 def notification(text: str, inside_tmux: bool) -> str:
-    """The bytes that ask a terminal to notify. tmux hands them on, or, unless its
-    `allow-passthrough` is on, drops them."""
+    """Return the bytes of a terminal notification. tmux passes them on, or, unless its `allow-passthrough` is
+    on, drops them."""
     osc = f"\x1b]9;fleet-tui: {sanitize(text)[:LONGEST]}\x1b\\"
     return "\x1bPtmux;" + osc.replace("\x1b", "\x1b\x1b") + "\x1b\\" if inside_tmux else osc
 
 
 class Annunciator:
-    """Calls once for each time an alarm needs somebody. `send` says whether the bytes went out."""
+    """Calls once for each alarm that newly needs a person. `send` returns whether the bytes were sent."""
 
     def __init__(self, alarms: Alarms, send: Callable[[str], bool]) -> None:
         self._bell, self._notify = alarms.bell, alarms.notify
-        # The Linux console would write it on the screen.
+        # The Linux console would print it on the screen.
         if os.environ.get("TERM") == "linux":
             self._notify = []
         self._inside_tmux = "TMUX" in os.environ
@@ -36,7 +36,7 @@ class Annunciator:
         self._called_at = float("-inf")
 
     def look(self, state: FleetState) -> None:
-        """Call, if there is somebody to call for and the last call was a while ago."""
+        """Call, if an alarm needs it and the last call was a while ago."""
         new = {alarm.key: alarm for alarm in state.alarms if alarm.stage is AlarmStage.UNACKNOWLEDGED}
         self._waiting = (self._waiting | new.keys() - self._known) & new.keys()
         self._known = set(new)

@@ -1,4 +1,4 @@
-"""The way to a browser's tab: packets on pipes, as textual-serve has them."""
+"""The connection to a browser's tab: packets on pipes, as used by textual-serve."""
 
 import io
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from fleet_tui.terminal.ending import PATIENCE, end_within
 
 
 class _Packets(io.StringIO):
-    """Takes text as a file does."""
+    """Takes text like a file."""
 
     def __init__(self, send: Callable[[str], None]) -> None:
         super().__init__()
@@ -26,28 +26,29 @@ class _Packets(io.StringIO):
 
 
 class BrowserDriver(WebDriver):
-    """Textual's own, which waits for a slow browser and outlives a dead server. This one doesn't."""
+    """Textual's driver waits for a slow browser and survives a dead server. This one doesn't."""
 
     def __init__(self, app: App[Any], **options: Any) -> None:
         super().__init__(app, **options)
         self._writer_thread = WriterThread(_Packets(super().write))
 
     def write(self, data: str) -> None:
-        """Hand it to the writer. The app looks at its queue, and leaves pictures out while nobody reads."""
+        """Pass it to the writer. The app checks its queue, and skips pictures while the browser does not
+        read."""
         self._writer_thread.write(data)
 
     def start_application_mode(self) -> None:
-        """Begin. The first line is no packet: the writer comes after it."""
+        """Begin. The first line is no packet: the writer starts after it."""
         super().start_application_mode()
         self._writer_thread.start()
 
     def stop_application_mode(self) -> None:
-        """End: the last packet comes after the writer's."""
+        """End: the last packet follows the writer's."""
         self._writer_thread.stop()
         super().stop_application_mode()
 
     def run_input_thread(self) -> None:
-        """Read until the server has gone, however suddenly: nobody could end the console then."""
+        """Read until the server is gone, however suddenly: otherwise nothing would end the console."""
         super().run_input_thread()
         if not self.exit_event.is_set():
             end_within(PATIENCE, 0)

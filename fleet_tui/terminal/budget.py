@@ -8,7 +8,7 @@ from pathlib import Path
 from fleet_tui.model.counters import Flow
 
 KEPT = 100
-"""Durations of which the spread is told: of ticks, the last 10 s."""
+"""Number of durations for the spread: of ticks, the last 10 s."""
 
 
 class Durations:
@@ -18,17 +18,17 @@ class Durations:
         self._seconds: deque[float] = deque(maxlen=KEPT)
 
     def take(self, seconds: float) -> None:
-        """It was done once more."""
+        """Add a duration."""
         self._seconds.append(seconds)
 
     def timed(self, work: Callable[[], None]) -> None:
-        """Do it, and take the time."""
+        """Call a function, and add its duration."""
         began = time.perf_counter()
         work()
         self.take(time.perf_counter() - began)
 
     def spread(self) -> tuple[float, float, float] | None:
-        """The median, the 95 % and the longest, in seconds; None before the first time."""
+        """Return the median, the 95th percentile and the maximum, in seconds; None before the first."""
         ordered = sorted(self._seconds)
         if not ordered:
             return None
@@ -36,7 +36,7 @@ class Durations:
 
 
 class Budget:
-    """Ticks and paintings, what was sent to the terminal, and how often a picture had to wait for it."""
+    """Ticks and paintings, bytes sent to the terminal, and the number of delayed pictures."""
 
     def __init__(self) -> None:
         self.began = time.monotonic()
@@ -48,7 +48,7 @@ class Budget:
 
 
 def memory() -> tuple[int, int] | None:
-    """Bytes that the process has in memory, and the most it ever had; None where Linux's /proc is missing.
+    """Return the bytes of resident memory, and their maximum; None if Linux's /proc is missing.
 
     VmHWM, not ru_maxrss: that one survives exec.
     """

@@ -1,4 +1,4 @@
-"""A row of cells as a strip of Textual's."""
+"""A row of cells as a Textual strip."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -14,12 +14,12 @@ from fleet_tui.view.map.cells import Cells, Codes, Inks
 class CellStrip(RowStrip):
     """Row y of a picture, with a style for each ink's number.
 
-    It is cut into segments only where somebody asks for them, as where a menu lies over it: on the way
-    to the glass it stays the two rows of numbers that it is.
+    It is cut into segments only on demand, as for a menu over it: on the way to the screen buffer it stays
+    two rows of numbers.
     """
 
     def __init__(self, cells: Cells, y: int, styles: Sequence[Style]) -> None:
-        # The base is initialised by __getattr__: its seven caches cost more than all the rest.
+        # The base is initialised by __getattr__: its seven caches cost more than the rest.
         self._cells, self._y = cells, y
         self._cell_length = cells.codes.shape[1]
         self.codes: Codes = cells.codes[y]
@@ -27,7 +27,7 @@ class CellStrip(RowStrip):
         self.styles = styles
 
     def __getattr__(self, name: str) -> Any:
-        """Return what makes an ordinary strip, from the first time that some of it is looked for."""
+        """Initialise the ordinary strip on the first access to any part of it."""
         if name not in Strip.__slots__:
             raise AttributeError(name)
         segments = [Segment(text, self.styles[ink]) for text, ink in self._cells.runs(self._y)]

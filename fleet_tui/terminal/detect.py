@@ -1,4 +1,4 @@
-"""Finds out what the terminal can do."""
+"""Detection of the terminal's capabilities."""
 
 import codecs
 import os
@@ -9,16 +9,15 @@ from fleet_tui.errors import FleetError
 from fleet_tui.view.map.drawing import Drawing
 
 COLOURLESS = ("dumb", "unknown", "vt100", "vt102", "vt220")
-"""Terminals (TERM) without colour, of which Textual would ask the full 24 bits."""
+"""Terminals (TERM) without colour, to which Textual would send 24-bit colours."""
 IN_BROWSER = "TEXTUAL_DRIVER"
-"""Set by `fleet-tui serve`: pipes to a browser stand for the terminal."""
+"""Set by `fleet-tui serve`: pipes to a browser instead of a terminal."""
 
 MULTIPLEXERS = {"tmux": "TMUX", "screen": "STY"}
 
 
 def has_unicode() -> bool:
-    """Tell whether the terminal shows more than ASCII: the Linux console's font does not, nor a plain
-    locale."""
+    """Tell whether the terminal shows more than ASCII: the Linux console's font and a plain locale don't."""
     try:
         unicode = codecs.lookup(sys.stdout.encoding or "ascii").name == "utf-8"
     except LookupError:
@@ -27,15 +26,15 @@ def has_unicode() -> bool:
 
 
 def drawing_for(wanted: str) -> Drawing:
-    """Return what is wanted, else braille where the terminal can."""
+    """Return the configured drawing, else braille if the terminal supports it."""
     if wanted != "auto":
         return Drawing(wanted)
     return Drawing.BRAILLE if has_unicode() else Drawing.ASCII
 
 
 def has_colour() -> bool:
-    """Tell whether colour is wanted and possible. Empty, NO_COLOR means nothing; Textual asks if it is
-    there."""
+    """Tell whether colour is wanted and possible. An empty NO_COLOR has no effect; Textual only tests its
+    presence."""
     if os.environ.get("TERM") in COLOURLESS:
         os.environ["NO_COLOR"] = "1"
     elif not os.environ.get("NO_COLOR"):
@@ -44,7 +43,7 @@ def has_colour() -> bool:
 
 
 def description(drawing: Drawing, colour: bool) -> str:
-    """Return what was found out about the terminal, and what follows from it."""
+    """Return a description of the terminal, and its consequences."""
     term, colorterm = os.environ.get("TERM", "not set"), os.environ.get("COLORTERM", "not set")
     size = shutil.get_terminal_size()
     inside = next((name for name, mark in MULTIPLEXERS.items() if os.environ.get(mark)), "none")
@@ -57,7 +56,7 @@ def description(drawing: Drawing, colour: bool) -> str:
 
 
 def need_terminal() -> None:
-    """Raise FleetError where there is none."""
+    """Raise FleetError without a terminal."""
     streams = (sys.stdin, sys.stdout, sys.stderr)
     if IN_BROWSER not in os.environ and not all(stream.isatty() for stream in streams):
         raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")

@@ -1,8 +1,8 @@
-"""The display driver: the one place that reaches into Textual's private parts (`lean_app` calls it), and only
-into the version it was made for.
+"""The display driver: the only module that uses Textual's private parts (`lean_app` calls it), and only of
+the version it was made for.
 
-Stock Textual 8.2.8 resends a row from its widget's left edge when one cell of it changes, and
-waits for the terminal as soon as 30 writes are queued: an SSH hiccup then stops the event loop.
+Stock Textual 8.2.8 resends a row from its widget's left edge when one cell of it changes, and waits for the
+terminal as soon as 30 writes are queued: an SSH hiccup then stops the event loop.
 """
 
 import inspect
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
 MADE_FOR = "8.2.8"
 RETRY, RETRY_LONGEST = 0.001, 0.016
-"""Seconds until the next look whether the terminal reads again, twice as long each time."""
+"""Seconds until the next check whether the terminal reads again, doubled each time."""
 
 Part = tuple[int, int, int, Strip]
-"""First cell, row, end cell, what is to be seen there."""
+"""First cell, row, end cell, visible content."""
 
 _COLOURS = {
     "standard": ColorSystem.STANDARD,
@@ -40,7 +40,7 @@ _COLOURS = {
 
 
 def textual_fits() -> bool:
-    """Tell whether Textual is as this module needs it. If not, Textual paints by itself."""
+    """Tell whether Textual matches this module. If not, Textual paints by itself."""
     from importlib.metadata import version  # takes 6 ms
 
     try:
@@ -61,10 +61,11 @@ def textual_fits() -> bool:
 
 
 class DisplayDriver:
-    """Sends only the cells that changed, and never waits: frames are left out while nobody reads."""
+    """Sends only the cells that changed, and never waits: frames are skipped while the terminal does not
+    read."""
 
     def __init__(self, app: App[None], wanted: bool) -> None:
-        """`wanted`: if not, Textual paints by itself."""
+        """`wanted`: if False, Textual paints by itself."""
         self._app, self._wanted = app, wanted
         self.ready = True
         """False lets the first picture go Textual's way: the imports here take as long as to paint it."""
@@ -76,7 +77,7 @@ class DisplayDriver:
 
     @cached_property
     def budget(self) -> "Budget":
-        """Return what the pictures cost. Imported after the first one."""
+        """Return the costs of the pictures. Imported after the first one."""
         from fleet_tui.terminal.budget import Budget
 
         return Budget()
@@ -94,7 +95,7 @@ class DisplayDriver:
         return self.buffer is not None
 
     def show(self, update: _compositor.CompositorUpdate) -> None:
-        """Send what an update changes."""
+        """Send the changes of an update."""
         began = time.perf_counter()
         self._want(update)
         self._send()
@@ -113,14 +114,14 @@ class DisplayDriver:
             self.buffer.put(x, y, end, strip)
 
     def _send(self) -> None:
-        """Send what the terminal lacks, or try again soon."""
+        """Send the differences to the terminal, or try again soon."""
         app, buffer = self._app, self.buffer
         driver = app._driver
         if driver is None or buffer is None or self._retrying:
             return
         writer = getattr(driver, "_writer_thread", None)
         if writer is not self._writer:
-            # The terminal was somebody else's in between (Ctrl-Z and fg).
+            # Another program used the terminal in between (Ctrl-Z and fg).
             self._writer = writer
             buffer.forget()
         if writer is not None and writer._queue.qsize():
@@ -146,7 +147,7 @@ class DisplayDriver:
         self._send()
 
     def call(self, sequence: str) -> bool:
-        """Send what changes nothing on the screen, like a bell. False while the terminal doesn't read."""
+        """Send bytes without effect on the screen, like a bell. False while the terminal doesn't read."""
         driver = self._app._driver
         writer = getattr(driver, "_writer_thread", None)
         if driver is None or (writer is not None and writer._queue.qsize()):
@@ -156,7 +157,7 @@ class DisplayDriver:
         return True
 
     def repaint(self) -> None:
-        """Send every cell again: somebody else wrote on the terminal."""
+        """Send every cell again: another program wrote on the terminal."""
         if self.buffer is not None:
             self.buffer.forget()
             self._app.screen.refresh()
@@ -171,7 +172,7 @@ def _all_parts(update: _compositor.LayoutUpdate) -> Iterator[Part]:
 
 
 def _changed_parts(update: _compositor.ChopsUpdate) -> Iterator[Part]:
-    """Every part of a row that changed somewhere, whole."""
+    """Return every changed part of a row, whole."""
     for y, first, last in update.spans:
         for end, (x, strip) in zip(update.chop_ends[y], update.chops[y].items(), strict=True):
             if strip is not None and x < last and end > first:

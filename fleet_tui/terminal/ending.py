@@ -1,4 +1,4 @@
-"""The end, whatever hangs: a terminal that nobody reads, a name's look-up that takes half a minute."""
+"""Exit despite anything that hangs: a terminal that is not read, a name lookup of half a minute."""
 
 import os
 import select
@@ -11,17 +11,17 @@ from collections.abc import Callable
 from contextlib import suppress
 
 PATIENCE = 1.0
-"""Seconds for an orderly end. After a signal the process is gone within 2."""
+"""Seconds for an orderly exit. After a signal the process is gone within 2."""
 
 LOOK_EVERY = 0.5
-"""Seconds between two looks whether there still is a terminal."""
+"""Seconds between two checks whether the terminal still exists."""
 
-# Out of Textual's screen: no mouse, no focus events, no bracketed paste, first screen, plain, cursor.
+# Leave Textual's screen: no mouse, no focus events, no bracketed paste, first screen, plain, cursor.
 _LEAVE = b"\x1b[?1000l\x1b[?1003l\x1b[?1006l\x1b[?1004l\x1b[?2004l\x1b[<u\x1b[?1049l\x1b[m\x1b[?25h"
 
 
 def end_within(seconds: float, code: int, restore: Callable[[], None] = lambda: None) -> None:
-    """End the process after so many seconds, unless it has ended by itself."""
+    """End the process after a number of seconds, unless it has ended by itself."""
 
     def end() -> None:
         restore()
@@ -33,7 +33,7 @@ def end_within(seconds: float, code: int, restore: Callable[[], None] = lambda: 
 
 
 def terminal_restorer() -> Callable[[], None]:
-    """Return what gives the terminal back as it is now, without waiting for anybody who reads it."""
+    """Return a function that restores the terminal's current state, without waiting for a reader."""
     try:
         descriptor = sys.stdout.fileno()
         modes = termios.tcgetattr(descriptor)
@@ -41,7 +41,7 @@ def terminal_restorer() -> Callable[[], None]:
         return lambda: None
 
     def restore() -> None:
-        threading.excepthook = lambda _: None  # whoever writes at this moment is cut off
+        threading.excepthook = lambda _: None  # a write at this moment is cut off
         with suppress(OSError, termios.error):
             termios.tcsetattr(descriptor, termios.TCSANOW, modes)
             os.set_blocking(descriptor, False)
@@ -52,9 +52,9 @@ def terminal_restorer() -> Callable[[], None]:
 
 
 def _leave(descriptor: int) -> None:
-    """Out of the screen, without waiting. What nobody has read by now nobody need read."""
+    """Leave the screen, without waiting. Unread output is dropped."""
     for _ in range(10):
-        # Wakes who waits in the kernel to write, and would keep everybody else from it: it may not wait now.
+        # Wakes a writer blocked in the kernel, which would block every other one: this may not wait now.
         for action in (termios.TCOOFF, termios.TCOON):
             termios.tcflow(descriptor, action)
         termios.tcflush(descriptor, termios.TCOFLUSH)
@@ -73,14 +73,14 @@ def _is_hung_up(descriptor: int) -> bool:
 
 
 def leave_on_signals(leave: Callable[[], object], restore: Callable[[], None]) -> None:
-    """On SIGTERM, SIGHUP and SIGINT call `leave` on the running loop; if that hangs, `restore` and end.
+    """Call `leave` on the running loop on SIGTERM, SIGHUP and SIGINT; if that hangs, `restore` and end.
 
-    The same where the terminal goes and no SIGHUP comes: only its own session is told.
+    The same if the terminal goes without a SIGHUP: only its own session gets one.
     """
     import asyncio  # takes 40 ms, and most commands do without
 
     loop = asyncio.get_running_loop()
-    terminal = sys.__stdout__  # the other one is Textual's by now
+    terminal = sys.__stdout__  # Textual has replaced the other one by now
 
     def told(number: int, _frame: object) -> None:
         end_within(PATIENCE, 128 + number, restore)

@@ -1,4 +1,4 @@
-"""The fault guard: the console goes on after a fault of its own."""
+"""The fault guard: keeps the console running after an internal error."""
 
 import logging
 from collections.abc import Callable
@@ -13,11 +13,11 @@ if TYPE_CHECKING:
 LOG = logging.getLogger(__name__)
 
 MOST_FAILED_TICKS = 10
-"""So many one after the other end it: what it shows would be old."""
+"""This many errors in a row end it: the screen would be out of date."""
 
 
 class FaultGuard:
-    """Logs what fails, and has it said by `note`; nothing else ends."""
+    """Logs errors, and reports them by `note`; nothing else ends."""
 
     def __init__(self, note: Callable[[str], None]) -> None:
         self._note = note
@@ -25,7 +25,7 @@ class FaultGuard:
         self._logged = ""
 
     def steadily(self, tick: Callable[[], None]) -> None:
-        """Do what is done again soon; an error may pass until then. Raises what does not."""
+        """Run a repeated function; errors are tolerated up to the limit, then raised."""
         try:
             tick()
             self._failed_ticks = 0
@@ -33,23 +33,23 @@ class FaultGuard:
             self._failed_ticks += 1
             if self._failed_ticks == MOST_FAILED_TICKS:
                 raise
-            if repr(problem) != self._logged:  # once: ten times a second it would be all that the log holds
+            if repr(problem) != self._logged:  # once: ten times a second would fill the log
                 self._logged = repr(problem)
                 LOG.exception("tick")
             self._tell(problem)
 
     def action_failed(self, action: "str | ActionParseResult", problem: Exception) -> None:
-        """Log and say that an action failed, by its key where it is that of one."""
+        """Log and report that an action failed, with its key if it has one."""
         name = str(action).removeprefix("screen.").removeprefix("key('").removesuffix("')")
         LOG.error("action %s", name, exc_info=problem)
         self._tell(problem)
 
     def worker_failed(self, error: BaseException) -> None:
-        """Log and say that what was done beside the screen failed."""
+        """Log and report that a background task failed."""
         LOG.error("worker", exc_info=error)
         self._tell(error)
 
     def _tell(self, problem: BaseException) -> None:
-        # The words of an exception may come from anywhere, and some have none.
+        # The text of an exception may contain anything, or be empty.
         words = sanitize(truncate(str(problem))) or type(problem).__name__
         self._note(f"internal error: {words} (see the log file)")

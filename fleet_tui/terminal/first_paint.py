@@ -1,4 +1,4 @@
-"""Start of an app: a first picture before everything is imported; what is typed is kept until then."""
+"""Start of an app: a first picture before everything is imported; typed keys are kept until then."""
 
 import asyncio
 import gc
@@ -13,22 +13,22 @@ if TYPE_CHECKING:
     from fleet_tui.terminal.lean_app import LeanApp
 
 YOUNG = 10_000
-"""New objects between two looks for garbage. A tick of a large fleet makes thousands, and no cycles."""
+"""New objects between two garbage collections. A tick of a large fleet makes thousands, and no cycles."""
 
 
 class FirstPaint:
-    """The first picture, then `mount_rest`, then the keys that came meanwhile, in their order."""
+    """The first picture, then `mount_rest`, then the keys typed meanwhile, in their order."""
 
     def __init__(
         self, app: "LeanApp", theme: Theme, colour: bool, mount_rest: Callable[[], Awaitable[None]]
     ) -> None:
-        # Before the style sheet is read, or all of it would be read and applied twice.
+        # Before the style sheet is read: otherwise it would be read and applied twice.
         app.register_theme(theme)
         app.set_reactive(App.theme, theme.name)
         app.stylesheet.set_variables(app.get_css_variables())
         app.set_class(theme.dark, "-dark-mode")
         app.set_class(not theme.dark, "-light-mode")
-        # Textual keeps no colour out of a picture, if none is wanted.
+        # Textual has no way to suppress colours in a picture.
         app.output.ready = not colour
         self._app, self._mount_rest = app, mount_rest
         self.painted = asyncio.Event()
@@ -38,11 +38,11 @@ class FirstPaint:
         self._held.enter_context(app.batch_update())
 
     def show(self) -> None:
-        """Let what there is be painted now."""
+        """Paint the existing widgets now."""
         self._held.close()
 
     async def finish(self) -> None:
-        """Paint, and get everything else, unless that is done."""
+        """Paint, and mount the rest, unless that is done."""
         if self._finished:
             return
         self._finished = True

@@ -1,4 +1,4 @@
-"""The cells that the terminal should show, those it shows, and the bytes between them."""
+"""The wanted cells of the terminal, the shown ones, and the bytes between them."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -17,11 +17,11 @@ from fleet_tui.terminal.looks import PLAIN, RESET, Sgr, look_of, turn
 
 Cells = NDArray[np.uint64]
 
-# A cell is one number: its character below, its look's number above.
+# A cell is one number: its character in the low bits, its style's number above.
 _SHIFT = np.uint64(32)
 _CODE = np.uint64(0xFFFFFFFF)
 _NOTHING = np.uint64(0xFFFFFFFFFFFFFFFF)
-"""Nothing known: as wanted, leave the cell alone; as sent, send it whatever is wanted."""
+"""Unknown: as wanted, leave the cell alone; as sent, always send it."""
 
 _BLANK = np.uint64(ord(" "))
 _TAIL = 0  # the character in the second cell of a wide one
@@ -31,9 +31,9 @@ ONE_CELL_EACH = re.compile(
     "[ -~\u00a1-\u00ac\u00ae-\u02ff\u0370-\u0373\u0391-\u0482\u048a-\u04ff\u2010-\u2027\u2030-\u205e"
     "\u2190-\u2319\u2400-\u2426\u2500-\u25fc\u2800-\u28ff]*"
 )
-"""What surely takes one cell for each character; for the rest it is found out."""
+"""Characters that surely take one cell; for the rest the width is looked up."""
 
-# What takes no cell and does more than be seen: controls, and what turns the reading direction or hides.
+# Characters without width but with effects: controls, reading direction, invisibility.
 _CONTROLS = dict.fromkeys(
     chain(
         *(range(0x20), range(0x7F, 0xA0), (0x61C, 0x200B, 0x200E, 0x200F, 0xFEFF)),
@@ -42,13 +42,13 @@ _CONTROLS = dict.fromkeys(
 )
 
 REMEMBERED = 4096
-"""Looks, and likewise odd characters, after which those that are nowhere in view are forgotten."""
+"""Number of styles, and of odd characters, above which those out of view are dropped."""
 
 Named = TypeVar("Named", Sgr, str)
 
 
 class ScreenBuffer:
-    """`put` what is wanted, `take` the bytes that make the terminal show it."""
+    """Takes the wanted cells by `put`; `take` returns the bytes that make the terminal show them."""
 
     def __init__(self, colours: ColorSystem | None) -> None:
         self._colours = colours
@@ -60,17 +60,17 @@ class ScreenBuffer:
         self._inks: NDArray[np.uint64] = np.empty(0, np.uint64)
 
     def fit(self, width: int, height: int) -> None:
-        """Take this many cells; nothing is known about a new size."""
+        """Resize to this many cells; all cells are unknown afterwards."""
         if self._wanted.shape != (height, width):
             self._wanted = np.full((height, width), _NOTHING)
             self._sent = self._wanted.copy()
 
     def forget(self) -> None:
-        """The terminal may show anything now: send every cell again."""
+        """Mark all cells as unknown: every one is sent again."""
         self._sent.fill(_NOTHING)
 
     def _tidy(self) -> None:
-        """Number anew what is in view, and forget the rest."""
+        """Renumber the entries in view, and drop the rest."""
         cells = np.concatenate((self._wanted.ravel(), self._sent.ravel()))
         known = cells != _NOTHING
         looks, codes = cells >> _SHIFT, cells & _CODE
@@ -82,7 +82,7 @@ class ScreenBuffer:
         self._styles = ()
 
     def put(self, x: int, y: int, end: int, segments: Iterable[Segment]) -> None:
-        """Want `segments` in row y from cell x on, as far as cell `end`."""
+        """Set `segments` in row y from cell x on, up to cell `end`."""
         cells = self._inked(segments) if isinstance(segments, CellStrip) else self._spelled(segments)
         self._part(x, y)
         self._part(end, y)
@@ -110,7 +110,8 @@ class ScreenBuffer:
         return codes | np.repeat(np.array(looks, np.uint64) << _SHIFT, sizes)
 
     def _part(self, x: int, y: int) -> None:
-        """A wide character on both sides of the left edge of cell x gives way to blanks."""
+        """Return a part of a row; a wide character on both sides of the left edge of cell x becomes
+        blanks."""
         row = self._wanted[y]
         if x < len(row) and row[x] & _CODE == _TAIL:
             row[x - 1 : x + 1] = row[x - 1] & ~_CODE | _BLANK
@@ -119,7 +120,7 @@ class ScreenBuffer:
         return self._looks.setdefault(look, len(self._looks))
 
     def _cells(self, text: str) -> list[int]:
-        """A character number per cell."""
+        """Return one character number per cell."""
         codes = []
         text = text.translate(_CONTROLS)
         for start, end, width in split_graphemes(text)[0]:
@@ -133,7 +134,7 @@ class ScreenBuffer:
         return codes
 
     def take(self) -> str:
-        """The bytes for all that differs, which counts as sent from now on; the look ends plain."""
+        """Return the bytes for all differences, which count as sent from now on; the style ends plain."""
         changed = (self._wanted != self._sent) & (self._wanted != _NOTHING)
         places = np.flatnonzero(changed)
         if not places.size:
@@ -144,7 +145,7 @@ class ScreenBuffer:
         self._sent[changed] = cells
         keep = (cells & _CODE) != _TAIL  # sent with the cell before it
         places, cells = places[keep], cells[keep]
-        # Look by look: a turn of look takes 20 to 40 bytes, a move of the cursor 8.
+        # Style by style: a change of style takes 20 to 40 bytes, a move of the cursor 8.
         order = np.lexsort((places, cells >> _SHIFT))
         return self._written(places[order], cells[order])
 
@@ -165,7 +166,7 @@ class ScreenBuffer:
                 out.append(turn(look, named[number]))
             out.append(clusters[code - _CLUSTERS] if code >= _CLUSTERS else text[start:end])
             look = named[number]
-            # Terminals disagree about the width of what is not plain: name the next place outright.
+            # Terminals disagree about the width of non-plain characters: position the cursor explicitly.
             # The last column too: there the cursor waits beside the screen.
             cursor = place + end - start
             if cursor % width == 0 or not (plain or ONE_CELL_EACH.fullmatch(out[-1])):
@@ -176,7 +177,7 @@ class ScreenBuffer:
 
 
 def _used(table: dict[Named, int], used: Cells, first: int) -> tuple[dict[Named, int], Cells]:
-    """The part of a table that is used, numbered from `first` on, and what was used by its new numbers."""
+    """Return the used part of a table, numbered from `first` on, and the old entries by their new numbers."""
     names = list(table)
     old, new = np.unique(used, return_inverse=True)
     kept = {names[number - first]: first + place for place, number in enumerate(old.tolist())}
@@ -186,7 +187,8 @@ def _used(table: dict[Named, int], used: Cells, first: int) -> tuple[dict[Named,
 def _starts(
     places: NDArray[np.intp], codes: NDArray[np.uint32], looks: NDArray[np.uint64], width: int
 ) -> list[int]:
-    """Return where runs begin: at a gap, another look, another row, before and after what is not plain."""
+    """Return the starts of runs: at a gap, another style, another row, before and after non-plain
+    characters."""
     odd = codes >= _CLUSTERS
     begins = np.ones(len(places), bool)
     begins[1:] = (
@@ -196,7 +198,7 @@ def _starts(
 
 
 def _move(cursor: int, place: int, width: int) -> str:
-    """The cursor from one place to another, both counted row by row; -1: nobody knows where it is."""
+    """Return the move of the cursor from one place to another, both counted row by row; -1: unknown."""
     if place == cursor:
         return ""
     y, x = divmod(place, width)

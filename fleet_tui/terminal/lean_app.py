@@ -1,4 +1,4 @@
-"""Textual's app, overridden where Textual has no other way in; the work is done by objects that it uses."""
+"""Textual's app, overridden where Textual has no hook; the work is done by other objects."""
 
 import logging
 from typing import TYPE_CHECKING
@@ -25,14 +25,14 @@ LOG = logging.getLogger(__name__)
 
 
 class LeanApp(App[None]):
-    """Paints by its display driver. Without a fault guard a failed worker ends it; without a first paint what
-    is typed goes to Textual at once."""
+    """Paints by its display driver. Without a fault guard a failed worker ends it; without a first paint,
+    typed keys go to Textual at once."""
 
     LEAN = True
     faults: "FaultGuard | None" = None
     startup: "FirstPaint | None" = None
     failure: Exception | None = None
-    """What ended it, if that was an error."""
+    """The error that ended it, if any."""
 
     def __init__(self, ansi_color: bool = False, driver_class: type[Driver] | None = None) -> None:
         super().__init__(driver_class=driver_class, ansi_color=ansi_color)
@@ -55,7 +55,7 @@ class LeanApp(App[None]):
             self.exit()
 
     def _fatal_error(self) -> None:
-        """Leave. Textual would paint a traceback with the values of all variables, secrets among them."""
+        """Exit. Textual would paint a traceback with the values of all variables, secrets among them."""
         self._close_messages_no_wait()
 
     async def run_action(
@@ -64,8 +64,8 @@ class LeanApp(App[None]):
         default_namespace: "DOMNode | None" = None,
         namespaces: "Mapping[str, DOMNode] | None" = None,
     ) -> bool:
-        """Do what a key, a button or a line of the palette is for."""
-        # Textual ends the app where an action fails.
+        """Run the action of a key, a button or a line of the palette."""
+        # Textual ends the app if an action fails.
         try:
             return await super().run_action(action, default_namespace, namespaces)
         except Exception as problem:
@@ -75,8 +75,8 @@ class LeanApp(App[None]):
             return True
 
     async def on_event(self, event: events.Event) -> None:
-        """Keep what is typed until it finds what it is meant for."""
-        # Textual hands it to what has the focus.
+        """Keep typed keys until their target is mounted."""
+        # Textual passes it to the focused widget.
         if self.startup is not None and isinstance(event, events.InputEvent | events.Paste):
             await self.startup.finish()
         await super().on_event(event)
@@ -97,9 +97,9 @@ class LeanApp(App[None]):
             self.startup.painted.set()
 
     def on_resize(self, _event: events.Resize) -> None:
-        """Paint anew: terminals rearrange what they show when their size changes, there and back too."""
+        """Repaint: terminals reflow their content when their size changes, also there and back."""
         self.output.repaint()
 
     def action_repaint(self) -> None:
-        """Paint anew."""
+        """Repaint."""
         self.output.repaint()

@@ -1,4 +1,4 @@
-"""The look of a cell, as the parameters of SGR (the escape sequence that sets colours and weight)."""
+"""The style of a cell, as SGR parameters (the escape sequence that sets colours and weight)."""
 
 from functools import lru_cache
 from typing import NamedTuple
@@ -34,7 +34,7 @@ _WEIGHTS = {
 
 @lru_cache(4096)
 def look_of(style: Style | None, colours: ColorSystem | None) -> Sgr:
-    """A Rich style with as many colours as the terminal has; None: no colour at all."""
+    """Return a Rich style with the terminal's number of colours; None: no colour at all."""
     if style is None:
         return PLAIN
     weight = ";".join(code for code, name in _WEIGHTS.items() if getattr(style, name))
@@ -47,7 +47,8 @@ def look_of(style: Style | None, colours: ColorSystem | None) -> Sgr:
 
 
 def _apart(color: str, on: str) -> str:
-    """With 16 colours a quiet one may fall together with its ground: the greys beside it don't."""
+    """Return a foreground that differs from its ground: with 16 colours a quiet one may equal it, the greys
+    beside it don't."""
     if int(color) + 10 != int(on):
         return color
     return "37" if on == "100" else "90"
@@ -64,15 +65,17 @@ def _code(color: Color | None, colours: ColorSystem, foreground: bool) -> str:
     return ";".join(color.downgrade(colours).get_ansi_codes(foreground))
 
 
-_TINTED = 42  # between the most and the least of red, green and blue: below it a colour reads as grey
-_COLOURED = 56  # the same where there are but six hues
+_TINTED = (
+    42  # difference of the maximum and minimum of red, green and blue below which a colour reads as grey
+)
+_COLOURED = 56  # the same with only six hues
 _GREYS = ((50, 0), (145, 8), (215, 7), (256, 15))
 _BRIGHT = 200
 
 
 @lru_cache(1024)
 def sixteen(triplet: ColorTriplet) -> int:
-    """The one of the 16 colours that has its hue, or its lightness if it has hardly any.
+    """Return the one of the 16 colours with its hue, or with its lightness if it has hardly any.
 
     Rich takes the nearest by distance, which makes a dark red brown: yellow on most terminals.
     """
@@ -88,11 +91,11 @@ _CUBE = (0, 95, 135, 175, 215, 255)
 
 @lru_cache(1024)
 def nearest(triplet: ColorTriplet) -> int:
-    """The nearest of the 240 fixed colours of a 256-colour terminal.
+    """Return the nearest of the 240 fixed colours of a 256-colour terminal.
 
-    Rich looks for tinted colours only in the cube, whose darkest steps are 0 and 95: every dark
-    ground becomes the same black. The greys between them keep grounds apart. A grey with a little
-    blue in it is grey here: the nearest in the cube would be teal or purple.
+    Rich looks for tinted colours only in the cube, whose darkest steps are 0 and 95: every dark ground
+    becomes the same black. The greys between them keep grounds apart. A slightly bluish grey counts as grey
+    here: the nearest in the cube would be teal or purple.
     """
     if max(triplet) - min(triplet) < _TINTED:
         triplet = ColorTriplet(*[round(sum(triplet) / 3)] * 3)
@@ -105,12 +108,12 @@ def nearest(triplet: ColorTriplet) -> int:
 
 @lru_cache(4096)
 def turn(before: Sgr, after: Sgr) -> str:
-    """The shortest sequence that makes `after` of `before`."""
+    """Return the shortest sequence that changes `before` into `after`."""
     if before == after:
         return ""
     parts = []
     if before.weight and before.weight != after.weight:
-        # Single weights can't be taken back on every terminal: start anew.
+        # Single weights can't be unset on every terminal: reset first.
         parts, before = ["0"], PLAIN
     if before.weight != after.weight:
         parts.append(after.weight)

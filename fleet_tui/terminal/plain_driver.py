@@ -1,6 +1,6 @@
-"""For terminals that show ASCII alone: what the console itself draws with is sent as the nearest ASCII sign.
+"""The driver for ASCII-only terminals: the console's own glyphs are sent as the nearest ASCII character.
 
-The names and words of robots are left as they are: they are the site's own.
+Names and texts of robots are not changed.
 """
 
 from textual.drivers.linux_driver import LinuxDriver
@@ -9,8 +9,8 @@ from fleet_tui.text.ascii_fallback import PLAIN
 
 
 class PlainDriver(LinuxDriver):
-    """Textual's own, but for the signs."""
+    """Textual's driver, with ASCII glyphs."""
 
     def write(self, data: str) -> None:
-        """Send it, every sign in ASCII. Each takes one cell, as before."""
+        """Send text, every glyph in ASCII. Each takes one cell, as before."""
         super().write(data.translate(PLAIN))

@@ -1,4 +1,4 @@
-"""A row of a widget as a strip of Textual's."""
+"""A row of a widget as a Textual strip."""
 
 from collections.abc import Iterable, Sequence
 
@@ -6,11 +6,11 @@ from textual.strip import Strip
 
 
 class RowStrip(Strip):
-    """Uncut it keeps no note of itself: rows that do would be garbage which is found minutes later."""
+    """Uncut it holds no reference to itself: a cycle would be garbage that is collected minutes later."""
 
     __slots__ = ()
 
     def divide(self, cuts: Iterable[int]) -> Sequence[Strip]:
-        """The parts between cuts."""
+        """Return the parts between cuts."""
         cuts = list(cuts)
         return [self] if cuts == [self.cell_length] else super().divide(cuts)
