@@ -1,1 +1,1 @@
-"""The panes: each paints what it is shown and says what the operator did to it."""
+"""The panes: each paints its input and posts the operator's actions on it."""

@@ -10,7 +10,7 @@ from fleet_tui.keys import KEYS, Key, Pane
 
 
 def bindings(pane: Pane) -> list[BindingType]:
-    """The bindings that work in a pane."""
+    """Return the bindings of a pane."""
     return [
         Binding(
             ",".join(map(textual_key, key.keys)) or f"no_key_for_{key.id}",
@@ -26,17 +26,18 @@ def bindings(pane: Pane) -> list[BindingType]:
 
 
 def action_of(key: Key[Any]) -> str:
-    """Textual's action string: tables and diagnostics do their own keys, the main screen the others."""
+    """Return Textual's action string: tables and diagnostics run their own keys, the main screen the
+    others."""
     widget = "" if key.pane in (Pane.TABLE, Pane.DIAGNOSTICS) else "screen."
     return f"{widget}key({key.id!r})"
 
 
 def textual_key(key: str) -> str:
-    """A key of the config as Textual calls it."""
+    """Return Textual's name of a key of the config."""
     *modifiers, last = key.split("+") if len(key) > 1 else [key]
     return "+".join([*modifiers, _character_to_key(last) if len(last) == 1 else last])
 
 
 def textual_keymap(keys: Mapping[str, tuple[str, ...]]) -> dict[str, str]:
-    """The chosen keys of each id, as Textual's keymap wants them."""
+    """Return the chosen keys of each id, as Textual's keymap."""
     return {id_: ",".join(map(textual_key, chosen)) or f"no_key_for_{id_}" for id_, chosen in keys.items()}

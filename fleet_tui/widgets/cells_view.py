@@ -1,4 +1,4 @@
-"""A widget that shows a picture in cells and sends only what changed to the terminal."""
+"""A widget that shows a picture in cells and sends only the changes to the terminal."""
 
 from collections.abc import Mapping
 
@@ -20,7 +20,7 @@ class CellsView(InkView):
         self._painted: Cells | None = None
 
     def paint(self, cells: Cells) -> None:
-        """Show `cells`, which are not changed any more. Only what differs from before is sent."""
+        """Show `cells`, which must not be changed any more. Only the differences are sent."""
         changes = cells.changes(self._painted)
         self._painted = cells
         self._renew([y for y, _, _ in changes], len(cells.codes))

@@ -1,4 +1,4 @@
-"""A text field whose keys keep their order, however fast they come."""
+"""A text field whose keys keep their order, however fast they arrive."""
 
 from collections.abc import Callable, Mapping
 
@@ -11,10 +11,10 @@ Keys = Mapping[str, Callable[[], object]]
 
 
 class Field(Input):
-    """Does what `on` says of a key at once, not by a message that the next key would overtake.
+    """Runs the callback `on` for a key at once, not by a message that the next key would overtake.
 
-    Keys that were already on their way when the focus moved on are passed to where it is now: a
-    whole order pasted in one packet fills the form as if it were typed.
+    Keys already in the queue when the focus moved are forwarded to its new place: a whole order pasted in one
+    packet fills the form as if it were typed.
     """
 
     def __init__(self, on: Keys, *, id: str, placeholder: str = "") -> None:
@@ -26,7 +26,7 @@ class Field(Input):
         event.text = "\n".join(map(sanitize, event.text.splitlines()))
 
     def on_key(self, event: events.Key) -> None:
-        """Ours, somebody else's, or text."""
+        """Run a bound key, forward a late key to the focused widget, or insert it as text."""
         focused = self.screen.focused
         action = self._on.get(event.key)
         if focused is self and action is None:

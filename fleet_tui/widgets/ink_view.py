@@ -1,4 +1,4 @@
-"""A widget that shows rows of runs and sends only the rows that changed to the terminal."""
+"""A widget that shows rows of runs and sends only the changed rows to the terminal."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import ClassVar
@@ -18,7 +18,7 @@ class InkView(Widget):
     """Paints rows of runs. It has no border or padding: the first run begins in the widget's corner."""
 
     ALLOW_SELECT: ClassVar[bool] = False
-    """Dragging means something else here."""
+    """Disables text selection: dragging has another use here."""
 
     def __init__(self, inks: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(id=id)
@@ -43,7 +43,7 @@ class InkView(Widget):
             self.refresh(*(Region(0, y, width, 1) for y in changed))
 
     def _renew(self, changed: Iterable[int], height: int) -> None:
-        """Make the strips of these rows anew; the others stay."""
+        """Rebuild the strips of these rows; the others stay."""
         if height != len(self._strips):
             self._strips = [Strip([])] * height
         for y in changed:
@@ -51,16 +51,16 @@ class InkView(Widget):
 
     def _strip(self, y: int) -> Strip:
         styles, row = self._styles, self._rows[y]
-        # Measured here: Rich would keep each of these texts, which are new every second.
+        # Measured here: Rich would cache each of these texts, which are new every second.
         return RowStrip([Segment(text, styles[ink]) for text, ink in row], width_of(row))
 
     def render_line(self, y: int) -> Strip:
-        """One row, whole."""
+        """Return one row, whole."""
         return self._strips[y] if y < len(self._strips) else Strip.blank(self.size.width)
 
     def render_lines(self, crop: Region) -> list[Strip]:
-        """The rows as they are kept: past the cache that would wrap each of them anew."""
-        # Textual notes what was to be painted until it has rendered the widget itself, which it never does.
+        """Return the rows as stored, bypassing the cache that would wrap each of them again."""
+        # Textual keeps the list of rows to paint until it has rendered the widget itself, which it never does.
         self._dirty_regions.clear()
         if crop.x == 0 and crop.size == self.size and crop.height == len(self._strips):
             return self._strips  # all of them, each as wide as the widget

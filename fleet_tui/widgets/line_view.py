@@ -1,4 +1,4 @@
-"""One line of text that is always in view."""
+"""One line of text that is always visible."""
 
 from collections.abc import Sequence
 
@@ -8,8 +8,8 @@ from fleet_tui.widgets.ink_view import InkView
 
 
 class LineView(InkView):
-    """Shows runs at the left and others at the right. Where both don't fit, the left stays whole,
-    or with `keep_right` the right."""
+    """Shows runs at the left and others at the right. If both don't fit, the left stays whole, or with
+    `keep_right` the right."""
 
     DEFAULT_CSS = "LineView { height: 1; }"
 
@@ -18,7 +18,7 @@ class LineView(InkView):
         self._keep_right = keep_right
 
     def show(self, left: Sequence[Run], right: Sequence[Run] = ()) -> None:
-        """Show these."""
+        """Show these runs."""
         width, at_right = self.size.width, width_of(right)
         if width < 1:
             return

@@ -29,12 +29,12 @@ class MapView(CellsView, can_focus=True):
         self._dragged = False
 
     def show(self, scene: Scene) -> None:
-        """Show the newest scene. Cheap where little changed: call it at every tick."""
+        """Show the newest scene. Cheap if little changed: call it at every tick."""
         self.picture.show(scene)
         self.draw()
 
     def draw(self) -> None:
-        """Paint the scene as it is seen now."""
+        """Paint the scene with the current view."""
         cells = self.picture.cells(*self.size, self.has_focus)
         if cells is not None:
             self.paint(cells)
@@ -66,7 +66,7 @@ class MapView(CellsView, can_focus=True):
             self.draw()
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
-        """Start what becomes a drag or a click."""
+        """Start a drag or a click."""
         self.capture_mouse()
         self._drag, self._dragged = (event.x, event.y), False
 

@@ -12,7 +12,7 @@ class Matches(OptionList, can_focus=False):
         super().__init__(id=id, markup=False)
 
     def show(self, texts: Iterable[str], mark: bool = True) -> None:
-        """List these, the first one marked unless nothing is to be taken yet."""
+        """List these, the first one marked unless none may be taken yet."""
         self.clear_options()
         self.add_options(list(texts))
         self.highlighted = 0 if mark and self.option_count else None
@@ -23,5 +23,5 @@ class Matches(OptionList, can_focus=False):
 
     @property
     def marked(self) -> int:
-        """The marked match, 0 where there is none."""
+        """Return the index of the marked match, 0 without one."""
         return self.highlighted or 0

@@ -1,4 +1,4 @@
-"""Messages between panes: each says what happened, never what to do about it."""
+"""Messages between panes: each describes an event, not the reaction to it."""
 
 from collections.abc import Hashable
 
@@ -22,7 +22,7 @@ class VertexPicked(Message):
 
 
 class RowPicked(Message):
-    """The cursor of a pane came to a row."""
+    """The cursor of a pane moved to a row."""
 
     def __init__(self, pane: str, key: Hashable) -> None:
         super().__init__()
@@ -31,7 +31,7 @@ class RowPicked(Message):
 
 
 class RowChosen(Message):
-    """The menu of a pane's row is wanted."""
+    """The operator opened the menu of a pane's row."""
 
     def __init__(self, pane: str, key: Hashable) -> None:
         super().__init__()

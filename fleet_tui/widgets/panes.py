@@ -4,6 +4,6 @@ from textual.containers import Container
 
 
 class Panes(Container):
-    """Only its ground is to be seen, between the panes: Textual need not make it row by row."""
+    """Only its background is visible, between the panes: Textual need not build it row by row."""
 
     BLANK = True

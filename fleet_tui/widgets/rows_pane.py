@@ -21,9 +21,9 @@ class RowsPane(InkView, can_focus=True):
     BINDINGS = bindings(Pane.TABLE)
 
     def __init__(self, *, id: str, rows: int = 0, choose: Callable[[Hashable], object] | None = None) -> None:
-        """`rows` is how many it would like to show where its height is up to it. `choose` is called with the
-        key of the row that Enter means, at once, in place of the message RowChosen: where the next key is
-        meant for what comes of it."""
+        """`rows` is the preferred number of rows if its height is free. `choose` is called with the key of
+        the row that Enter means, at once, instead of the message RowChosen: for panes whose result gets
+        the next key."""
         super().__init__(id=id)
         self._wanted = rows
         self._choose = choose or (lambda key: self.post_message(RowChosen(id, key)))
@@ -31,11 +31,11 @@ class RowsPane(InkView, can_focus=True):
 
     @property
     def row_width(self) -> int:
-        """The cells of a row beside the cursor's mark."""
+        """Return the cells of a row beside the cursor's mark."""
         return max(0, self.size.width - 1)
 
     def get_content_height(self, container: Size, viewport: Size, width: int) -> int:
-        """The rows it would like to show, and its title."""
+        """Return the preferred number of rows, and the title."""
         return self._wanted + 1
 
     def show(self, table: Table) -> None:
@@ -44,13 +44,13 @@ class RowsPane(InkView, can_focus=True):
         self.draw()
 
     def draw(self) -> None:
-        """Paint the rows that are in view."""
+        """Paint the visible rows."""
         width, height = self.size
         if width > 0 and height > 0:
             self.paint_rows(self.listing.lines(width, height, self.has_focus))
 
     def action_key(self, id_: str) -> None:
-        """Do what a key of tables is for."""
+        """Run the action of a key of tables."""
         KEYS[id_].action(self)
 
     def move(self, step: int) -> None:
@@ -65,12 +65,12 @@ class RowsPane(InkView, can_focus=True):
         self.draw()
 
     def open_menu(self) -> None:
-        """Ask for the menu of the cursor's row."""
+        """Request the menu of the cursor's row."""
         if self.listing.cursor is not None:
             self._choose(self.listing.cursor)
 
     def on_click(self, event: events.Click) -> None:
-        """Press a button where one is, else mark the row; a second click opens its menu."""
+        """Press a button at the click, else mark the row; a second click opens its menu."""
         event.stop()
         if event.y and not self.listing.shows_row(event.y):
             return
@@ -85,7 +85,7 @@ class RowsPane(InkView, can_focus=True):
     @on(events.MouseScrollUp)
     @on(events.MouseScrollDown)
     def scroll_rows(self, event: events.MouseScrollUp | events.MouseScrollDown) -> None:
-        """Go three rows on or back."""
+        """Scroll by three rows."""
         event.stop()
         self.move(3 if isinstance(event, events.MouseScrollDown) else -3)
 

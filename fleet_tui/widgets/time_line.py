@@ -10,17 +10,17 @@ from fleet_tui.widgets.messages import TimePicked
 
 
 class TimeLine(InkView):
-    """Two rows: how far it is, and what happened. A click goes there."""
+    """Two rows: the position, and the latest event. A click seeks."""
 
     DEFAULT_CSS = "TimeLine { height: 2; width: 1fr; }"
 
     def show(self, moment: ReplayPosition, clock: Callable[[float], str]) -> None:
-        """Show where it stands now."""
+        """Show the current position."""
         if self.size.width > 0:
             self.paint_rows(time_line(moment, clock, self.size.width))
 
     def on_click(self, event: events.Click) -> None:
-        """Tell which time was meant."""
+        """Post the clicked time."""
         event.stop()
         if event.y == 0:
             self.post_message(TimePicked(event.x, self.size.width))
