@@ -15,13 +15,12 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import pauses, summary
 
 TEXT_KEPT = 1000
-"""Characters of a text from outside: no robot fills the disk with one answer."""
+"""Maximum characters of a text from outside: no robot fills the disk with one answer."""
 
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """The author of records: the operator's name, `console` as host:process id, `run` as it is told from
-    others."""
+    """The author of records: the operator's name, `console` as host:process id, `run` as its unique id."""
 
     operator: str
     console: str
@@ -39,7 +38,7 @@ class Origin:
 
 
 def _kept(text: str) -> str:
-    """Cut, and without what no JSON reader takes: half a surrogate pair."""
+    """Truncate a text, and drop characters that JSON readers reject: half a surrogate pair."""
     text = text if len(text) <= TEXT_KEPT else text[: TEXT_KEPT - 1] + "…"
     return text if text.isascii() else text.encode(errors="backslashreplace").decode()
 
@@ -47,7 +46,7 @@ def _kept(text: str) -> str:
 def command_records(
     origin: Origin, before: FleetState, after: FleetState, wall: Callable[[float], float]
 ) -> Iterator[AuditRecord]:
-    """Each step that a command made. `wall` gives the Unix time of a monotonic one."""
+    """Return each step that a command made. `wall` converts monotonic to Unix time."""
     if before.commands is after.commands:
         return
     told = {record.id: len(record.steps) for record in before.commands}
@@ -60,7 +59,7 @@ def command_records(
 def _summaries(
     origin: Origin, before: FleetState, after: FleetState, wall: Callable[[float], float]
 ) -> Iterator[AuditRecord]:
-    """Sum up what was asked of many robots in one request, once all of it is decided."""
+    """Summarise a request to many robots, once all of it is decided."""
     was_open = {record.id for record in before.commands if not record.is_decided}
     decided = {record.id for record in after.commands if record.is_decided and record.id in was_open}
     for batch in pauses(after.commands) if decided else ():
@@ -76,7 +75,7 @@ def _summary(
 
 
 def closing_records(origin: Origin, state: FleetState, wall: float) -> Iterator[AuditRecord]:
-    """Tell the last word of this console on each command and order that has not ended."""
+    """Return this console's last record on each open command and order."""
     for record in state.commands:
         if not record.is_decided or record.has_open_order:
             words = f"order {record.order_id} was in the queue" if record.has_open_order else ""
@@ -142,7 +141,7 @@ def _stop(role: str, robot: Robot | None, stop: Stop) -> dict[str, Any]:
 def alarm_records(
     origin: Origin, before: FleetState, after: FleetState, wall: float
 ) -> Iterator[AuditRecord]:
-    """Each change of an alarm."""
+    """Return each change of an alarm."""
     for change in transitions(before.alarms, after.alarms, wall):
         cleared = change.now is AlarmStage.CLEARED
         word = f"{change.word}, {AlarmStage.CLEARED.value}" if cleared else change.word

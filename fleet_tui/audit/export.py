@@ -1,4 +1,4 @@
-"""The audit log as CSV, for a spreadsheet: nothing in it is run as a formula."""
+"""The audit log as CSV, for a spreadsheet: no value is run as a formula."""
 
 import csv
 import os
@@ -11,14 +11,14 @@ from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.text.sanitize import sanitize
 
 COLUMNS = AuditRecord.__struct_fields__
-# Full-width forms are formulas, too, where the spreadsheet speaks Japanese or Chinese.
+# Full-width forms are formulas, too, in a Japanese or Chinese spreadsheet.
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20")
-# One that writes decimals with a comma takes a semicolon for the end of a cell.
+# One with decimal commas treats a semicolon as the end of a cell.
 _NEXT_CELL = re.compile(r"""(;[\s"']*)(?=[=+\-@\uff1d\uff0b\uff0d\uff20])""")
 
 
 def cell(value: object) -> str:
-    """A value as the text of a cell; one that a spreadsheet would run gets an apostrophe in front."""
+    """Return a value as the text of a cell; one that a spreadsheet would run gets an apostrophe in front."""
     if value is None:
         return ""
     if not isinstance(value, str):
@@ -28,7 +28,7 @@ def cell(value: object) -> str:
 
 
 def write_csv(file: TextIO, records: Iterable[AuditRecord]) -> int:
-    """Write a line of names and one for each record. Returns how many records there were."""
+    """Write a line of names and one for each record. Returns the number of records."""
     writer = csv.writer(file)
     writer.writerow(COLUMNS)
     count = 0
@@ -38,8 +38,8 @@ def write_csv(file: TextIO, records: Iterable[AuditRecord]) -> int:
 
 
 def export(path: Path, records: Iterable[AuditRecord]) -> int:
-    """Write a new file that only its owner reads, whole or not at all. Returns how many records are in
-    it. Raises OSError, also where the file is there already."""
+    """Write a new file of mode 600, whole or not at all. Returns the number of records. Raises OSError, also
+    if the file exists."""
     fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o600)
     try:
         with open(fd, "w", encoding="utf-8", newline="") as file:  # noqa: PTH123  # a Path can't open a descriptor

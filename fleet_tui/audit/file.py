@@ -8,20 +8,20 @@ from pathlib import Path
 
 FILE_NAME = "audit.jsonl"
 MAX_BYTES, KEPT = 10 * 2**20, 5
-"""A file's size, and how many there are with the one that is written."""
+"""A file's maximum size, and the number of files including the current one."""
 
 
 def part(path: Path, number: int) -> Path:
-    """The file itself (0), or an older one: the higher the number, the older."""
+    """Return the file itself (0), or an older one: the higher the number, the older."""
     return path.with_name(f"{path.name}.{number}") if number else path
 
 
 class AuditFile:
-    """Appends each line in one write, so that lines of several consoles never mix and a kill leaves
-    at most one torn line: the last. Whoever writes next closes that line first.
+    """Appends each line in one write, so that lines of several consoles never mix and a kill leaves at most
+    one torn line: the last. The next writer ends that line first.
 
-    Nothing is synced to the disk: a killed process loses nothing by that, and a command must not wait
-    for a disk. Only a power cut may cost the last seconds.
+    Nothing is synced to the disk: a killed process loses nothing by that, and a command must not wait for a
+    disk. Only a power cut may cost the last seconds.
     """
 
     def __init__(self, path: Path, max_bytes: int = MAX_BYTES, kept: int = KEPT) -> None:
@@ -31,7 +31,7 @@ class AuditFile:
         self._fd: int | None = None
 
     def append(self, line: bytes) -> None:
-        """Write a line, which ends with a newline. Raises OSError where it could not be written whole."""
+        """Write a line, which ends with a newline. Raises OSError if it could not be written whole."""
         fd = self._current()
         size = os.fstat(fd).st_size
         if size and size + len(line) > self._max_bytes:
@@ -43,17 +43,17 @@ class AuditFile:
             raise OSError(errno.EIO, "last record only partly written")
 
     def close(self) -> None:
-        """Let the file go; the next line opens it again."""
+        """Close the file; the next line opens it again."""
         fd, self._fd = self._fd, None
         if fd is not None:
             os.close(fd)
 
     def _current(self) -> int:
-        """The file that has the name now: another console may have rotated it, a person removed it."""
+        """Return the file that has the name now: another console may have rotated it, a person removed it."""
         if self._fd is None or not self._has_the_name(self._fd):
             self.close()
             self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-            # Not to wait for ever for a reader, should the name be that of a pipe.
+            # Must not block for a reader, if the name is a pipe.
             flags = os.O_RDWR | os.O_APPEND | os.O_CREAT | os.O_CLOEXEC | os.O_NONBLOCK | os.O_NOCTTY
             self._fd = os.open(self.path, flags, 0o600)
             self._take_over(self._fd)
@@ -69,7 +69,7 @@ class AuditFile:
         mode = os.fstat(fd).st_mode
         self.warning = ""
         if not stat.S_ISREG(mode):
-            self.close()  # a pipe that nobody reads takes lines, and loses them
+            self.close()  # an unread pipe accepts lines, and loses them
             raise OSError(errno.EINVAL, "not a regular file")
         if stat.S_IMODE(mode) != 0o600:
             try:
@@ -78,10 +78,10 @@ class AuditFile:
                 self.warning = f"{self.path.name} has mode {stat.S_IMODE(mode):03o} instead of 600"
 
     def _rotated(self, fd: int) -> int:
-        """The file to write to after this one was full. It goes on growing where it can't be renamed:
-        a record matters more than a size."""
+        """Return the file to write to after this one was full. It keeps growing if it can't be renamed: a
+        record matters more than the size."""
         try:
-            # The lock is of the full file itself, and never waited for: who holds it may be stopped.
+            # The lock is on the full file itself, and never waited for: its holder may be stopped.
             fcntl.flock(fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
             if self._has_the_name(fd):
                 self._shift()

@@ -1,8 +1,8 @@
 """The audit log of one console: every change of a command or an alarm becomes a line in a file.
 
-It watches the store, so a command's line is written before the command is sent, unless the disk takes
-longer than a moment. It never raises: what can't be written is kept, said on the screen, and written when
-that is possible again.
+It watches the store, so a command's line is written before the command is sent, unless the disk takes longer
+than a moment. It never raises: lines that can't be written are kept, reported on the screen, and written
+later.
 """
 
 import getpass
@@ -33,23 +33,24 @@ from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
 
-# Records that wait for a disk that takes them, and seconds between two tries.
+# Records that wait for a writable disk, and seconds between two attempts.
 WAITING, RETRY = 10_000, 1.0
-# Seconds that a fact waits for its lines; those of more than SLOW are, together, so many in each RETRY.
+# Seconds that an event waits for its lines; the sum of those above SLOW is limited to this in each RETRY.
 PATIENCE, SLOW, SLOW_TOGETHER = 0.05, 0.02, 0.1
-# Seconds until a disk that does not answer is left alone at the end.
+# Seconds at the end after which an unresponsive disk is given up.
 LAST_CHANCE = 0.5
 
 HANGS = "disk not responding"
 
 
 def encode(record: AuditRecord) -> bytes:
-    """A record as a line. All but ASCII is escaped: no text from outside acts on who looks at the file."""
+    """Return a record as a line. Non-ASCII is escaped: no text from outside affects a terminal that shows the
+    file."""
     return json.dumps(msgspec.to_builtins(record), separators=(",", ":")).encode() + b"\n"
 
 
 def operator_name(config: Config) -> str:
-    """Return who commands: the config's name, else the login name."""
+    """Return the operator's name: the config's, else the login name."""
     try:
         return config.operator.name or getpass.getuser()
     except (KeyError, OSError):
@@ -57,13 +58,13 @@ def operator_name(config: Config) -> str:
 
 
 def new_origin(config: Config, demo: bool = False) -> Origin:
-    """Return who writes from this process on."""
+    """Return the author of this process's records."""
     console = f"{os.uname().nodename}:{os.getpid()}"
     return Origin(operator_name(config), console, secrets.token_hex(4), demo)
 
 
 class Audit:
-    """Keeps the log: any thread may call it, one of its own writes, since a disk may hang."""
+    """Writes the log: callable from any thread, writing in its own, since a disk may hang."""
 
     def __init__(self, file: AuditFile, origin: Origin) -> None:
         self.file, self.origin = file, origin
@@ -81,28 +82,29 @@ class Audit:
 
     @property
     def problem(self) -> str:
-        """Return why lines are not written now."""
+        """Return the reason that lines are not written now."""
         return self._problem or (HANGS if time.monotonic() - self._begun > PATIENCE else "")
 
     @property
     def notes(self) -> list[str]:
-        """Return what the operator must know of the log; nothing while it is written as it should be."""
+        """Return notes on the log for the operator; empty while all is written."""
         if problem := self.problem:
             return [f"audit: not written: {problem}"]
         return [f"audit: {self.file.warning}"] if self.file.warning else []
 
     def watch(self, before: FleetState, after: FleetState) -> None:
-        """Write what changed from one state to the next."""
+        """Write the changes from one state to the next."""
         now, wall = time.monotonic(), time.time()
         commands = command_records(self.origin, before, after, lambda at: wall - (now - at))
         self._take(itertools.chain(commands, alarm_records(self.origin, before, after, wall)))
 
     def tell(self, change: str, words: str = "") -> None:
-        """Write what happened to the console itself."""
+        """Write an event of the console itself."""
         self._take([self._of_console(change, words)])
 
     def close(self, state: FleetState) -> int:
-        """Write the last word on every open command. Returns how many records could not be written."""
+        """Write the last record of every open command. Returns the number of records that could not be
+        written."""
         self._take(closing_records(self.origin, state, time.time()))
         self.tell("closed")
         with self._changed:
@@ -122,7 +124,7 @@ class Audit:
                 for record in records:
                     self._keep(encode(record))
             except Exception:
-                # Whatever is wrong with us, dispatch goes on.
+                # Whatever fails here, dispatch continues.
                 LOG.exception("audit")
                 self._lost += 1
             self._changed.notify_all()
@@ -137,7 +139,7 @@ class Audit:
         self._taken += 1
 
     def _wait(self) -> None:
-        """Until everything is written, while that is a matter of a moment."""
+        """Wait briefly until everything is written."""
         began = time.monotonic()
         if began > self._slow_since + RETRY:
             self._slow, self._slow_since = 0.0, began
@@ -161,7 +163,7 @@ class Audit:
         self.file.close()
 
     def _next(self) -> bytes | None:
-        """The next line, None where there will be no more."""
+        """Return the next line, None after the last."""
         with self._changed:
             self._changed.wait_for(lambda: self._waiting or self._closed)
             if not self._waiting:
@@ -182,7 +184,7 @@ class Audit:
             self._changed.notify_all()
 
     def _failed(self, line: bytes, problem: str) -> bool:
-        """Keep the line, and wait until it is time to try again; False if there will be none."""
+        """Keep the line, and wait for the next attempt; False if there will be none."""
         with self._changed:
             self._begun = math.inf
             self._waiting.appendleft(line)
@@ -198,8 +200,8 @@ class Audit:
 
 @contextmanager
 def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> Iterator[Audit]:
-    """Keep the log of a console in the state folder while it runs. What it lacks in the end is said on
-    stderr, which must be a person's by then and no screen's."""
+    """Keep the log of a console in the state folder while it runs. Lines missing at the end are reported on
+    stderr, which must not be in use by a screen by then."""
     audit = Audit(AuditFile(folder / FILE_NAME), new_origin(config, demo))
     audit.tell("opened", f"fleet-tui {__version__}" + (", read-only" if config.operator.read_only else ""))
     store.watchers.append(audit.watch)
@@ -214,5 +216,5 @@ def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> 
 
 def _say(text: str) -> None:
     LOG.error("%s", text)
-    with suppress(OSError, ValueError):  # there may be nobody any more
+    with suppress(OSError, ValueError):  # stderr may be gone
         sys.stderr.write(f"{sanitize(text)}\n")

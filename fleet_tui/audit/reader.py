@@ -1,4 +1,4 @@
-"""Reads the audit log back, the newest record first, whatever else lies in its files."""
+"""Reads the audit log, newest record first, ignoring foreign lines in its files."""
 
 import os
 from collections.abc import Iterator
@@ -16,30 +16,30 @@ from fleet_tui.model.audit_record import AuditRecord
 
 BLOCK = 2**16
 LONGEST = 2**20
-"""Bytes of a line; what is longer is none of ours."""
+"""Maximum bytes of a line; longer ones are foreign."""
 
 _DECODER = msgspec.json.Decoder(AuditRecord)
 
 
 @dataclass(slots=True)
 class AuditReader:
-    """The records of a log and its older parts. `unreadable` counts the lines so far that are no
-    records: torn by a kill or a full disk, or somebody else's."""
+    """The records of a log and its older parts. `unreadable` counts the invalid lines so far: cut by a kill
+    or a full disk, or foreign."""
 
     path: Path
     unreadable: int = 0
 
     @property
     def note(self) -> str:
-        """Return what is to be said of the lines so far."""
+        """Return a note on the lines so far."""
         if not self.unreadable:
             return ""
         return f"{self.unreadable} unreadable line{'s' * (self.unreadable != 1)}"
 
     def newest_first(self) -> Iterator[AuditRecord]:
-        """The records; nothing where there is no file. Raises OSError where one can't be read."""
+        """Return the records; none without a file. Raises OSError if one can't be read."""
         with ExitStack() as stack:
-            # All at once, the newest first: who is renamed meanwhile is met twice, never missed.
+            # All at once, newest first: a file renamed meanwhile is read twice, never missed.
             files: dict[int, BinaryIO] = {}
             for number in range(KEPT):
                 try:
@@ -73,11 +73,11 @@ def _of_older_version(line: bytes) -> AuditRecord | None:
 
 
 def _lines_backwards(file: BinaryIO) -> Iterator[bytes]:
-    """The lines of a file, the last one first. Half a line, which follows the last newline, is marked
-    so that it is no record even where it looks like one."""
+    """Return the lines of a file, the last one first. Half a line, after the last newline, is marked so that
+    it is no record even if it looks like one."""
     end = file.seek(0, os.SEEK_END)
     mark = b"?"
-    pieces: list[bytes] = []  # of the line whose beginning is still to come, the last piece first
+    pieces: list[bytes] = []  # of the line whose beginning is not read yet, the last piece first
     while end > 0:
         start = max(0, end - BLOCK)
         file.seek(start)

@@ -1,4 +1,4 @@
-"""Which records are wanted, as an operator types it: `robot:robot_0 outcome:refused since:2h store`."""
+"""Filters on records, as an operator types them: `robot:robot_0 outcome:refused since:2h store`."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -16,8 +16,8 @@ TIME_FORMS = "30m, 2h, 7d, 12:00, 2024-05-31 or 2024-05-31T12:00"
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """A filter on records; empty fields match everything. `words` all stand somewhere in its line;
-    `outcome` is how its change begins. Records of the demo and of real fleets are never mixed."""
+    """A filter on records; empty fields match everything. All `words` must be in its line; `outcome` is the
+    beginning of its change. Records of the demo and of real fleets are never mixed."""
 
     words: tuple[str, ...] = ()
     robot: str = ""
@@ -29,7 +29,7 @@ class Search:
     demo: bool = False
 
     def wants(self, record: AuditRecord) -> bool:
-        """Tell whether this is one of them."""
+        """Tell whether a record matches."""
         return (
             record.demo == self.demo
             and self.robot in ("", record.robot)
@@ -57,7 +57,7 @@ class Search:
 
 
 def moment(text: str, now: datetime) -> datetime:
-    """The time that an operator means. `now` has its offset. Raises FleetError."""
+    """Return the time that an operator means. `now` has its offset. Raises FleetError."""
     span = _SPAN.fullmatch(text)
     try:
         if span:
@@ -72,7 +72,7 @@ def moment(text: str, now: datetime) -> datetime:
 
 
 def search_of(typed: str, now: datetime, demo: bool = False) -> Search:
-    """Return what was typed, as a search. Raises FleetError for a time that is none."""
+    """Return typed text as a search. Raises FleetError for an invalid time."""
     search = Search(demo=demo)
     for word in typed.split():
         name, colon, value = word.partition(":")
