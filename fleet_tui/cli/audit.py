@@ -1,4 +1,4 @@
-"""The audit log as text or CSV, for who has no console open."""
+"""The audit log as text or CSV, without a console."""
 
 import errno
 from datetime import datetime
@@ -16,9 +16,9 @@ from fleet_tui.view.tables.audit import line_text
 
 
 def write_records(typed: str, as_csv: bool, demo: bool, out: TextIO) -> str:
-    """Write what was searched, newest first. Returns what else is to be said of the log.
+    """Write the matching records, newest first. Returns a note on the log.
 
-    Raises click's UsageError for a time that is none, FleetError where the log can't be read.
+    Raises click's UsageError for an invalid time, FleetError if the log can't be read.
     """
     try:
         search = search_of(typed, datetime.now().astimezone(), demo)

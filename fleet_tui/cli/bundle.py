@@ -1,4 +1,4 @@
-"""`fleet-tui doctor --bundle`: what was found and what is recorded of it, in one archive."""
+"""The `doctor --bundle` option: findings and recordings in one archive."""
 
 import time
 
@@ -10,7 +10,7 @@ from fleet_tui.recording.recordings import recent_runs
 
 
 def pack(config: Config, report: str, kind: str) -> str:
-    """Write the archive; a line that says where it is. Raises FleetError."""
+    """Write the archive; return a line with its path. Raises FleetError."""
     incident = Incident()
     incident.add(f"doctor.{kind}", "doctor report", lambda: report.encode())
     runs = recent_runs(state_folder())

@@ -12,14 +12,14 @@ from fleet_tui.text.sanitize import sanitize
 
 
 def chosen(config_file: str | None, url: str | None) -> Config:
-    """Return what a file says, or what is behind an address; warn of what is not certain there. Raises
-    ConfigError, LinkError where there is no way, FleetError where nothing is found."""
+    """Return the configuration of a file, or of an address with warnings on uncertain settings. Raises
+    ConfigError, LinkError if the bridge can't be reached, FleetError if no robot is found."""
     return load(find(config_file)) if not _is_address(config_file, url) else _warned(_discovered(url))
 
 
 def chosen_to_command(config_file: str | None, url: str | None) -> Config:
-    """Return the same, but for robots of which the kind is not certain: they would be commanded in the words
-    of another."""
+    """Return the same, without robots of uncertain kind: commands to them would be in another kind's
+    format."""
     if not _is_address(config_file, url):
         return load(find(config_file))
     site = _discovered(url)
@@ -29,8 +29,8 @@ def chosen_to_command(config_file: str | None, url: str | None) -> Config:
 
 
 def chosen_to_examine(config_file: str | None, url: str | None, within: float) -> tuple[Config, str]:
-    """Return the same; of an address where no robot is found a configuration without one, and why there is
-    none, empty where the way to the bridge itself is broken."""
+    """Return the same; for an address without robots a configuration without any, and the reason, empty if
+    the bridge itself can't be reached."""
     if not _is_address(config_file, url):
         return load(find(config_file)), ""
     bridge = bridge_at(url or "")

@@ -1,4 +1,4 @@
-"""The commands that need no screen. The command line imports this module when one of them is asked for."""
+"""Commands without a screen. The command line imports this module when one of them is used."""
 
 import math
 import sys
@@ -17,7 +17,7 @@ from fleet_tui.text.sanitize import sanitize
 
 @click.group()
 def headless() -> None:
-    """Holds the commands; the command line shows them as its own."""
+    """Group of the commands, which the command line lists as its own."""
 
 
 for command in (config, *orders.commands.values()):
@@ -105,7 +105,7 @@ def doctor(
 
 
 def _pack(config: Config, said: list[str], as_json: bool) -> None:
-    """Pack what the doctor said, and say where it is: not into the JSON."""
+    """Pack the doctor's output, and print the path: not into the JSON."""
     from fleet_tui.cli.bundle import pack
 
     click.echo(sanitize(pack(config, "\n".join([*said, ""]), "json" if as_json else "txt")), err=as_json)

@@ -1,4 +1,4 @@
-"""A span of time as it is typed: 90, 45s, 30m, 8h, 1d."""
+"""Durations as typed: 90, 45s, 30m, 8h, 1d."""
 
 import re
 from typing import Any
@@ -15,7 +15,7 @@ class DurationParam(click.ParamType):  # type: ignore[type-arg,unused-ignore]  #
     name = "duration"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """Read what was typed."""
+        """Parse the typed text."""
         found = re.fullmatch(r"(\d{1,9}(?:\.\d{1,3})?)([smhd]?)", str(value))
         seconds = float(found[1]) * _SECONDS[found[2]] if found else 0.0
         if not 0.0 < seconds <= LONGEST:

@@ -1,4 +1,4 @@
-"""`fleet-tui kinds`: what each kind of robots reports and accepts."""
+"""The `kinds` command: the reports and requests of each kind of robots."""
 
 import json
 import math
@@ -14,7 +14,7 @@ VERSION = 1
 
 
 def _of(registered: Registered) -> tuple[Kind, Kind]:
-    """A kind as it is without a profile, and with a name for every topic that it has none for."""
+    """Return a kind without a profile, with a name for every topic that has none."""
     unnamed = {
         key: f"/{{robot}}/{key}" for key, (name, _) in registered.vocabulary.topics.items() if not name
     }
@@ -23,15 +23,15 @@ def _of(registered: Registered) -> tuple[Kind, Kind]:
 
 
 def _silence(kind: Kind, offline_after: float) -> dict[str, float | None]:
-    """By value the seconds after which it is old, None where it comes only when it changes. Maps and graphs
-    never are."""
+    """Return by value the seconds after which it is old, None if sent only on change. Maps and graphs never
+    are."""
     values = [value for value in kind.reports if value in Robot.__struct_fields__]
     found = {value: kind.silence_of(value, offline_after) for value in values}
     return {value: None if math.isinf(seconds) else seconds for value, seconds in found.items()}
 
 
 def kinds(as_json: bool, say: Callable[[str], None]) -> None:
-    """Say what each kind reports and accepts, in the order of the registry."""
+    """Print the reports and requests of each kind, in the order of the registry."""
     described = {name: _of(registered) for name, registered in KINDS.items()}
     if as_json:
         found = [_values(name, *both) for name, both in described.items()]

@@ -1,6 +1,6 @@
-"""The command line: reads the config, builds the parts, hands over.
+"""The command line: reads the config, builds the parts, and runs them.
 
-What needs the screen or the simulator is imported where it is used: `check` answers without them.
+Screen and simulator are imported on use: `check` works without them.
 """
 
 import click
@@ -16,18 +16,18 @@ from fleet_tui.text.sanitize import sanitize
 
 
 class Commands(NearestGroup):
-    """The commands. Most are imported when one is asked for: the console starts without them."""
+    """The commands. Most are imported on use: the console starts without them."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Read an address in a command's place as --url."""
         return super().parse_args(ctx, with_url(args))
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """A command by its name."""
+        """Return a command by its name."""
         return super().get_command(ctx, cmd_name) or self._others().get(cmd_name)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Every command's name."""
+        """Return every command's name."""
         return sorted([*self.commands, *self._others()])
 
     def _others(self) -> dict[str, click.Command]:
@@ -85,7 +85,7 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
 
 
 def _graph_problems(config: Config) -> list[str]:
-    """Name what is wrong with the graph files that are there."""
+    """Return the errors in existing graph files."""
     from fleet_tui.maps.route_graphs import load_floor_graph
 
     files = [(n, config.beside(floor.graph)) for n, floor in enumerate(config.floors) if floor.graph]

@@ -1,4 +1,4 @@
-"""Options that every command shares: options that stand before or after its name."""
+"""Options shared by all commands, before or after the command's name."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -12,33 +12,33 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 class NearestGroup(click.Group):
-    """Names the nearest command where there is none."""
+    """Suggests the nearest command for an unknown one."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command, or say which one was meant."""
+        """Return the command, or suggest one."""
         if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
             ctx.fail(f"unknown command {args[0]!r}{did_you_mean(args[0], self.list_commands(ctx))}")
         return super().resolve_command(ctx, args)
 
 
 class FileName(click.Path):
-    """A name of a file, which is there."""
+    """The name of an existing file."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read what was typed: what an unset variable of the shell leaves would mean this folder."""
+        """Parse the typed text: empty, as from an unset shell variable, it would mean this folder."""
         if value == "":
             self.fail("empty file name: check that the shell variable is set", param, ctx)
         return super().convert(value, param, ctx)
 
 
 WITH_VALUE = ("--config", "--drawing", "--url")
-"""Options of the console that take the next word."""
+"""Options of the console with a separate value."""
 
 
 def with_url(args: list[str]) -> list[str]:
-    """Write an address that stands where a command could as the option that it means."""
+    """Convert an address in place of a command into its option."""
     skip = False
     for n, arg in enumerate(args):
         if skip or arg.startswith("-"):
@@ -49,7 +49,7 @@ def with_url(args: list[str]) -> list[str]:
 
 
 def common(command: F) -> F:
-    """`--config` and `--debug` work before and after a command's name."""
+    """Add `--config` and `--debug`, which work before and after a command's name."""
     command = click.option(
         "--config", "config_file", type=FileName(), metavar="FILE", help="Use this configuration file."
     )(command)
@@ -57,41 +57,41 @@ def common(command: F) -> F:
 
 
 class Address(click.types.StringParamType):
-    """The address of a bridge. What is wrong with one is said by discovery."""
+    """The address of a bridge. Discovery reports its errors."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read what was typed: what an unset variable of the shell leaves would mean another fleet."""
+        """Parse the typed text: empty, as from an unset shell variable, it would mean another fleet."""
         if not value.strip():
             self.fail("empty address: check that the shell variable is set", param, ctx)
         return super().convert(value, param, ctx)
 
 
 def fleet(command: F) -> F:
-    """`--url` in the place of `--config`, for what talks to robots."""
+    """Add `--url` as an alternative to `--config`, for commands that talk to robots."""
     text = "Discover the fleet on this bridge; no configuration needed."
     return click.option("--url", type=Address(), metavar="URL", help=text)(common(command))
 
 
 def drawing_mode(command: F) -> F:
-    """`--drawing`."""
+    """Add `--drawing`."""
     modes = click.Choice(["auto", "braille", "half-block", "ascii"])
     return click.option("--drawing", type=modes, help="Drawing mode of the map.")(command)
 
 
 def screen(command: F) -> F:
-    """Return what the console can be told."""
+    """Add the options of the console."""
     command = drawing_mode(command)
     return click.option("--read-only", is_flag=True, help="Watch only: send no commands.")(command)
 
 
 def timeout(seconds: float) -> Callable[[F], F]:
-    """For how long a command waits at most."""
+    """Add the maximum duration of a command."""
     limits = click.FloatRange(0.1, 3600)
     return click.option("--timeout", type=limits, default=seconds, show_default=True, help="Seconds.")
 
 
 def merged(run: Callable[..., None]) -> Callable[..., None]:
-    """Return what was said before the command's name stands, unless it is said again after it."""
+    """Return the options before the command's name, overridden by those after it."""
 
     @wraps(run)
     @click.pass_context

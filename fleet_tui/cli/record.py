@@ -1,4 +1,4 @@
-"""`fleet-tui record`: writes what comes over the wire, without a screen. It only listens."""
+"""The `record` command: records all received messages, without a screen. Read-only."""
 
 import shlex
 import signal
@@ -27,26 +27,26 @@ from fleet_tui.text.sanitize import sanitize
 
 FINE, NO_LINK = 0, 3
 ENDING = (signal.SIGTERM, signal.SIGHUP)
-"""A service is ended, a terminal has gone."""
+"""Signals of services and of a closed terminal."""
 LOOK_EVERY, SHOW_EVERY = 0.25, 1.0
-"""Seconds between looks at how it goes, and until the line on a terminal is written again."""
+"""Seconds between checks of the progress, and until the line on a terminal is written again."""
 MAP_WITHIN = 20.0
-"""Seconds for a live map to come before the next one is asked for."""
+"""Maximum seconds for a live map before the next one is requested."""
 
 Say = Callable[[str], None]
 
 
 class Ended(Exception):  # noqa: N818  # asked for from outside, no error
-    """Somebody asked it to end, or its terminal has gone."""
+    """Ended by a signal, or by the closing of its terminal."""
 
 
 @contextmanager
 def _ended_by_signals() -> Iterator[None]:
-    # Under nohup it goes on when its terminal goes.
+    # Under nohup it continues after its terminal is closed.
     numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
 
     def end(_number: int, _frame: FrameType | None) -> None:
-        # What comes now must not be cut short by another one.
+        # A further signal must not interrupt the end.
         for number in numbers:
             signal.signal(number, signal.SIG_IGN)
         raise Ended
@@ -58,7 +58,7 @@ def _ended_by_signals() -> Iterator[None]:
 
 
 class _Watch:
-    """Says what changes, and on a terminal how it goes."""
+    """Prints changes, and the progress on a terminal."""
 
     def __init__(self, recorder: Recorder, say: Say, is_live: bool) -> None:
         self._recorder, self._say, self._is_live = recorder, say, is_live
@@ -68,7 +68,7 @@ class _Watch:
         self.had_link = False
 
     def look(self, state: FleetState) -> None:
-        """Say what has changed."""
+        """Print changes."""
         self.had_link = self.had_link or has_link(state)
         for link in state.links.values():
             up = link.phase is Phase.UP
@@ -89,7 +89,7 @@ class _Watch:
         self._say(sanitize(text))
 
     def _show(self, state: FleetState) -> None:
-        """One line that is written over."""
+        """Print a line that is overwritten later."""
         recorder, now = self._recorder, time.monotonic()
         passed = now - self._shown_at
         rate, flow = (recorder.records - self._counted) / passed, (recorder.size - self._written) / passed
@@ -104,7 +104,7 @@ class _Watch:
         sys.stderr.flush()
 
     def close(self, state: FleetState) -> None:
-        """Say how it ended."""
+        """Print the result."""
         self.look(state)
         recorder, files = self._recorder, len(self._recorder.paths)
         size = f"{recorder.size / 1e6:.1f} MB in {files} file{'s' * (files != 1)}"
@@ -121,7 +121,7 @@ def _has_no_map(state: FleetState, robot: str, floor: str) -> bool:
 
 
 def _live_maps(config: Config, store: WaitingStore, link: FleetLink) -> Iterator[None]:
-    """Ask for one live map after the other, of each floor that has no file: so a replay can show it."""
+    """Request one live map after the other, of each floor without a file: so a replay can show it."""
     for floor in [floor.name for floor in config.floors if not floor.map]:
         robot = next((robot.name for robot in config.robots if floor in config.floors_of(robot)), "")
         until = time.monotonic() + MAP_WITHIN
@@ -138,12 +138,13 @@ def _live_maps(config: Config, store: WaitingStore, link: FleetLink) -> Iterator
 def record(
     config: Config, path: Path, limits: PartLimits, seconds: float, timeout: float, say: Say, is_live: bool
 ) -> int:
-    """Record for so many seconds, until SIGTERM or Ctrl-C; the exit code. Without a link within `timeout`
-    seconds it ends. Raises RecordingError where the file can't be made, ConfigError for an unsafe secret."""
+    """Record for a number of seconds, until SIGTERM or Ctrl-C; return the exit code. Without a link within
+    `timeout` seconds it ends. Raises RecordingError if the file can't be created, ConfigError for an
+    unsafe secret."""
     config = watching(config)
     problems = access_problems(config)
     if problems:
-        # Before there is a file.
+        # Before a file is created.
         raise ConfigError([f"{config.path}: {line}" for line in problems])
     store = WaitingStore(initial_state(config, time.monotonic()))
     taps = Taps()

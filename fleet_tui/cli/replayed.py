@@ -1,4 +1,4 @@
-"""The command that plays a recording; imported when a command that needs the command line is."""
+"""The replay command; imported when the command line uses it."""
 
 import sys
 import time
@@ -14,12 +14,12 @@ from fleet_tui.errors import ConfigError
 from fleet_tui.text.sanitize import sanitize
 
 PATIENCE = 0.5
-"""Seconds between two words on how far it is."""
+"""Seconds between two progress messages."""
 
 
 @click.group()
 def replayed() -> None:
-    """Holds the command; the command line shows it as its own."""
+    """Group of the command, which the command line lists as its own."""
 
 
 @replayed.command()
@@ -60,7 +60,7 @@ def replay(
 
 
 def _recording_of(bag: Path, config: Config, folder: Path) -> tuple[Path, list[str]]:
-    """Return what a bag has of the configured topics, as a recording, and what is to be said of it."""
+    """Return the configured topics of a bag as a recording, and notes on it."""
     from fleet_tui.bags.convert import convert
     from fleet_tui.bags.opening import BagError
 
@@ -76,7 +76,7 @@ def _recording_of(bag: Path, config: Config, folder: Path) -> tuple[Path, list[s
 
 
 class _Progress:
-    """Says how far reading is, where that takes a while."""
+    """Prints the progress of reading, if that takes a while."""
 
     def __init__(self) -> None:
         self._next = time.monotonic() + PATIENCE

@@ -1,4 +1,4 @@
-"""`fleet-tui serve`. The web server is imported when it is to run: it is an extra."""
+"""The `serve` command. The web server, an extra, is imported on use."""
 
 import sys
 
@@ -11,7 +11,7 @@ from fleet_tui.errors import ConfigError, FleetError, NoConfigError
 
 @click.group()
 def served() -> None:
-    """Holds the command; the command line shows it as its own."""
+    """Group of the command, which the command line lists as its own."""
 
 
 @served.command()
@@ -50,7 +50,7 @@ def serve(
 
 
 def _address(url: str, config_file: str | None, demo: bool, allow_commands: bool, debug: bool) -> list[str]:
-    """Return the option for the fleet at an address. What is wrong with it is said here, not in each tab."""
+    """Return the option for the fleet at an address. Its errors are reported here, not in each tab."""
     if config_file or demo:
         raise click.UsageError(f"{'--config' if config_file else '--demo'} and --url exclude each other")
     from fleet_tui.discovery.address import bridge_at

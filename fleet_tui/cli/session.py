@@ -25,13 +25,13 @@ class WaitingStore(Store):
         self._told = threading.Condition()
 
     def tell(self, event: Event) -> None:
-        """Take one fact, and wake who waits."""
+        """Apply one event, and wake the waiting thread."""
         super().tell(event)
         with self._told:
             self._told.notify_all()
 
     def wait(self, holds: Callable[[FleetState], object], seconds: float) -> bool:
-        """Wait until the state is as wanted, `seconds` at most; whether it is."""
+        """Wait at most `seconds` until the state meets a condition; tell whether it does."""
         with self._told:
             return bool(self._told.wait_for(lambda: holds(self.state), seconds))
 
@@ -53,7 +53,7 @@ def session(
 
 
 def missing(robot: Robot) -> list[str]:
-    """Return what has not come from a robot yet, of what its kind always reports."""
+    """Return the missing values of a robot, of those its kind always reports."""
     expected = filter(robot.kind.expects, ("pose", "battery", "cargo", "obstacle", "queue"))
     values = {name: getattr(robot, name) for name in expected}
     for floor, chart in robot.charts.items():
@@ -65,7 +65,7 @@ def missing(robot: Robot) -> list[str]:
 
 
 def is_known(state: FleetState) -> bool:
-    """Tell whether everything that is asked for has come."""
+    """Tell whether all requested values have arrived."""
     links = all(
         link.phase is Phase.UP and link.command_path is not CommandPath.UNTRIED
         for link in state.links.values()
@@ -74,5 +74,5 @@ def is_known(state: FleetState) -> bool:
 
 
 def has_link(state: FleetState) -> bool:
-    """Tell whether any bridge can be heard."""
+    """Tell whether any bridge is connected."""
     return any(link.phase is Phase.UP for link in state.links.values())

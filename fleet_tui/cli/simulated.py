@@ -1,4 +1,4 @@
-"""The commands that simulate robots. The command line imports this module when one of them is asked for."""
+"""Commands that simulate robots. The command line imports this module when one of them is used."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -32,7 +32,7 @@ ALL_FAULTS = FAULT_LIST + "".join(
 
 
 def _faults(command: F) -> F:
-    """Return what the simulator is to do wrong."""
+    """Return the configured faults of the simulator."""
     return click.option(
         "--fault",
         default="",
@@ -42,7 +42,7 @@ def _faults(command: F) -> F:
 
 
 def _simulation(command: F) -> F:
-    """Return how the simulator behaves, faults aside."""
+    """Return the settings of the simulator, except faults."""
     speed = click.option(
         "--speed",
         type=click.FloatRange(0.1, 100.0),
@@ -54,7 +54,7 @@ def _simulation(command: F) -> F:
 
 
 def _ros(command: F) -> F:
-    """The generation of ROS; without it the one that is usual for the robots."""
+    """Return the version of ROS; by default the usual one of the robots."""
     return click.option(
         *("--ros", "ros"),
         type=click.Choice(["1", "2"]),
@@ -72,7 +72,7 @@ def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) ->
 
 
 def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None:
-    """Say that the servers are there. Before that, a port may not be had, and no file is written."""
+    """Announce the running servers. Before that, a port may be unavailable, and no file is written."""
     from fleet_tui.simulator.navigating.graph_file import write_graphs
 
     if graph_file:
@@ -83,11 +83,11 @@ def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None
 
 @click.group()
 def simulated() -> None:
-    """Holds the commands; the command line shows them as its own."""
+    """Group of the commands, which the command line lists as its own."""
 
 
 def _kind(command: F) -> F:
-    """The kind of the simulated robots."""
+    """Return the kind of the simulated robots."""
     return click.option(
         *("--kind", "kind"),
         default=USUAL,
@@ -99,7 +99,7 @@ def _kind(command: F) -> F:
 
 
 def _check(kind: str, robots: int, ros: str | None) -> None:
-    """Refuse what such robots can't be. Raises UsageError."""
+    """Reject options that such robots don't support. Raises UsageError."""
     if kind == MIXED:
         if robots < len(KINDS):
             raise click.UsageError(f"all {len(KINDS)} kinds need at least --robots {len(KINDS)}")

@@ -1,1 +1,1 @@
-"""`fleet-tui config`: a configuration made, and one explained."""
+"""The `config` command: create or explain a configuration."""

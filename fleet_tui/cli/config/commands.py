@@ -1,4 +1,4 @@
-"""`fleet-tui config init` and `config show`."""
+"""The `config init` and `config show` commands."""
 
 import os
 
@@ -54,7 +54,7 @@ def show(
 
 
 def _why(given: str | None) -> str:
-    """Return why this file is the one in effect."""
+    """Return the reason that this file is in effect."""
     if given:
         return "option --config"
     if os.environ.get("FLEET_TUI_CONFIG"):

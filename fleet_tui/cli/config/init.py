@@ -1,4 +1,4 @@
-"""`fleet-tui config init`: a configuration to start from, made of what a bridge has."""
+"""The `config init` command: a configuration to start from, from the robots of a bridge."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -11,22 +11,21 @@ from fleet_tui.errors import FleetError
 
 
 def example() -> str:
-    """The configuration that comes with the program."""
+    """Return the configuration shipped with the program."""
     return shipped().read_text(encoding="utf-8")
 
 
 def from_live(known: Config, url: str, timeout: float) -> str:
-    """A configuration for what is behind the bridge at `url`, which is reached as `known` says.
+    """Return a configuration for the robots behind the bridge at `url`, reached with the settings of `known`.
 
-    Raises ConfigError for an address that is none, LinkError where there is no way, FleetError
-    where rosapi does not tell.
+    Raises ConfigError for an invalid address, LinkError if it can't be reached, FleetError if rosapi fails.
     """
     bridge = bridge_at(url, known.whole().rosbridge)
     return start_discovery(bridge, timeout).result().text
 
 
 def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> None:
-    """Print it, or write it to a file that is not there yet. Raises FleetError."""
+    """Print it, or write it to a new file. Raises FleetError."""
     if not output:
         say(text.rstrip("\n"))
         return

@@ -1,4 +1,4 @@
-"""`fleet-tui config show`: every value in effect, and where it comes from."""
+"""The `config show` command: every effective value and its origin."""
 
 import json
 import re
@@ -26,7 +26,7 @@ _KEY = re.compile(
 
 
 def values(config: Config) -> Iterator[Found]:
-    """Every key that can be set, with the value in effect, unless that is secret."""
+    """Return every key that can be set, with its effective value, unless that is secret."""
     config = without_secrets(config)
     for field in msgspec.structs.fields(Config):
         value = getattr(config, field.name)
@@ -86,7 +86,7 @@ def _profile(where: str, profile: Profile) -> Iterator[Found]:
 
 
 def lines_of(text: str) -> dict[str, int]:
-    """Line number by key path, as far as a look at the lines tells."""
+    """Return line number by key path, as far as the text of the lines shows."""
     found, where, counts = dict[str, int](), "", dict[str, int]()
     for number, line in enumerate(text.splitlines(), 1):
         header, key = _HEADER.match(line), _KEY.match(line)
@@ -103,13 +103,13 @@ def lines_of(text: str) -> dict[str, int]:
 
 
 def _plain(key: str) -> str:
-    """A dotted key without quotes and spaces."""
+    """Return a dotted key without quotes and spaces."""
     parts = re.findall(r"\"[^\"]*\"|'[^']*'|[A-Za-z0-9_-]+", key)
     return ".".join(part.strip("\"'") for part in parts)
 
 
 def given(table: Mapping[str, Any], where: str = "") -> Iterator[str]:
-    """The key path of everything a config file sets."""
+    """Return the key paths set in a config file."""
     for name, value in table.items():
         path = f"{where}.{name}" if where else name
         if isinstance(value, Mapping):
@@ -122,7 +122,7 @@ def given(table: Mapping[str, Any], where: str = "") -> Iterator[str]:
 
 
 def origin(path: str, file: Path, set_here: set[str], numbers: Mapping[str, int]) -> str:
-    """Return where a value comes from: file and line, or default."""
+    """Return the origin of a value: file and line, or default."""
     # A list or a table of names is set as a whole.
     named = next((one for one in set_here if path == one), "")
     if not named:
@@ -133,7 +133,8 @@ def origin(path: str, file: Path, set_here: set[str], numbers: Mapping[str, int]
 
 
 def show(config: Config, chosen: str, with_origin: bool, options: Mapping[str, object]) -> Iterator[str]:
-    """One line for each value. `chosen`: why this file; `options`: what the command line says instead."""
+    """Return one line for each value. `chosen`: the reason for this file; `options`: overrides of the command
+    line."""
     text = config.path.read_text(encoding="utf-8")
     set_here, numbers = set(given(tomllib.loads(text))), lines_of(text)
     yield f"# {config.path} ({chosen})"

@@ -1,4 +1,4 @@
-"""`fleet-tui run`: a file of commands, one after the other."""
+"""The `run` command: a file of commands, one after the other."""
 
 from collections.abc import Iterable, Iterator
 
@@ -21,13 +21,13 @@ FREE = ("pause", "resume")
 
 
 def lines_of(text: str) -> list[Line]:
-    """The commands of a file, each with its line's number; `#` begins a comment line."""
+    """Return the commands of a file, each with its line's number; `#` begins a comment line."""
     lines = enumerate((line.strip() for line in text.splitlines()), 1)
     return [(number, line) for number, line in lines if line and not line.startswith("#")]
 
 
 def _robots(line: str, state: FleetState) -> Iterator[str]:
-    """The robots that a line may name: they stand first, or after the command."""
+    """Return the robots that a line may name: at its start, or after the command."""
     for token in tokens(line)[:2]:
         try:
             yield find_robot(token.text, state).name
@@ -36,7 +36,7 @@ def _robots(line: str, state: FleetState) -> Iterator[str]:
 
 
 def _wishes(lines: Iterable[Line], state: FleetState) -> list[tuple[int, Request]]:
-    """Return what each line asks. Raises click's UsageError with every line that asks nothing."""
+    """Return the request of each line. Raises click's UsageError with every invalid line."""
     found, wrong = list[tuple[int, Request]](), list[str]()
     for number, line in lines:
         try:
@@ -51,8 +51,8 @@ def _wishes(lines: Iterable[Line], state: FleetState) -> list[tuple[int, Request
 def run_batch(
     config: Config, lines: list[Line], how: How, dry_run: bool, keep_going: bool, as_json: bool, say: Say
 ) -> int:
-    """Send the commands of a file, each when the one before has ended; the exit code. All lines are read
-    before the first is sent. With `dry_run` nothing is sent."""
+    """Send the commands of a file, each when the one before has ended; return the exit code. All lines are
+    parsed before the first is sent. With `dry_run` nothing is sent."""
     if (reason := forbidden(config)) and not dry_run:
         say(f"fleet-tui: nothing sent: {reason}", err=True)
         return NOT_DONE
@@ -84,7 +84,7 @@ def _give_all(
 
 
 def _tried(given: Sending, wish: Request) -> list[Outcome]:
-    """Return what would become of a line, as the fleet is now."""
+    """Return the expected result of a line, in the current state of the fleet."""
     wish, unable = divide(given.state, wish)
     held = given.check(wish)
     return [*unable, *(held or [unsent(given.state, one, "", DONE, WOULD) for one in wish.commands])]

@@ -1,4 +1,4 @@
-"""The commands that command robots: what stands after `fleet-tui`."""
+"""Commands to robots on the command line."""
 
 import sys
 from collections.abc import Callable, Sequence
@@ -19,7 +19,7 @@ ALL = "all"
 
 @click.group()
 def orders() -> None:
-    """Holds the commands; the command line shows them as its own."""
+    """Group of the commands, which the command line lists as its own."""
 
 
 class OrderOptions(NamedTuple):
@@ -107,7 +107,7 @@ def _which(robot: str | None, every: bool) -> str:
 
 
 def _fleet(command: F) -> F:
-    """A robot, or every one."""
+    """Return one robot, or every one."""
     command = click.option("--all", "every", is_flag=True, help="All robots.")(command)
     return click.argument("robot", required=False)(command)
 
@@ -157,7 +157,7 @@ def run(
 
 
 def _text(file: str) -> str:
-    """Return what stands in a file. Raises click's UsageError where it can't be read."""
+    """Return the text of a file. Raises click's UsageError if it can't be read."""
     try:
         data = sys.stdin.buffer.read() if file == "-" else Path(file).read_bytes()
         return data.decode()

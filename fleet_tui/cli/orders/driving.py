@@ -1,4 +1,4 @@
-"""Orders on their way, from the queue until they were driven."""
+"""Orders in progress, from the queue to their end."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -12,8 +12,8 @@ from fleet_tui.model.fleet import FleetState
 def follow_order(
     latest: Callable[[], CommandRecord], queued: Outcome, store: WaitingStore, seconds: float
 ) -> Outcome:
-    """Wait until an order that was `queued` was driven, or was not; `seconds` at most. `latest` gives the
-    newest record of the command that placed it."""
+    """Wait at most `seconds` for the end of an order that was `queued`. `latest` returns the newest record of
+    the command that placed it."""
     if latest().order_id is None:
         return queued
     store.wait(lambda state: _is_over(latest()) or _is_stuck(state, latest()), seconds)
@@ -31,12 +31,12 @@ def follow_order(
 
 
 def _is_over(record: CommandRecord) -> bool:
-    """Tell whether nothing more comes of an order: its next stop may have been refused, too."""
+    """Tell whether an order is over: its next stop may have been refused, too."""
     return record.is_decided and not record.has_open_order
 
 
 def _is_stuck(state: FleetState, record: CommandRecord) -> bool:
-    """Tell whether its next stop is held back: nobody resumes the queue of this command."""
+    """Tell whether its next stop is held: the queue of this command has no operator to resume it."""
     return record.stage is Stage.WAITING and bool(state.robots[record.command.robot].held)
 
 

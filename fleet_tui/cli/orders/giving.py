@@ -1,4 +1,4 @@
-"""`fleet-tui order`, `cancel`, `clear`, `pause`, `resume` and `run`: commands without a screen."""
+"""The `order`, `cancel`, `clear`, `pause`, `resume` and `run` commands, without a screen."""
 
 import signal
 import sys
@@ -28,19 +28,19 @@ from fleet_tui.view.lines.commands import command_text
 from fleet_tui.view.lines.questions import question
 
 LABELS_WITHIN = 1.0
-"""Seconds more for labels, which a floor need not have, for the robot's word on whether it is paused, and for
-goals, of which there may be none."""
+"""Additional seconds for labels, which a floor need not have, for the robot's report on whether it is paused,
+and for goals, which may be absent."""
 
 LOOK = "check with fleet-tui status and fleet-tui audit"
 
 ENDING = (signal.SIGTERM, signal.SIGHUP)
-"""`timeout` and services end a command so; a terminal that has gone does."""
+"""Signals of `timeout`, of services and of a closed terminal."""
 
 Say = Callable[..., None]
 
 
 class _Ended(KeyboardInterrupt):
-    """Somebody else ended it: it goes like Ctrl-C, but for the exit code."""
+    """Ended by a signal: like Ctrl-C, but for the exit code."""
 
 
 def _end(number: int, _frame: object) -> None:
@@ -48,20 +48,21 @@ def _end(number: int, _frame: object) -> None:
 
 
 def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> How:
-    """Return how the config and the options let commands be given."""
+    """Return the settings for commands from the config and the options."""
     rights = Permissions(config.operator.read_only, config.operator.armed)
     return How(rights, timeout, yes, until_done)
 
 
 def forbidden(config: Config) -> str:
-    """Return why this console may not command, empty where it may."""
+    """Return the reason that this console may not command, empty if it may."""
     if config.operator.read_only:
         return f"this console is read-only: operator.read_only in {config.path}"
     return "" if config.operator.armed else f"this console is not armed: operator.armed in {config.path}"
 
 
 def robots_of(config: Config, word: str) -> list[str]:
-    """The robots that a word means. Raises click's UsageError, naming the nearest, where there is none."""
+    """Return the robots that a word means. Raises click's UsageError, naming the nearest, if there are
+    none."""
     state = initial_state(config, 0.0)
     try:
         return list(state.robots) if word.casefold() == ALL else [find_robot(word, state).name]
@@ -71,13 +72,14 @@ def robots_of(config: Config, word: str) -> list[str]:
 
 @contextmanager
 def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
-    """A link to send on, with the audit log kept; whoever ends it learns what is not known."""
+    """Provide a link to send on, with the audit log kept; a signal ends it with a report of unknown
+    results."""
     given = None
-    # Under nohup it goes on when its terminal goes.
+    # Under nohup it continues after its terminal is closed.
     numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
     for number in numbers:
         signal.signal(number, _end)
-    with ExitStack() as opened:  # and closed after the last words: that takes its time
+    with ExitStack() as opened:  # and closed after the last records: that takes time
         try:
             link, store = opened.enter_context(session(config))
             given = Sending(link, store, asked)
@@ -89,8 +91,8 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
                         say(note, err=True)
         except KeyboardInterrupt as end:
             for number in (signal.SIGINT, *numbers):
-                signal.signal(number, signal.SIG_IGN)  # a second one would only spoil what is said now
-            with suppress(OSError):  # there may be nobody any more
+                signal.signal(number, signal.SIG_IGN)  # a second one would only garble the output now
+            with suppress(OSError):  # stderr may be gone
                 if given and given.under_way:
                     _say_what_is_open(given, say)
                 else:
@@ -113,7 +115,7 @@ def _say_what_is_open(given: Sending, say: Say) -> None:
 
 
 def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
-    """Wait for a link to each of these robots and, where they matter, for their reports."""
+    """Wait for a link to each of these robots and, if needed, for their reports."""
 
     def comes(holds: Callable[[FleetState, Robot], object], seconds: float) -> None:
         given.store.wait(
@@ -131,18 +133,18 @@ def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
 
 
 def unreachable(state: FleetState, robots: Iterable[str]) -> str:
-    """Return why the first of these robots that can't be reached can't be, empty where all can."""
+    """Return the reason that the first unreachable one of these robots is, empty if there are none."""
     asked = (no_link(state, state.robots[name], ResumeRobot(name)) for name in robots)
     return next((problem.text for found in asked for problem in found), "")
 
 
 def _is_heard(robot: Robot) -> bool:
-    """Tell whether it has spoken, and all that a command is checked against has come."""
+    """Tell whether it is online, and all reports needed for checks have arrived."""
     return robot.heard is not None and not unreported(robot)
 
 
 def _has_labels(robot: Robot) -> bool:
-    """Tell whether the labels of every floor have come."""
+    """Tell whether the labels of every floor have arrived."""
     return not robot.kind.expects("labels") or all(chart.labels for chart in robot.charts.values())
 
 
@@ -151,13 +153,12 @@ def _tells_pause(robot: Robot) -> bool:
 
 
 def _tells_goals(robot: Robot) -> bool:
-    """Tell whether it is known what the robot drives: its action servers are silent before their first
-    goal."""
+    """Tell whether the robot's goals are known: its action servers are silent before their first goal."""
     return not robot.kind.keeps_goals or bool(robot.goals)
 
 
 def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say: Say) -> int:
-    """Give one command, in the words of the command language; the exit code."""
+    """Run one command, in the command language; return the exit code."""
     robots = robots_of(config, words[1])
 
     def unsent(reason: str, code: int) -> int:
@@ -184,7 +185,7 @@ def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say
 
 
 def _ask(given: Sending, wish: Request) -> None:
-    """Ask a person at a terminal what others answer with --yes."""
+    """Ask a person at a terminal for the confirmation that --yes gives."""
     found = given.warnings(wish)
     shown = [problem for problem in found if problem.check != "losses"]
     if found and click.confirm(question(given.state, wish, shown), err=True):
@@ -192,19 +193,19 @@ def _ask(given: Sending, wish: Request) -> None:
 
 
 def pause(config: Config, word: str, asked: How, as_json: bool, say: Say) -> int:
-    """Pause a robot, or all, on each bridge as soon as there is a connection; the exit code."""
+    """Pause a robot, or all, on each bridge as soon as there is a connection; return the exit code."""
     robots = robots_of(config, word)
     with sending(config, asked, say) as given:
         return said(given.pause(robots), as_json, say, given)
 
 
 def said(outcomes: Iterable[Outcome], as_json: bool, say: Say, given: Sending | None = None) -> int:
-    """Say each outcome when it is there, and how many robots as a whole; the exit code of all."""
+    """Print each outcome as it arrives, and the total of robots; return the exit code of all."""
     codes, before = list[int](), len(given.records) if given else 0
     for outcome in outcomes:
         tell(outcome, as_json, say)
         codes.append(outcome.code)
-    # Of several bridges the slower ones were told later: all of it is one request.
+    # Slower bridges got it later: all of it is one request.
     batch = given.records[before:] if given and not as_json else []
     if given and len(batch) > 1 and all(isinstance(one.command, PauseRobot | ResumeRobot) for one in batch):
         what, words = summary(given.state, batch)

@@ -1,4 +1,4 @@
-"""The outcome of one command, as a line or as JSON. docs/commands.md tells the schema."""
+"""The outcome of one command, as a line or as JSON. docs/commands.md has the schema."""
 
 import json
 from collections.abc import Callable, Iterable
@@ -19,8 +19,8 @@ NOT_SENT = Stage.NOT_SENT.value
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """`command` as it can be typed, `text` the same in words; `outcome` the stage at which it ended, with
-    the robot's or the console's own `words`; `code` the exit code that it asks for."""
+    """`command` as typed, `text` in words; `outcome` is the stage at which it ended, with the robot's or the
+    console's own `words`; `code` is its exit code."""
 
     robot: str
     command: str
@@ -32,18 +32,18 @@ class Outcome:
     seconds: float | None = None
 
     def line(self) -> str:
-        """The outcome in one line, harmless to a terminal."""
+        """Return the outcome in one line, safe for a terminal."""
         return sanitize(f"{self.text}: {self.outcome}{detail_text(self.words)}")
 
 
 def unsent(state: FleetState, command: Command, words: str, code: int, outcome: str = NOT_SENT) -> Outcome:
-    """The outcome of a command that never left."""
+    """Return the outcome of a command that was never sent."""
     return _outcome(state, command, outcome, words, code)
 
 
 def ended(state: FleetState, record: CommandRecord, waited: float) -> Outcome:
-    """The outcome of a command that was sent; `waited`: for how many seconds, where it has not ended."""
-    # An order may have gone on already: what decided the command counts.
+    """Return the outcome of a command that was sent; `waited`: for how many seconds, if it has not ended."""
+    # An order may have advanced already: the step that decided the command counts.
     step = record.outcome or record.steps[-1]
     words, code, outcome = step.words, NOT_DONE, step.stage.value
     if step.stage in SUCCESSES:
@@ -70,7 +70,7 @@ def _outcome(
 
 
 def tell(outcome: Outcome, as_json: bool, say: Callable[..., None]) -> None:
-    """Say an outcome: JSON to standard output, a line to standard output or, where it is bad, to errors."""
+    """Print an outcome: JSON to stdout, a line to stdout or, for a failure, to stderr."""
     if as_json:
         values = {"version": VERSION, **asdict(outcome), "done": outcome.code == DONE}
         del values["text"], values["code"]
@@ -80,6 +80,6 @@ def tell(outcome: Outcome, as_json: bool, say: Callable[..., None]) -> None:
 
 
 def exit_code(codes: Iterable[int]) -> int:
-    """One exit code for several: no link and wrong usage only where that is all there is to say."""
+    """Return one exit code for several: no link and wrong usage only if all have that."""
     found = set(codes) or {DONE}
     return found.pop() if len(found) == 1 else NOT_DONE

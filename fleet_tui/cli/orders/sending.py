@@ -1,4 +1,4 @@
-"""From a wish to the outcome of each of its commands: checked, sent, waited for."""
+"""From a request to the outcome of each of its commands: checked, sent, awaited."""
 
 import time
 from collections.abc import Iterable, Iterator, Sequence
@@ -27,18 +27,18 @@ from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
 from fleet_tui.rules.commands.keeping import clearable
 
 LINK_WITHIN = 5.0
-"""Seconds to wait at most for a link and for what a robot reports."""
+"""Maximum seconds to wait for a link and for a robot's reports."""
 
 HANDOVER = 2.0
-"""Seconds until the link has sent a command, or refused it, at most: one that comes later it refuses."""
+"""Maximum seconds until the link has sent a command, or refused it: later ones are refused."""
 
 CODES = {"no link": NO_LINK, "unknown vertex": USAGE, "unattended": USAGE}
 
 
 @dataclass(frozen=True, slots=True)
 class How:
-    """Options for giving commands. `timeout`: seconds to wait at most for all that a line asks; `yes`:
-    warnings don't hold it back; `until_done`: an order is done when it was driven."""
+    """Options for commands. `timeout`: maximum seconds to wait for all results of a line; `yes`: warnings
+    don't hold it back; `until_done`: an order is done when it was driven."""
 
     rights: Permissions
     timeout: float
@@ -47,12 +47,12 @@ class How:
 
 
 def unreported(robot: Robot) -> list[str]:
-    """Return what an order or a cancel is checked and confirmed against, of what has not come."""
+    """Return the missing reports that an order or a cancel is checked and confirmed against."""
     kind = robot.kind
     values: dict[str, object] = {
         name: getattr(robot, name) for name in ("queue", "cargo") if kind.expects(name)
     }
-    if kind.keeps_goals:  # by its first sign of life the goals that it has are known
+    if kind.keeps_goals:  # after its first sign of life its goals are known
         values["pose"] = robot.pose
     if kind.expects("graph"):
         values |= {f"graph of {floor}": chart.graph for floor, chart in robot.charts.items()}
@@ -66,7 +66,7 @@ def reaches(state: FleetState, robot: Robot) -> bool:
 
 
 def _losses(state: FleetState, wish: Request) -> Iterator[Problem]:
-    """Warn of a clear: whoever types it sees no queue."""
+    """Return the warnings of a clear: on the command line no queue is visible."""
     for command in wish.commands:
         robot = state.robots.get(command.robot)
         if isinstance(command, ClearOrders) and robot is not None and (count := len(clearable(state, robot))):
@@ -75,7 +75,7 @@ def _losses(state: FleetState, wish: Request) -> Iterator[Problem]:
 
 
 def _unattended(state: FleetState, wish: Request) -> Iterator[Problem]:
-    """Name the orders whose later stops nobody would give once this command has ended."""
+    """Return the orders whose later stops would not be sent once this command has ended."""
     for command in wish.commands:
         robot = state.robots.get(command.robot)
         if isinstance(command, PlaceOrder) and robot and robot.kind.gives_stops and len(command.stops) > 1:
@@ -84,7 +84,7 @@ def _unattended(state: FleetState, wish: Request) -> Iterator[Problem]:
 
 
 def divide(state: FleetState, wish: Request) -> tuple[Request, list[Outcome]]:
-    """Of a wish for several robots what their kinds accept, and what becomes of the rest."""
+    """Return the part of a request that the robots' kinds accept, and the outcomes of the rest."""
     able = acceptable(state, wish)[0]
     return able, _unable(state, (one for one in wish.commands if one not in able.commands))
 
@@ -94,7 +94,7 @@ def _unable(state: FleetState, commands: Iterable[Command]) -> list[Outcome]:
 
 
 class Sending:
-    """Gives commands on a session, and keeps the record of each: the state forgets old ones."""
+    """Sends commands on a session, and keeps the record of each: the state drops old ones."""
 
     def __init__(self, link: FleetLink, store: WaitingStore, how: How) -> None:
         self._link = link
@@ -106,7 +106,7 @@ class Sending:
         self.begin()
 
     def begin(self) -> None:
-        """The time that a line may take begins now."""
+        """Start the time limit of a line."""
         self._deadline = time.monotonic() + self._how.timeout
 
     def _keep(self, before: FleetState, after: FleetState) -> None:
@@ -114,29 +114,29 @@ class Sending:
 
     @property
     def state(self) -> FleetState:
-        """The newest picture of the fleet."""
+        """Return the newest fleet state."""
         return self.store.state
 
     @property
     def records(self) -> list[CommandRecord]:
-        """Every command that was given."""
+        """Return every command that was given."""
         return list(self._records.values())
 
     @property
     def left(self) -> float:
-        """Seconds until the time is up."""
+        """Return the seconds until the time limit."""
         return max(0.0, self._deadline - time.monotonic())
 
     @property
     def under_way(self) -> list[CommandRecord]:
-        """Return what was given and of which the last is not known."""
+        """Return the open commands."""
         return [
             record for id_, record in self._records.items() if not record.is_decided or id_ in self._driven
         ]
 
     def give(self, wish: Request) -> Iterator[Outcome]:
-        """Check a wish, send it, and wait for the outcome of each command. To one robot they are sent one
-        after the other, none after one that went wrong; to several, all at once."""
+        """Check a request, send it, and wait for the outcome of each command. To one robot they are sent in
+        sequence, up to the first failure; to several, all at once."""
         wish, unable = divide(self.state, wish)
         yield from unable
         wrong = self._problems(wish)
@@ -148,17 +148,17 @@ class Sending:
             yield from self._one_after_the_other(wish.commands)
 
     def check(self, wish: Request) -> list[Outcome]:
-        """Return what would hold a wish back now, nothing where it would be sent."""
+        """Return the objections to a request now, empty if it would be sent."""
         wrong = self._problems(wish)
         return list(self._hold_back(wish.commands, wrong)) if wrong else []
 
     def warnings(self, wish: Request) -> list[Problem]:
-        """Return what a person may override, nothing where the wish is never sent."""
+        """Return the warnings that a person may override, empty if the request is never sent."""
         found = self._problems(wish)
         return [] if any(problem.blocks for problem in found) else found
 
     def override(self) -> None:
-        """Send in spite of warnings from now on."""
+        """Ignore warnings from now on."""
         self._how = replace(self._how, yes=True)
         self.begin()
 
@@ -199,7 +199,7 @@ class Sending:
             yield driven
 
     def pause(self, robots: Sequence[str]) -> Iterator[Outcome]:
-        """Pause robots, those of a bridge as soon as it can be reached, however slow the others are."""
+        """Pause robots, those of a bridge as soon as it is connected, however slow the others are."""
         unable = [name for name in robots if unaccepted(self.state, PauseRobot(name))]
         yield from _unable(self.state, map(PauseRobot, unable))
         ids, waiting = list[int](), [name for name in robots if name not in unable]
@@ -211,7 +211,7 @@ class Sending:
         yield from self.await_ends(ids)
 
     def _reached(self, waiting: list[str], seconds: float) -> list[str]:
-        """The robots that a pause can be sent to; all of them when it is no use to wait any longer."""
+        """Return the robots to which a pause can be sent; all of them after the time limit."""
 
         def connected(state: FleetState) -> list[str]:
             links = {name: state.links[state.robots[name].link] for name in waiting}
@@ -224,7 +224,7 @@ class Sending:
     def await_ends(self, ids: Sequence[int]) -> Iterator[Outcome]:
         """Wait for the end of each command."""
         for command_id in ids:
-            # However little time is left for an answer: whether it left at all is known here.
+            # However little time is left for an answer, whether it was sent is known here.
             self.store.wait(partial(self._was_tried, command_id), HANDOVER)
             self.store.wait(partial(self._has_ended, command_id), self.left)
             record = self._records.get(command_id)
@@ -238,7 +238,7 @@ class Sending:
         return command_id in self._records and self._records[command_id].is_decided
 
     def _with_link(self, outcome: Outcome, record: CommandRecord) -> Outcome:
-        """The exit code of no link, where that kept it from being sent."""
+        """Return the exit code of no link, if that is the reason it was not sent."""
         if record.stage is not Stage.NOT_SENT or self._how.rights.read_only:
             return outcome
         link = self.state.links[self.state.robots[record.command.robot].link]

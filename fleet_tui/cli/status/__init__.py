@@ -1,1 +1,1 @@
-"""`fleet-tui status`: the fleet as a table or as JSON."""
+"""The `status` command: the fleet as a table or as JSON."""

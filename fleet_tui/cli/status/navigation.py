@@ -9,7 +9,7 @@ from fleet_tui.rules.commands.keeping import foreign, kept_orders
 
 
 def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
-    """Return what such a robot tells beyond all others; nothing for a kind that tells none of it."""
+    """Return the additional values of such a robot; empty for a kind without any."""
     found: dict[str, Any] = {}
     if "progress" in robot.kind.reports:
         found["progress"] = _progress(state, robot)

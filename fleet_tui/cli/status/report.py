@@ -107,8 +107,8 @@ def _robot(state: FleetState, robot: Robot) -> Values:
 
 
 def attention(state: FleetState) -> list[str]:
-    """One line for each thing that is not as it should be; empty when all is well."""
-    # Said before they have lasted long enough for an alarm: this command does not wait for that.
+    """Return one line for each thing that needs attention; empty when all is well."""
+    # Listed before they have lasted long enough for an alarm: this command does not wait for that.
     lagging = [behind(state), *(late(state, link, {}) for link in state.links.values())]
     lines = [f"{one.source}: {one.text}" for one in lagging if one is not None]
     for link in state.links.values():
@@ -128,12 +128,12 @@ def attention(state: FleetState) -> list[str]:
             if robot.heard is None
             else f"{robot.name}: missing: {', '.join(absent)}"
         )
-    # An alarm may have said it already.
+    # An alarm may have reported it already.
     return list(dict.fromkeys(lines))
 
 
 def report(state: FleetState) -> Values:
-    """Everything that `status --json` prints."""
+    """Return the values for `status --json`."""
     return {
         "version": VERSION,
         "time": state.wall,
@@ -155,8 +155,7 @@ def report(state: FleetState) -> Values:
 
 
 def changes(before: Values, after: Values) -> Values:
-    """Return what of a report is not as it was: whole links and robots, all alarms; ages alone are no
-    change."""
+    """Return the changes of a report: whole links and robots, all alarms; ages alone are no change."""
     changed: Values = {}
     for part in ("links", "robots"):
         old = {entry["name"]: _ageless(entry) for entry in before[part]}

@@ -1,4 +1,4 @@
-"""`fleet-tui status`: the fleet as a table, as JSON or as one line."""
+"""The `status` command: the fleet as a table, as JSON or as one line."""
 
 import json
 import shutil
@@ -29,7 +29,7 @@ def _text(runs: tuple[Run, ...]) -> str:
 
 
 def table(state: FleetState) -> str:
-    """The fleet in words: the same rows as the console's, then what needs attention."""
+    """Return the fleet as text: the same rows as the console's, then the things that need attention."""
     width = max(60, shutil.get_terminal_size((120, 24)).columns)
     first = next(iter(state.robots))
     fleet = fleet_table(state, first, width)
@@ -42,7 +42,7 @@ def table(state: FleetState) -> str:
 
 
 def one_line(state: FleetState) -> str:
-    """Return what fits a status bar: who is online, and the first thing that needs attention."""
+    """Return the text for a status bar: the robots online, and the first thing that needs attention."""
     online = sum(state.is_online(robot) for robot in state.robots.values())
     wrong = attention(state)
     text = f"{online}/{len(state.robots)} online"
@@ -55,14 +55,14 @@ def one_line(state: FleetState) -> str:
 
 
 def verdict(state: FleetState) -> int:
-    """The exit code that says how the fleet is."""
+    """Return the exit code for the state of the fleet."""
     if not has_link(state):
         return NO_LINK
     return ATTENTION if attention(state) else FINE
 
 
 def _watch(store: WaitingStore, state: FleetState, as_json: bool, oneline: bool, say: Say) -> None:
-    """Say what changes after a state that was said, until interrupted."""
+    """Print changes after a state that was printed, until interrupted."""
     before, said = report(state), one_line(state)
     while True:
         time.sleep(WATCH_EVERY)
@@ -80,7 +80,7 @@ def _watch(store: WaitingStore, state: FleetState, as_json: bool, oneline: bool,
 
 
 def status(config: Config, timeout: float, as_json: bool, oneline: bool, watch: bool, say: Say) -> int:
-    """Print how the fleet is; the exit code."""
+    """Print the state of the fleet; return the exit code."""
     with session(watching(config)) as (_, store):
         store.wait(is_known, timeout)
         # Alarms advance at the next tick of the clock.
