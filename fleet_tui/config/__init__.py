@@ -1,1 +1,1 @@
-"""The configuration: its shape, its checks, where it is found."""
+"""The configuration: its structure, checks and search paths."""

@@ -1,4 +1,4 @@
-"""Secrets and certificates of a bridge: read from where they lie, and only if they lie safely."""
+"""Secrets and certificates of a bridge: read from their files, and only if those are safe."""
 
 import os
 import re
@@ -15,13 +15,13 @@ from fleet_tui.errors import ConfigError
 SECRETS = ("authorization", "rosauth")
 SECRET_FILES = ("authorization_file", "rosauth_file")
 PUBLIC = ("ca_file", "client_cert")
-LONGEST = 16_384  # bytes of a header that servers take
+LONGEST = 16_384  # maximum bytes of a header that servers accept
 NOT_SHOWN = ("authorization_file", "authorization_env", "rosauth_file", "rosauth_env", "client_key")
-"""Keys of a link whose value may be secret, or may have been written where its file or variable belongs."""
+"""Keys of a link whose value may be secret, or a secret entered in place of a file or variable name."""
 
 
 def without_secrets(config: Config) -> Config:
-    """The configuration as it may be shown and handed on."""
+    """Return the configuration without secrets, to be shown and passed on."""
 
     def public(link: Link) -> Link:
         hidden = {key: "***" for key in NOT_SHOWN if getattr(link, key)}
@@ -32,7 +32,7 @@ def without_secrets(config: Config) -> Config:
 
 
 def access_problems(config: Config) -> list[str]:
-    """One line for each secret and certificate that can't be used. No line holds a secret."""
+    """Return one line for each secret and certificate that can't be used. No line contains a secret."""
     problems: list[str] = []
     for name in config.bridges:
         bridge = config.bridge(name)
@@ -49,12 +49,12 @@ def access_problems(config: Config) -> list[str]:
 
 
 def secret(bridge: Link, key: str) -> str:
-    """Return what stands for `authorization` or `rosauth`, "" where nothing is set. Raises ConfigError."""
+    """Return the secret of `authorization` or `rosauth`, "" if not set. Raises ConfigError."""
     variable, where = getattr(bridge, f"{key}_env"), f"{key}_file"
     if variable:
         where, found = f"{key}_env", os.environ.get(variable, "")
         if not found:
-            # Without its name: it may be the secret itself, put where its name belongs.
+            # Without its name: that may be the secret itself, entered by mistake.
             raise ConfigError([f"{where}: environment variable not set"])
     else:
         found = _content(bridge, where).decode("ascii", errors="replace").rstrip("\r\n")
@@ -64,17 +64,17 @@ def secret(bridge: Link, key: str) -> str:
 
 
 def _content(bridge: Link, key: str) -> bytes:
-    """The beginning of a file that the config names. Raises ConfigError if it can't be used."""
+    """Return the beginning of a file named in the config. Raises ConfigError if it can't be used."""
     name = getattr(bridge, key)
     if not name:
         return b""
     try:
-        # A pipe must not keep us waiting.
+        # A pipe must not block.
         with os.fdopen(os.open(name, os.O_RDONLY | os.O_NONBLOCK), "rb") as opened:
             problem = _exposure(os.fstat(opened.fileno()), key not in PUBLIC)
             content = b"" if problem else opened.read(LONGEST + 1)
     except (OSError, ValueError) as error:
-        # Its name is not said: where a path belongs, the secret itself may have been written.
+        # Its name is not shown: it may be the secret itself, entered by mistake.
         problem = f"unreadable: {getattr(error, 'strerror', '') or 'no path'}"
     if not problem and not content:
         problem = "is empty"
@@ -84,7 +84,7 @@ def _content(bridge: Link, key: str) -> bytes:
 
 
 def _exposure(found: os.stat_result, is_private: bool) -> str:
-    """Return why a file can't be used, "" if it can."""
+    """Return the reason that a file can't be used, "" if it can."""
     if not stat.S_ISREG(found.st_mode):
         return "not a file"
     mode = stat.S_IMODE(found.st_mode)
@@ -96,16 +96,16 @@ def _exposure(found: os.stat_result, is_private: bool) -> str:
 
 
 def unsafe_places(config: Config) -> Iterator[str]:
-    """One line for each place through which any user of this machine could change the config's file."""
+    """Return one line for each path through which any user of this machine could change the config's file."""
     path = config.path
     if path == Path():  # it is in no file
         return
-    # A link can be replaced where it lies, too.
+    # A link can be replaced in its own folder, too.
     for place in dict.fromkeys((path, *path.absolute().parents, *path.resolve().parents)):
         try:
             mode = place.stat().st_mode
         except OSError:
             continue
-        # In a folder like /tmp nobody can replace what belongs to others.
+        # In a folder like /tmp users can't replace the files of others.
         if mode & stat.S_IWOTH and not (stat.S_ISDIR(mode) and mode & stat.S_ISVTX):
             yield f"{place} is writable by everyone: chmod o-w {place}"

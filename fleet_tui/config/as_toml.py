@@ -1,4 +1,4 @@
-"""A configuration as a file: what is in effect, so that it can be handed on."""
+"""A configuration as a file: the effective values, to be passed on."""
 
 import json
 from collections.abc import Mapping
@@ -9,7 +9,7 @@ from fleet_tui.config.schema import Config
 
 
 def _value(value: object) -> str:
-    """A value on one line. JSON's strings, numbers and lists are TOML's, too."""
+    """Return a value on one line. JSON's strings, numbers and lists are valid TOML."""
     if isinstance(value, Mapping):
         pairs = (f"{_key(key)} = {_value(one)}" for key, one in value.items())
         return "{" + ", ".join(pairs) + "}"
@@ -27,7 +27,7 @@ def _lines(table: Mapping[str, object]) -> list[str]:
 
 
 def as_toml(config: Config) -> str:
-    """The text of a file that reads as this configuration."""
+    """Return the text of a file that parses to this configuration."""
     text = []
     for name, part in msgspec.to_builtins(config, enc_hook=str).items():
         if name == "path":

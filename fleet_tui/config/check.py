@@ -14,7 +14,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 
 
 def checked(config: Config) -> list[str]:
-    """One line for each problem that only the whole configuration shows."""
+    """Return one line for each problem that only the whole configuration shows."""
     return [
         *_links(config),
         *_names("floors", [floor.name for floor in config.floors]),
@@ -28,7 +28,7 @@ def checked(config: Config) -> list[str]:
 
 
 def missing_files(config: Config) -> list[str]:
-    """One line for each file of a floor that isn't there. The console starts without them, and says so."""
+    """Return one line for each missing file of a floor. The console starts without them, and reports it."""
     return [
         f"floors[{n}].{key}: file not found: {name}"
         for n, floor in enumerate(config.floors)

@@ -1,4 +1,4 @@
-"""Checks of profiles: names that a kind of robots does not know, and topics that can't be told apart."""
+"""Checks of profiles: names unknown to a kind of robots, and ambiguous topics."""
 
 import math
 import re
@@ -14,7 +14,7 @@ from fleet_tui.errors import did_you_mean
 
 
 def check_profiles(config: Config) -> Iterator[str]:
-    """Yield one line for each problem of a profile, or with what refers to one."""
+    """Yield one line for each problem of a profile, or of a reference to one."""
     problems = [*_references(config), *_profile("profile", config.profile)]
     for name, profile in config.profiles.items():
         problems += _profile(f"profiles.{name}", profile)

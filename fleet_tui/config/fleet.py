@@ -1,4 +1,4 @@
-"""The adapters of a configuration: which one each robot has, and what they ask of each link."""
+"""The adapters of a configuration: one per robot, and their needs of each link."""
 
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
@@ -12,7 +12,7 @@ from fleet_tui.config.schema import Config, RobotEntry, link_key
 
 
 def profile_of(config: Config, robot: RobotEntry) -> tuple[str, Profile]:
-    """Return the profile of a robot, and the table of the config that it stands in."""
+    """Return the profile of a robot, and its table in the config."""
     known = {**config.links, "rosbridge": config.rosbridge}
     name = robot.profile or known[robot.link].profile
     if name in config.profiles:
@@ -34,14 +34,13 @@ def adapters_of(config: Config) -> dict[str, Adapter]:
 
 
 def watching(config: Config) -> Config:
-    """Return the same configuration for a console that only watches: nothing is advertised, no command
-    leaves."""
+    """Return the same configuration for a watching console: no advertisements, no commands."""
     operator = msgspec.structs.replace(config.operator, read_only=True)
     return msgspec.structs.replace(config, operator=operator)
 
 
 def feeds_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> list[Feed]:
-    """Return every topic of a link's robots, the most urgent of all robots first. What several robots share
+    """Return every topic of a link's robots, the most urgent of all robots first. A topic of several robots
     is one feed."""
     found: list[tuple[int, Feed]] = []
     for robot in config.robots:
@@ -56,7 +55,7 @@ def feeds_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> list
 
 
 def limit_of(config: Config, link: str) -> Limit:
-    """Return the largest message that a link takes."""
+    """Return the largest message that a link accepts."""
     return Limit(config.bridges[link].max_message_mb, f"{link_key(link)}.max_message_mb")
 
 
@@ -68,8 +67,8 @@ class Service(NamedTuple):
 
 
 def publications_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> list[tuple[str, str]]:
-    """Return name and type of every topic of a link on which commands are published, none where none may
-    leave."""
+    """Return name and type of every topic of a link on which commands are published, empty without permission
+    to command."""
     operator = config.operator
     if operator.read_only or not operator.armed:
         return []
@@ -88,7 +87,7 @@ def services_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> d
 
 
 def shared_topics(config: Config, adapters: Mapping[str, Adapter]) -> Iterator[str]:
-    """Name each topic that has two values, which could not be told apart."""
+    """Return each topic with two values, which would be ambiguous."""
     taken: dict[tuple[str, str], tuple[str, Feed]] = {}
     for robot in config.robots:
         adapter = adapters[robot.name]

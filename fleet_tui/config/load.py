@@ -26,24 +26,25 @@ _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "
 
 
 def shipped() -> Path:
-    """The example that comes with the program: package data in a wheel, else beside the checkout."""
+    """Return the example shipped with the program: package data in a wheel, else beside the checkout."""
     package = Path(__file__).parent.parent
     inside = package / "config_shipped.toml"
     return inside if inside.exists() else package.parent / "config.toml"
 
 
 def user_folder() -> Path:
-    """The user's own config and themes."""
+    """Return the folder of the user's config and themes."""
     return platformdirs.user_config_path("fleet-tui")
 
 
 def places() -> list[Path]:
-    """Return where a configuration is looked for that nothing names."""
+    """Return the search paths of an unnamed configuration."""
     return [Path("config.toml"), user_folder() / "config.toml"]
 
 
 def find(given: str | None) -> Path:
-    """The config to use: given, $FLEET_TUI_CONFIG, ./config.toml, the user's. Raises NoConfigError."""
+    """Return the path of the config: given, $FLEET_TUI_CONFIG, ./config.toml, the user's. Raises
+    NoConfigError."""
     named = given or os.environ.get("FLEET_TUI_CONFIG")
     if named:
         return expanded(named)
@@ -60,7 +61,7 @@ def find(given: str | None) -> Path:
 
 
 def looked_for() -> list[tuple[str, str]]:
-    """Each place where a configuration is looked for, and what is there."""
+    """Return each searched path, and its state."""
     variable = os.environ.get("FLEET_TUI_CONFIG")
     here, users = places()
     named = {"$FLEET_TUI_CONFIG": variable or "not set"}
@@ -70,7 +71,7 @@ def looked_for() -> list[tuple[str, str]]:
 
 
 def load_if_any(given: str | None) -> Config:
-    """Read the config to use, or an empty one: of a console that has robots from elsewhere. Raises
+    """Read the config, or return an empty one: for a console with robots from elsewhere. Raises
     ConfigError."""
     try:
         path = find(given)
@@ -88,7 +89,7 @@ def load(path: Path) -> Config:
 
 
 def read(path: Path) -> tuple[Config, list[str]]:
-    """A file as far as it can be read, and what is wrong with it. Raises ConfigError for no TOML."""
+    """Parse a file as far as possible, and return its problems. Raises ConfigError for invalid TOML."""
     try:
         table = read_toml(path)
     except FileNotFoundError:
@@ -104,7 +105,7 @@ def read(path: Path) -> tuple[Config, list[str]]:
 
 
 def from_text(text: str) -> Config:
-    """Read and check a configuration that is in no file. Raises ConfigError with every problem found."""
+    """Read and check a configuration without a file. Raises ConfigError with every problem found."""
     try:
         config, problems = _config_of(tomllib.loads(text))
     except (ValueError, RecursionError) as problem:
@@ -123,7 +124,7 @@ def _config_of(table: Mapping[str, object]) -> tuple[Config, list[str]]:
 
 
 def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> Any | None:
-    """`table` as `struct`; what is wrong goes to `problems`, key by key, and the default stands in."""
+    """Return `table` as `struct`; errors go to `problems`, key by key, and the default is used."""
     if not isinstance(table, Mapping):
         problems.append(f"{where.rstrip('.')}: must be a table")
         return None
@@ -139,7 +140,7 @@ def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> 
                 values[name] = value
         elif field.required:
             problems.append(f"{where}{name}: missing")
-    # Every required field is a name. The entry stays under one that nobody else has, so that the
+    # Every required field is a name. The entry gets a unique one, so that the
     # entries after it keep their numbers.
     stand_in = "".join(letter if letter.isalnum() else "_" for letter in where)
     missing = {name: stand_in for name, field in fields.items() if field.required and name not in values}
@@ -147,7 +148,7 @@ def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> 
 
 
 def _without_none(kind: Any) -> Any:
-    """TOML has no null: of what may be None only the other side can stand in a file."""
+    """Drop the None from a union: TOML has no null, so only the other type can be in a file."""
     if typing.get_origin(kind) is UnionType:
         return next(one for one in typing.get_args(kind) if one is not type(None))
     return kind
@@ -180,14 +181,14 @@ def _read_value(kind: Any, value: Any, where: str, problems: list[str]) -> Any |
 
 
 def _with_settings(table: Mapping[str, object]) -> dict[str, object]:
-    """Put the tables of single kinds together: only their adapters know what is in them."""
+    """Merge the tables of single kinds: only their adapters know their keys."""
     own = {key: value for key, value in table.items() if key in KINDS}
     rest = {key: value for key, value in table.items() if key not in KINDS}
     return {**rest, "settings": own} if own else rest
 
 
 def _in_words(kind: Any, value: object, problem: str) -> str:
-    """msgspec's complaint as a person would say it."""
+    """Return msgspec's message in plain words."""
     if typing.get_origin(kind) is Literal and isinstance(value, str):
         choices = typing.get_args(kind)
         return f"{value!r} is not one of {', '.join(choices)}{did_you_mean(value, choices)}"

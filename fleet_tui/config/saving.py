@@ -1,4 +1,4 @@
-"""Writes a configuration to a file that only its owner can read: what it names may be confidential."""
+"""Writes a configuration to a file of mode 600: the names in it may be confidential."""
 
 import os
 import tempfile
@@ -14,11 +14,11 @@ USUAL = "config.toml"
 
 
 class Source(Protocol):
-    """The source of a configuration that is in no file."""
+    """The source of a configuration without a file."""
 
     @property
     def text(self) -> str:
-        """The text that it was read from."""
+        """Return the text that it was read from."""
 
 
 class Saving:
@@ -30,8 +30,8 @@ class Saving:
         """The file in which it is, empty where it is in none."""
 
     def write(self, name: str) -> Path:
-        """Write it over whatever is there, and return where. Raises FleetError."""
-        # In a copy elsewhere the names of files must still lead to them.
+        """Write it, overwriting any file, and return the path. Raises FleetError."""
+        # In a copy elsewhere the names of files must still be valid.
         text = as_toml(self._config.whole()) if self._source is None else self._source.text
         path = write_config(text, name)
         self.path = self.path or str(path)

@@ -1,4 +1,4 @@
-"""The shape of config.toml. Every key has a default, so that little is enough."""
+"""The structure of config.toml. Every key has a default, so that a short file suffices."""
 
 import re
 from pathlib import Path
@@ -20,7 +20,7 @@ Percent = Annotated[float, msgspec.Meta(ge=0, le=100)]
 
 
 def expanded(name: str) -> Path:
-    """A path with ~ as the home it means; the ~ of a user who is not known stays."""
+    """Return a path with ~ expanded; the ~ of an unknown user stays."""
     try:
         return Path(name).expanduser()
     except RuntimeError:
@@ -28,16 +28,16 @@ def expanded(name: str) -> Path:
 
 
 def link_key(name: str) -> str:
-    """Return where a link stands in the config."""
+    """Return the config table of a link."""
     return name if name == DEFAULT_LINK else f"links.{name}"
 
 
 class Link(msgspec.Struct, frozen=True):
-    """`[rosbridge]` and `[links.NAME]`: where a bridge listens, and what it takes to be let in. `profile` is
+    """`[rosbridge]` and `[links.NAME]`: the address of a bridge, and the credentials for it. `profile` is
     that of its robots.
 
-    Files are relative to the config file. What is secret stands in a file or in an environment variable,
-    never here."""
+    Files are relative to the config file. Secrets are in a file or in an environment variable, never here.
+    """
 
     url: str = "ws://127.0.0.1:9090"
     max_message_mb: Annotated[float, msgspec.Meta(gt=0, le=2000)] = 128.0
@@ -52,13 +52,13 @@ class Link(msgspec.Struct, frozen=True):
 
     @property
     def shown(self) -> str:
-        """The url without what may be secret in it."""
+        """Return the url without possible secrets."""
         without_user = re.sub(r"^(\w+://)?.*@", r"\1***@", self.url, flags=re.DOTALL)
         return re.sub(r"([?#]).*", r"\1***", without_user, flags=re.DOTALL)
 
     @property
     def is_secure(self) -> bool:
-        """Tell whether TLS is spoken."""
+        """Tell whether the bridge uses TLS."""
         return self.url.startswith("wss:")
 
 
@@ -72,13 +72,13 @@ class FloorEntry(msgspec.Struct, frozen=True):
 
     @property
     def frame(self) -> str:
-        """The frame_id of poses on this floor, without a leading slash."""
+        """Return the frame_id of poses on this floor, without a leading slash."""
         return (self.frame_id or self.name).lstrip("/")
 
 
 class RobotEntry(msgspec.Struct, frozen=True):
     """`[[robots]]`; no floors means every floor, no link the one of `[rosbridge]`; `profile` names a table of
-    `[profiles]` or a kind, without one that of its link counts, else `[profile]`; size in metres."""
+    `[profiles]` or a kind, by default that of its link, else `[profile]`; size in metres."""
 
     name: str
     floors: list[str] = []
@@ -88,7 +88,7 @@ class RobotEntry(msgspec.Struct, frozen=True):
 
 
 class Operator(msgspec.Struct, frozen=True):
-    """`[operator]`: who commands, and whether they may."""
+    """`[operator]`: name and permission of the operator."""
 
     name: str = ""
     read_only: bool = False
@@ -128,8 +128,8 @@ class Alarms(msgspec.Struct, frozen=True):
 
 
 class RecordingConfig(msgspec.Struct, frozen=True):
-    """`[recording]`: the console always keeps the last `recent_minutes` (0: none) in `recent_mb` at most.
-    A recording goes on in a new file after `rotate_mb` or `rotate_minutes`; `keep` files stay, 0: all."""
+    """`[recording]`: the console always keeps the last `recent_minutes` (0: none) in `recent_mb` at most. A
+    recording continues in a new file after `rotate_mb` or `rotate_minutes`; `keep` files stay, 0: all."""
 
     recent_minutes: Annotated[float, msgspec.Meta(ge=0, le=1440)] = 10.0
     recent_mb: Annotated[float, msgspec.Meta(ge=1, le=100_000)] = 64.0
@@ -139,7 +139,7 @@ class RecordingConfig(msgspec.Struct, frozen=True):
 
 
 class Config(msgspec.Struct, frozen=True):
-    """A whole configuration; `path` is the file it came from."""
+    """A whole configuration; `path` is its file."""
 
     rosbridge: Link = Link()
     links: dict[str, Link] = {}
@@ -156,17 +156,17 @@ class Config(msgspec.Struct, frozen=True):
 
     @property
     def bridges(self) -> dict[str, Link]:
-        """Every bridge some robot hangs on, by name; of no robots the default one."""
+        """Return every bridge with robots, by name; without robots the default one."""
         known = {DEFAULT_LINK: self.rosbridge, **self.links}
         used = [robot.link for robot in self.robots] or [DEFAULT_LINK]
         return {name: known[name] for name in dict.fromkeys(used)}
 
     def bridge(self, name: str) -> Link:
-        """One bridge, its files with their whole paths."""
+        """Return one bridge, its files with absolute paths."""
         return self._whole(self.bridges[name], LINK_FILES)
 
     def whole(self) -> "Config":
-        """The same, for a file that lies elsewhere: all files with their whole paths."""
+        """Return the configuration for a file in another folder: all files with absolute paths."""
         return msgspec.structs.replace(
             self,
             rosbridge=self._whole(self.rosbridge, LINK_FILES),
@@ -181,9 +181,9 @@ class Config(msgspec.Struct, frozen=True):
         )
 
     def beside(self, name: str) -> Path:
-        """Return where a file lies that the config names: relative to the config file; ~ is the home."""
+        """Return the path of a file named in the config: relative to the config file; ~ is the home."""
         return self.path.parent / expanded(name)
 
     def floors_of(self, robot: RobotEntry) -> list[str]:
-        """The floors a robot can be on."""
+        """Return the possible floors of a robot."""
         return robot.floors or [floor.name for floor in self.floors]

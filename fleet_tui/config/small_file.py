@@ -1,4 +1,4 @@
-"""Reads files that people write: never more of one than fits its purpose, whatever its name leads to."""
+"""Reads files that people write: limited in size, whatever the name refers to."""
 
 import errno
 import os
@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 LARGEST = 500_000
-"""Bytes of a configuration or a theme."""
+"""Maximum bytes of a configuration or a theme."""
 
 _MANY_PARTS = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){30}""")
-"""In a key: tomllib takes memory with the square of them."""
+"""Maximum dots in a key: tomllib takes memory with the square of them."""
 
 
 def _without_waiting(path: str, flags: int) -> int:
@@ -21,7 +21,7 @@ def _without_waiting(path: str, flags: int) -> int:
 
 
 def open_file(path: Path) -> BinaryIO:
-    """Open a regular file to be read. Raises OSError: a pipe or a device could keep us waiting for ever."""
+    """Open a regular file to be read. Raises OSError: a pipe or a device could block forever."""
     file = FileIO(path, opener=_without_waiting)
     if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
         file.close()
@@ -30,7 +30,7 @@ def open_file(path: Path) -> BinaryIO:
 
 
 def read_text(path: Path, largest: int) -> str:
-    """A whole UTF-8 file. Raises OSError, and ValueError for a larger one or another encoding."""
+    """Return a whole UTF-8 file. Raises OSError, and ValueError for a larger one or another encoding."""
     with open_file(path) as file:
         content = file.read(largest + 1)
     if len(content) > largest:
@@ -39,7 +39,7 @@ def read_text(path: Path, largest: int) -> str:
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """A TOML file. Raises OSError, and ValueError or RecursionError for what is none."""
+    """Return a TOML file. Raises OSError, and ValueError or RecursionError for invalid TOML."""
     text = read_text(path, LARGEST)
     if _MANY_PARTS.search(text):
         raise ValueError("a key of more than 30 parts")

@@ -1,4 +1,4 @@
-"""The picture of the world before anything has been heard."""
+"""The fleet state before any message."""
 
 from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
@@ -8,7 +8,7 @@ from fleet_tui.model.robot import Robot, RobotMap
 
 
 def initial_state(config: Config, now: float) -> FleetState:
-    """Every floor, robot and link of the config, nothing known of them. `now` is monotonic."""
+    """Return every floor, robot and link of the config, without values. `now` is monotonic."""
     alarms = config.alarms
     return FleetState(
         floors={floor.name: Floor(floor.name, floor.frame) for floor in config.floors},
