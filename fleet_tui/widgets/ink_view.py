@@ -60,7 +60,7 @@ class InkView(Widget):
 
     def render_lines(self, crop: Region) -> list[Strip]:
         """Return the rows as stored, bypassing the cache that would wrap each of them again."""
-        # Textual keeps the list of rows to paint until it has rendered the widget itself, which it never does.
+        # Textual keeps the list of rows to paint until it renders the widget itself, which never happens.
         self._dirty_regions.clear()
         if crop.x == 0 and crop.size == self.size and crop.height == len(self._strips):
             return self._strips  # all of them, each as wide as the widget
