@@ -1,4 +1,4 @@
-"""Lines out of a gzip file, member by member, however it ends and whatever it holds."""
+"""Reads lines from a gzip file, member by member, also truncated or damaged."""
 
 import os
 import stat
@@ -11,13 +11,13 @@ from typing import BinaryIO
 from fleet_tui.recording.records import RecordingError
 
 READ, UNPACKED = 2**16, 2**20
-"""Bytes that are read, and unpacked, at a time: packed, a thousand bytes may be one."""
+"""Bytes to read, and to unpack, at a time: packed, a thousand bytes may be one."""
 LONGEST_LINE = 2**28
-"""Bytes of a record."""
+"""Maximum bytes of a record."""
 
 
 def open_plain(path: Path) -> BinaryIO:
-    """Open a file, and nothing that would keep us waiting. Raises RecordingError."""
+    """Open a regular file; a pipe would block. Raises RecordingError."""
     try:
         fd = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
     except FileNotFoundError:
@@ -33,16 +33,16 @@ def open_plain(path: Path) -> BinaryIO:
 
 @dataclass(slots=True)
 class Lines:
-    """The whole lines of a gzip file from a member on. After the last one, `note` says how it ended, where
-    that was not as it should; `done` bytes were read so far."""
+    """The whole lines of a gzip file from a member on. After the last one, `note` describes an irregular end;
+    `done` is the number of bytes read so far."""
 
     file: BinaryIO
     note: str = ""
     done: int = 0
 
     def __iter__(self) -> Iterator[tuple[int, bytes]]:
-        """Each line, with the offset of the member in which it began. Raises RecordingError for a line
-        that is too long, and for what can't be read."""
+        """Yield each line, with the offset of the member in which it began. Raises RecordingError for a line
+        that is too long, or unreadable data."""
         pieces: list[bytes] = []
         member = length = 0
         for offset, chunk in self._chunks():

@@ -1,6 +1,6 @@
-"""An incident as one archive, to be attached to a ticket: what was recorded, and what it was recorded with.
+"""An incident as one archive, for a ticket: the recording and its environment.
 
-What can't be had is named in it; nothing that is secret is in it.
+Missing parts are listed in it; it contains no secrets.
 """
 
 import os
@@ -29,18 +29,18 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model.audit_record import AuditRecord
 
 LOG_BYTES = 2**20
-"""So much of the end of the log."""
+"""Maximum bytes of the end of the log."""
 EARLIEST = (1980, 1, 1, 0, 0, 0)
-"""The first moment that a ZIP can name; a clock that nobody has set yet stands before it."""
+"""The earliest time in a ZIP; an unset clock may be before it."""
 SPAN = 3600.0
 """Seconds of the audit log."""
 RECORDING = "recording.jsonl.gz"
 FOLDER = "incidents"
 """Of the state folder."""
 DOCTOR = 10.0
-"""Seconds for a doctor."""
+"""Maximum seconds for a doctor."""
 POLL, GRACE = 0.1, 5.0
-"""Seconds between looks at the doctor, and what it gets beyond its time."""
+"""Seconds between checks of the doctor, and the extra time for its end."""
 
 README = """\
 An incident of a robot fleet, packed by fleet-tui {version} on {host} at {time}.
@@ -51,7 +51,7 @@ All files are text or gzipped text. They contain no secrets, but names of hosts,
 
 
 class Incident:
-    """Collects the parts. Not on the loop of a screen: files are read, a doctor is waited for."""
+    """Collects the parts. Not on a screen's loop: it reads files and waits for a doctor."""
 
     def __init__(self) -> None:
         self._parts: dict[str, bytes] = {}
@@ -59,7 +59,7 @@ class Incident:
         self._about: list[tuple[str, str]] = []
 
     def add(self, name: str, about: str, made: Callable[[], bytes]) -> None:
-        """Add a part. What goes wrong while it is made is written down instead."""
+        """Add a part. An error while it is made is recorded instead."""
         try:
             self._parts[name] = made()
         except (OSError, ValueError) as problem:
@@ -67,10 +67,10 @@ class Incident:
         self._about.append((name, about))
 
     def add_recording(self, name: str, files: list[Path]) -> None:
-        """Add a recording made of these files, the oldest first: together they are one, too."""
+        """Add a recording of these files, oldest first: together they are one, too."""
         about = f"last minutes of a console: fleet-tui replay {name}"
         if files:
-            # Of the last one only what it is now: it goes on, and is whole at this moment alone.
+            # Of the last one only its current content: it grows, and is whole at this moment alone.
             size = 0
             with suppress(FileNotFoundError):
                 last = files[-1].stat()
@@ -86,7 +86,7 @@ class Incident:
         return "".join(f"{name:<{width}}{about}\n" for name, about in self._about)
 
     def write(self, folder: Path) -> Path:
-        """Write the archive, which only its owner reads, whole or not at all. Raises OSError."""
+        """Write the archive of mode 600, whole or not at all. Raises OSError."""
         now = time.localtime()
         path = folder / f"incident-{time.strftime('%Y%m%d-%H%M%S', now)}.zip"
         words = {"version": __version__, "host": platform.node(), "time": time.strftime("%F %T %z", now)}
@@ -110,7 +110,7 @@ class Incident:
 
 def _join(files: list[Path], last_size: int, into: IO[bytes]) -> None:
     for path in files:
-        # The oldest may have made room meanwhile.
+        # The oldest may have been deleted meanwhile.
         with suppress(FileNotFoundError), path.open("rb") as file:
             if path == files[-1]:
                 into.write(file.read(last_size))
@@ -119,8 +119,8 @@ def _join(files: list[Path], last_size: int, into: IO[bytes]) -> None:
 
 
 def pack(config: Config, folder: Path, shot: str, recent: list[Path], is_over: Callable[[], bool]) -> Path:
-    """Pack what a console has: a screenshot (SVG), the files of the last minutes, and everything else.
-    Raises OSError."""
+    """Pack a console's files: a screenshot (SVG), the files of the last minutes, and everything else. Raises
+    OSError."""
     incident = Incident()
     incident.add_recording(RECORDING, recent)
     incident.add("screen.svg", "screenshot of the console", shot.encode)
@@ -130,7 +130,7 @@ def pack(config: Config, folder: Path, shot: str, recent: list[Path], is_over: C
 
 
 def collect(incident: Incident, config: Config, folder: Path, since: float) -> None:
-    """Everything a state folder has from Unix time `since` on, and what the program runs on."""
+    """Collect everything in a state folder from Unix time `since` on, and the software versions."""
     incident.add("config.toml", "effective settings", lambda: as_toml(without_secrets(config)).encode())
     incident.add("versions.txt", "versions of the program and its dependencies", lambda: versions().encode())
     incident.add("fleet-tui.log", "end of the log", lambda: _end_of(folder / "fleet-tui.log"))
@@ -138,7 +138,7 @@ def collect(incident: Incident, config: Config, folder: Path, since: float) -> N
 
 
 def versions() -> str:
-    """A line for the program, the interpreter, the system, and each package that is installed."""
+    """Return a line for the program, the interpreter, the system, and each package that is installed."""
     lines = [f"fleet-tui {__version__}", f"Python {sys.version}", platform.platform()]
     packages = {f"{one.name} {one.version}" for one in metadata.distributions()}
     return "\n".join([*lines, *sorted(packages, key=str.lower)]) + "\n"
@@ -159,8 +159,8 @@ def _audit(path: Path, since: float) -> bytes:
 
 
 def examined(config: Config, within: float, is_over: Callable[[], bool]) -> bytes:
-    """Return what `fleet-tui doctor` says within so many seconds, in a process of its own, which does not
-    outlive `is_over`. Raises OSError where it says nothing."""
+    """Return the output of `fleet-tui doctor` within a time limit, from a separate process, which is ended by
+    `is_over`. Raises OSError without output."""
     with tempfile.NamedTemporaryFile("w", suffix=".toml", encoding="utf-8") as file:
         file.write(as_toml(config.whole()))
         file.flush()

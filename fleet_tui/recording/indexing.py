@@ -1,4 +1,4 @@
-"""Looks through a recording once: what is in it, and where."""
+"""Scans a recording once: its content and positions."""
 
 import math
 import os
@@ -14,11 +14,11 @@ from fleet_tui.recording.recording import LAST_SECOND, Instant, KeyframeLocation
 from fleet_tui.recording.records import VERSION, Keyframe, Lost, Mark, RecordingError, RecordingHeader, decode
 
 MOST_MARKS = 100_000
-"""Marks, and losses, that are kept in memory."""
+"""Maximum marks, and losses, in memory."""
 LONGEST_UP = 1e11
-"""Monotonic seconds: longer than any machine was up."""
+"""Monotonic seconds: above any machine's uptime."""
 
-# Nearly all records; they are read when they are played.
+# Nearly all records; they are decoded on playing.
 _BULK = (b'{"kind":"heard"', b'{"kind":"sent"', b'{"kind":"told"')
 
 
@@ -42,8 +42,8 @@ def _stamp(line: bytes) -> _Stamp:
 
 
 def open_recording(path: Path, progress: Callable[[float], None] = lambda _share: None) -> Recording:
-    """Look through all parts of the recording that a file is part of. `progress` is told the share that
-    is done, from 0 to 1. Raises RecordingError."""
+    """Scan all parts of a file's recording. `progress` is called with the share done, from 0 to 1. Raises
+    RecordingError."""
     found, notes = _parts(path)
     recording = Recording(path, found[0][1], notes=notes)
     total = sum(size for _, _, size in found)
@@ -58,7 +58,7 @@ def open_recording(path: Path, progress: Callable[[float], None] = lambda _share
 
 
 def _parts(path: Path) -> tuple[list[tuple[Path, RecordingHeader, int]], list[str]]:
-    """The parts with their headers and sizes, and what is wrong with others that have such a name."""
+    """Return the parts with their headers and sizes, and the problems of others with such a name."""
     found: dict[Path, tuple[Path, RecordingHeader, int]] = {}
     problems: dict[Path, RecordingError] = {}
     for part in parts_beside(path):
@@ -70,14 +70,14 @@ def _parts(path: Path) -> tuple[list[tuple[Path, RecordingHeader, int]], list[st
         raise problems[path]
     if not found:
         found[path] = path, *_header(path)
-    # The first ones may be gone: a service keeps only so many.
+    # The first ones may be gone: a service keeps a limited number.
     _, wanted, _ = found.get(path) or next(iter(found.values()))
     parts = [part for part in found.values() if part[1].recording == wanted.recording]
     return parts, [str(problem) for problem in problems.values()]
 
 
 def _header(path: Path) -> tuple[RecordingHeader, int]:
-    """The header of a file, and its bytes. Raises RecordingError, which names the file."""
+    """Return the header of a file, and its bytes. Raises RecordingError with the file's name."""
     with open_plain(path) as file:
         lines = Lines(file)
         try:
@@ -102,7 +102,7 @@ def _header(path: Path) -> tuple[RecordingHeader, int]:
 
 
 def _look_through(recording: Recording, part: Path) -> Iterator[int]:
-    """Take what a part holds into the recording. Yields the bytes that were read so far."""
+    """Add the content of a part to the recording. Yields the bytes read so far."""
     recording.parts.append(part)
     try:
         with open_plain(part) as file:
@@ -137,7 +137,7 @@ def _take_lines(recording: Recording, part: Path, lines: Lines) -> Iterator[int]
 
 
 def _take(recording: Recording, place: KeyframeLocation, line: bytes) -> bool:
-    """Take a record; whether it is a keyframe."""
+    """Add a record; tell whether it is a keyframe."""
     moment = _reach(recording, line)
     record = decode(line, recording.header.version)
     match record:
@@ -154,7 +154,8 @@ def _take(recording: Recording, place: KeyframeLocation, line: bytes) -> bool:
 
 
 def _follow(recording: Recording, path: Path, header: RecordingHeader) -> None:
-    """The first parts may have made room for others; one from between them has been lost."""
+    """Check the part number. The first parts may have been deleted to save space; one missing in between was
+    lost."""
     gone = header.part - recording.part - 1
     if header.recording == recording.header.recording and recording.part >= 0 and gone > 0:
         parts = "part is" if gone == 1 else "parts are"
@@ -163,7 +164,7 @@ def _follow(recording: Recording, path: Path, header: RecordingHeader) -> None:
 
 
 def _reach(recording: Recording, line: bytes) -> Instant:
-    """The moment of a record, up to which the recording goes now."""
+    """Return the instant of a record, the end of the recording so far."""
     stamp = _stamp(line)
     earliest = max(0.0, recording.end.at)
     if stamp.kind != "header" and not (earliest <= stamp.at < LONGEST_UP and 0.0 <= stamp.wall < LAST_SECOND):

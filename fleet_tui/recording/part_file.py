@@ -1,20 +1,20 @@
-"""One file of a recording while it is written: gzip, which a kill costs at most what was not flushed."""
+"""One file of a recording being written: gzip, of which a kill costs at most the unflushed end."""
 
 import os
 import zlib
 from pathlib import Path
 
 LEVEL = 1
-"""Of compression: the higher ones take several times as long, and save a fifth."""
+"""Compression level: higher ones take several times as long, and save a fifth."""
 
 
 class PartFile:
-    """A new file that only its owner reads. Every method raises OSError where the disk does not take it."""
+    """A new file of mode 600. Every method raises OSError if the disk fails."""
 
     def __init__(self, path: Path, head: bytes) -> None:
-        """Make the file, which must not be there yet, with its first lines."""
+        """Create the file, which must not exist yet, with its first lines."""
         path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-        # Never through a link that somebody put there.
+        # Never through a link placed there.
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC
         self._fd = os.open(path, flags, 0o600)
         self.path = path
@@ -30,12 +30,12 @@ class PartFile:
             raise
 
     def write(self, lines: bytes) -> None:
-        """Take lines; they are on the disk after the next flush."""
+        """Add lines; they are on the disk after the next flush."""
         self._is_flushed = False
         self._put(self._packer.compress(lines))
 
     def flush(self) -> None:
-        """Everything so far can be read after this."""
+        """Make everything so far readable."""
         if not self._is_flushed:
             self._put(self._packer.flush(zlib.Z_SYNC_FLUSH))
             self._is_flushed = True
@@ -47,18 +47,18 @@ class PartFile:
         self._is_flushed = True
 
     def is_there(self) -> bool:
-        """Tell whether the file still has its name: else nobody would ever see what is written."""
+        """Tell whether the file still has its name: else its content would never be found."""
         try:
             return os.path.samestat(os.fstat(self._fd), self.path.stat(follow_symlinks=False))
         except OSError:
             return False
 
     def end(self) -> None:
-        """End it as a file of gzip should."""
+        """End the gzip file properly."""
         self._put(self._packer.flush())
 
     def close(self) -> None:
-        """Let it go: it can be read as far as it was written whole."""
+        """Close the file: it can be read as far as it was written whole."""
         os.close(self._fd)
 
     def _put(self, packed: bytes) -> None:

@@ -1,4 +1,4 @@
-"""The files of a recording that is being made: a new one in time, old ones away, another where one fails."""
+"""The files of a running recording: a new one in time, old ones deleted, another after an error."""
 
 import logging
 import time
@@ -14,11 +14,11 @@ from fleet_tui.recording.records import RecordingError
 LOG = logging.getLogger(__name__)
 
 RETRY = 1.0
-"""Seconds between two tries where the disk does not take it."""
+"""Seconds between two attempts after a disk error."""
 
 
 class PartLimits(Struct, frozen=True):
-    """When a new file begins (its bytes, its seconds), how many are kept (0: all), and their bytes in all."""
+    """Limits of a new file (its bytes, its seconds), number of files kept (0: all), and their total bytes."""
 
     part_bytes: float = 256e6
     part_seconds: float = 3600.0
@@ -30,11 +30,11 @@ USUAL = PartLimits()
 
 
 class PartFiles:
-    """A failed operation returns False, and `problem` says why; the next `turn` tries another file."""
+    """A failed operation returns False, with the reason in `problem`; the next `turn` tries another file."""
 
     def __init__(self, first: Path, limits: PartLimits, head: Callable[[int, float], bytes]) -> None:
-        """Begin. `head` gives the first lines of a part that begins at a monotonic second. Raises
-        RecordingError where `first`, or another part of it, is there already, and where it can't be made."""
+        """Begin. `head` returns the first lines of a part that begins at a monotonic second. Raises
+        RecordingError if `first`, or another part of it, exists already, or can't be created."""
         if any(parts_beside(first)):
             raise RecordingError(f"{first}: exists: choose another name, or remove it")
         self.problem = ""
@@ -51,16 +51,16 @@ class PartFiles:
 
     @property
     def is_open(self) -> bool:
-        """Tell whether there is a file to write to."""
+        """Tell whether a file is open."""
         return self._file is not None
 
     @property
     def size(self) -> int:
-        """Bytes that were written, in all files."""
+        """Return the bytes written, in all files."""
         return self._before + (self._file.size if self._file else 0)
 
     def needs_turn(self, at: float) -> bool:
-        """Tell whether a new file is due, because one is full, or it is time to try again."""
+        """Tell whether a new file is due, because one is full, or it is time for another attempt."""
         if self._file is None:
             return time.monotonic() >= self._retry_at
         limits = self._limits
@@ -75,18 +75,18 @@ class PartFiles:
             else:
                 self._file.begin_member()
         except OSError as problem:
-            # Somebody else's file may have the name.
+            # A foreign file may have the name.
             self._number += isinstance(problem, FileExistsError)
             return self._fail(problem)
         self.problem = ""
         return True
 
     def write(self, lines: bytes) -> bool:
-        """Take lines, which are on the disk after the next flush."""
+        """Add lines, which are on the disk after the next flush."""
         return self._do(lambda file: file.write(lines))
 
     def flush(self, whole: bool = False) -> bool:
-        """Have everything on the disk; `whole`: as a file that has its end, until the next write."""
+        """Put everything on the disk; `whole`: as a file with a proper end, until the next write."""
 
         def flush(file: PartFile) -> None:
             if not file.is_there():
@@ -96,7 +96,7 @@ class PartFiles:
         return self._do(flush)
 
     def close(self) -> bool:
-        """End the file as it should."""
+        """End the file properly."""
         done = self._do(lambda file: file.end())
         self._let_go()
         return done
@@ -118,7 +118,7 @@ class PartFiles:
         self._drop_old()
 
     def _drop_old(self) -> None:
-        """Let go the oldest files beyond what is kept. Only those of this recording are touched."""
+        """Delete the oldest files above the limit. Only those of this recording are touched."""
         limits = self._limits
         while len(self.paths) > 1:
             sizes = [path.stat().st_size if path.exists() else 0 for path in self.paths]

@@ -1,4 +1,4 @@
-"""Turns what was heard into records, and tells of those that the disk did not take."""
+"""Turns events into records, and counts those that the disk did not take."""
 
 import logging
 import secrets
@@ -37,7 +37,7 @@ LOG = logging.getLogger(__name__)
 AT_ONCE = 2**20
 """Bytes of frames that are packed at once."""
 LONGEST_ESCAPE = 6
-"""Bytes in JSON of one byte of text, at most."""
+"""Maximum bytes in JSON for one byte of text."""
 ENCODING = (ValueError, TypeError, OverflowError, NotImplementedError, msgspec.MsgspecError)
 
 
@@ -59,37 +59,37 @@ class PartWriter:
         self.files = PartFiles(first, limits, self._head)
 
     def note_time(self) -> None:
-        """Look at both clocks: somebody may have set one."""
+        """Read both clocks: one may have been set."""
         self._offset = time.time() - time.monotonic()
 
     def heard(self, at: float, link: str, channel: str, payload: bytes, binary: bool) -> None:
-        """A frame came."""
+        """Record a received frame."""
         came = at if at < self._at else None
         text, data = _as_text(payload)
         self._add(Heard(*self._times(at), link, channel, text, data, binary, came), len(payload))
 
     def sent(self, at: float, link: str, channel: str, payload: bytes) -> None:
-        """A frame left."""
+        """Record a sent frame."""
         self._add(Sent(*self._times(at), link, channel, *_as_text(payload)), len(payload))
 
     def told(self, at: float, event: Event) -> None:
-        """Something happened."""
+        """Record an event."""
         self._add(Told(*self._times(at), event))
 
     def changed(self, at: float, before: FleetState, after: FleetState) -> None:
-        """A command or an alarm changed."""
+        """Record the change of a command or an alarm."""
         at, wall = self._times(at)
         commands = command_records(self._origin, before, after, lambda then: wall - (at - then))
         for record in (*commands, *alarm_records(self._origin, before, after, wall)):
             self._add(Mark(at, wall, record))
 
     def missed(self, at: float, records: int, why: str) -> None:
-        """So many did not even get here."""
+        """Count records lost before they arrived here."""
         self.lose(why, records)
         self._tell_lost(at)
 
     def keyframe(self, at: float, state: FleetState) -> None:
-        """All that is known. Here a new file may begin."""
+        """Record the whole state. A new file may begin here."""
         self.wants_keyframe = False
         at, wall = self._times(at)
         self._write_lines()
@@ -104,19 +104,19 @@ class PartWriter:
             self._write_lines()
 
     def flush(self, whole: bool = False) -> None:
-        """Make everything taken so far readable, if the disk takes it; `whole`: to its very end."""
+        """Make everything so far readable, if the disk takes it; `whole`: to its very end."""
         self._write_lines()
         if self._keeps(not self.files.is_open or self.files.flush(whole)):
             self._unsure = 0
         self.wants_keyframe = self.files.needs_turn(self._at)
 
     def close(self) -> None:
-        """End the file as it should."""
+        """End the file properly."""
         self._write_lines()
         self.files.close()
 
     def lose(self, why: str, count: int = 1) -> None:
-        """Count what can't be kept."""
+        """Count a lost record."""
         self._lost += count
         self._why = why
 
@@ -132,7 +132,7 @@ class PartWriter:
         return self._at, self._at + self._offset
 
     def _add(self, record: Record, size: int = 0) -> None:
-        """Take a record, of which `size` bytes are others' words."""
+        """Add a record with `size` bytes of foreign text."""
         if not self.files.is_open:
             self.lose(self.files.problem)
             return
@@ -153,7 +153,7 @@ class PartWriter:
         if not records or not self.files.is_open:
             return
         try:
-            # All at once takes a third of the time.
+            # Together, packing takes a third of the time.
             lines, count = (encode_all(records, self._packer) if is_small else b""), len(records)
         except ENCODING:
             is_small = False
@@ -177,8 +177,8 @@ class PartWriter:
         return line
 
     def _keeps(self, done: bool) -> bool:
-        """Tell whether it went well. If not, what was packed since the last flush is not whole on the
-        disk."""
+        """Tell whether an operation succeeded. If not, the data packed since the last flush is incomplete on
+        the disk."""
         if not done:
             self.lose(self.files.problem, self._unsure)
             self._unsure = 0

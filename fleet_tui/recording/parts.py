@@ -14,13 +14,13 @@ def _split(name: str) -> tuple[str, str]:
 
 
 def part_path(first: Path, number: int) -> Path:
-    """Return where a part lies; 0 is the first."""
+    """Return the path of a part; 0 is the first."""
     stem, suffix = _split(first.name)
     return first.with_name(f"{stem}.{number:04}{suffix}") if number else first
 
 
 def parts_beside(path: Path) -> Iterator[Path]:
-    """Every file that may be a part of the recording that `path` is a part of, in order of their numbers."""
+    """Return every file that may be a part of the recording of `path`, in order of their numbers."""
     stem, suffix = _split(path.name)
     stem = re.sub(r"\.\d{4,9}$", "", stem)
     numbered = re.compile(re.escape(stem) + r"(?:\.(\d{4,9}))?" + re.escape(suffix))

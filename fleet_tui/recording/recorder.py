@@ -1,5 +1,5 @@
-"""Records while the fleet is watched. Nothing here waits for a disk, and nothing that goes wrong here
-reaches the link: what can't be kept is counted, and said."""
+"""Records the watched fleet. No method waits for a disk, and no error here reaches the link: lost records are
+counted, and reported."""
 
 import logging
 import threading
@@ -19,26 +19,27 @@ from fleet_tui.state.store import Store
 LOG = logging.getLogger(__name__)
 
 KEYFRAME_EVERY = 60.0
-"""Seconds: for so long a replay has to look ahead at most, wherever it begins."""
+"""Maximum seconds between keyframes, which a replay must read before its start."""
 KEYFRAME_AFTER = 20_000
-"""Records: of a large fleet sooner, so that a replay is anywhere within a second."""
+"""Maximum records between keyframes: fewer seconds for a large fleet, so that a replay seeks within a
+second."""
 DRAIN_EVERY, FLUSH_EVERY = 0.5, 0.9
-"""Seconds between two looks at what has come, and what a kill costs at most."""
+"""Seconds between two reads of the queue, and the maximum loss by a kill."""
 MOST_WAITING = 32 * 2**20
-"""Bytes that wait to be written; one frame may come on top."""
+"""Maximum bytes that wait to be written; one frame may exceed it."""
 OVERHEAD = 300
-"""Bytes that an entry takes beside its frame."""
+"""Bytes of an entry besides its frame."""
 LAST_WORDS = 1.0
-"""Seconds that the end may take."""
+"""Maximum seconds for the end."""
 
 
 class Recorder:
-    """A tap. `heard`, `sent`, `told` and `watch` are called on the network loop, the rest by any thread."""
+    """A tap. `heard`, `sent`, `told` and `watch` are called on the network loop, the rest from any thread."""
 
     def __init__(
         self, first: Path, config: Config, store: Store, origin: Origin, limits: PartLimits = USUAL
     ) -> None:
-        """Begin. Raises RecordingError where the file can't be made, or is there already."""
+        """Begin. Raises RecordingError if the file can't be created, or exists already."""
         self._writer = PartWriter(first, config, origin, limits)
         self._store = store
         self._queue: deque[tuple[Any, ...]] = deque()
@@ -55,7 +56,7 @@ class Recorder:
 
     @property
     def problem(self) -> str:
-        """Return why nothing is written now, "" while all is well."""
+        """Return the reason that nothing is written now, "" if there is none."""
         if self._writer.files.problem:
             return self._writer.files.problem
         return "data rate too high" if self._dropped else ""
@@ -67,24 +68,24 @@ class Recorder:
 
     @property
     def records(self) -> int:
-        """Return how many were written so far."""
+        """Return the number of records written so far."""
         return self._writer.records
 
     @property
     def paths(self) -> list[Path]:
-        """The files that there are now, the oldest first."""
+        """Return the current files, the oldest first."""
         return list(self._writer.files.paths)
 
     def heard(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
-        """A frame came at `at`."""
+        """Take a frame that arrived at `at`."""
         self._take(len(payload), self._writer.heard, at, link, channel, payload, is_binary)
 
     def sent(self, link: str, channel: str, payload: bytes) -> None:
-        """A frame left."""
+        """Take a sent frame."""
         self._take(len(payload), self._writer.sent, time.monotonic(), link, channel, payload)
 
     def told(self, event: Event) -> None:
-        """Something happened; the store does not know it yet."""
+        """Take an event before the store gets it."""
         at = time.monotonic()
         if (
             at >= self._next_keyframe
@@ -96,12 +97,12 @@ class Recorder:
         self._take(0, self._writer.told, at, event)
 
     def watch(self, before: FleetState, after: FleetState) -> None:
-        """A command or an alarm changed."""
+        """Take the change of a command or an alarm."""
         self._take(0, self._writer.changed, time.monotonic(), before, after)
 
     def _take(self, size: int, *entry: Any) -> None:
         if self._in - self._out > MOST_WAITING or self._dropped or not self._begun:
-            # With a gap in it, what follows would make another picture: up to the next keyframe.
+            # After a gap, the following records would give another state: drop up to the next keyframe.
             self._dropped += self._begun
             return
         self._since += 1
@@ -109,7 +110,7 @@ class Recorder:
         self._queue.append((size + OVERHEAD, *entry))
 
     def _take_keyframe(self, at: float) -> None:
-        """The state as it is before what comes next. Where too much waits, it comes later."""
+        """Queue the state before the next record; later if too much waits."""
         if self._in - self._out > MOST_WAITING // 2:
             return
         dropped, self._dropped = self._dropped, 0
@@ -120,8 +121,8 @@ class Recorder:
         self._take(0, self._writer.keyframe, at, self._store.state)
 
     def flush(self, within: float = LAST_WORDS) -> bool:
-        """Have everything up to now in the files, which are whole until the next write, if the disk takes
-        it. Whether that was in time."""
+        """Write everything so far to the files, which are whole until the next write, if the disk takes it.
+        Tell whether that was in time."""
         done = threading.Event()
         self._queue.append((0, self._flush, done))
         self._wake.set()
@@ -159,7 +160,7 @@ class Recorder:
             self._out += size
 
     def _guarded(self, call: Any, *what: Any) -> None:
-        """Whatever is wrong with one entry, or with us, the rest is still to be written."""
+        """Run a step; whatever the error, the remaining entries must still be written."""
         try:
             call(*what)
         except Exception as problem:

@@ -1,4 +1,4 @@
-"""A recording, to be read from any instant on: all its parts, as far as they are whole."""
+"""A recording that can be read from any instant: all its parts, as far as they are whole."""
 
 import math
 from bisect import bisect_right
@@ -34,14 +34,14 @@ LAST_SECOND = 253_402_300_799.0
 
 
 class Instant(Struct, frozen=True):
-    """An instant: monotonic seconds, and the Unix time that belonged to it."""
+    """An instant: monotonic seconds, and its Unix time."""
 
     at: float
     wall: float
 
 
 class KeyframeLocation(Struct, frozen=True):
-    """The location of a keyframe: its file, the gzip member, and how many keyframes of that come before."""
+    """The location of a keyframe: its file, the gzip member, and the number of keyframes before it there."""
 
     path: Path
     member: int
@@ -50,9 +50,8 @@ class KeyframeLocation(Struct, frozen=True):
 
 @dataclass
 class Recording:
-    """When it begins and ends, what is marked in it (alarms, commands) and lost, and at which moments
-    it has a keyframe. `part` is the number of the part that was looked through last; `notes` say what of
-    it can't be read."""
+    """Its begin and end, its marks (alarms, commands) and losses, and the instants of its keyframes. `part`
+    is the number of the last scanned part; `notes` describe unreadable data."""
 
     path: Path
     header: RecordingHeader
@@ -67,23 +66,23 @@ class Recording:
 
     @property
     def config(self) -> Config:
-        """The configuration it was recorded with, without secrets."""
+        """Return the configuration at the time of recording, without secrets."""
         return self.header.config
 
     @property
     def begin(self) -> Instant:
-        """Its first keyframe."""
+        """Return its first keyframe."""
         return self.keyframes[0]
 
     @property
     def note(self) -> str:
-        """Return what is to be said of how much can be read, "" for all."""
+        """Return a note on unreadable data, "" if there is none."""
         more = f" and {len(self.notes) - 1} more" if self.notes[1:] else ""
         return self.notes[0] + more if self.notes else ""
 
     def records(self, from_at: float = -math.inf) -> Iterator[Record]:
-        """Everything from the last keyframe at or before a monotonic second, which comes first. What
-        can't be read of a part is left out: the next one begins with a keyframe."""
+        """Return everything from the last keyframe at or before a monotonic second, which is first.
+        Unreadable data of a part is skipped: the next one begins with a keyframe."""
         chosen = max(0, bisect_right(self.keyframes, from_at, key=lambda moment: moment.at) - 1)
         place = self.places[chosen]
         last = self.keyframes[chosen].at
@@ -113,7 +112,7 @@ class Recording:
                 self.notes.append(note)
 
     def state(self, keyframe: Keyframe) -> FleetState:
-        """A keyframe's state. Raises RecordingError, also where it does not fit the config."""
+        """Return a keyframe's state. Raises RecordingError, also if it does not fit the config."""
         state, config = keyframe.fleet_state(self.header.version), self.config
         fits = (
             list(state.robots) == [robot.name for robot in config.robots]
@@ -154,7 +153,7 @@ class _Names(NamedTuple):
         )
 
     def check(self, record: Record) -> None:
-        """Raise RecordingError for a link, floor or robot that is none of these."""
+        """Raise RecordingError for an unknown link, floor or robot."""
         match record:
             case Heard(link=link) | Sent(link=link):
                 known = link in self.links
@@ -166,7 +165,7 @@ class _Names(NamedTuple):
             raise RecordingError("record of something not in its configuration")
 
     def _has(self, event: events.Event) -> bool:
-        """Tell whether all that an event must find is there. Reports of other robots are passed over."""
+        """Tell whether all names of an event exist. Reports of other robots are skipped."""
         if isinstance(event, events.Telemetry | Navigation | events.ChartReceived):
             return True
         match event:

@@ -1,4 +1,4 @@
-"""The recordings of a console: always the last minutes, and one on request."""
+"""The recordings of a console: the last minutes continuously, and one on request."""
 
 import logging
 import math
@@ -24,11 +24,11 @@ RECENT, RECORDINGS = "recent", "recordings"
 RECENT_PART = 60.0
 """Seconds of a file of the last minutes."""
 PARTS = 8
-"""How many files share the bytes of the last minutes, at least."""
+"""Minimum number of files that share the bytes of the last minutes."""
 
 
 class Recordings:
-    """`taps` is the tap of the console's link. Any thread may call; one after the other."""
+    """`taps` is the tap of the console's link. Callable from any thread, one call at a time."""
 
     def __init__(self, config: Config, store: Store, folder: Path, demo: bool = False) -> None:
         self.taps = Taps()
@@ -39,18 +39,18 @@ class Recordings:
 
     @property
     def recorder(self) -> "Recorder | None":
-        """The recording that the operator wanted, while it goes on."""
+        """Return the recording that the operator started, while it runs."""
         return self._recorder
 
     def keep_recent(self) -> None:
-        """Keep the last minutes from now on, as the config wants it."""
-        # A demo does not push out what a site's console left when it crashed.
+        """Keep the last minutes from now on, as configured."""
+        # A demo does not delete the files of a site's console that crashed.
         usual, folder = self._config.recording, self._folder / RECENT / ("demo" if self._demo else "")
         if not usual.recent_minutes:
             return
         size = usual.recent_mb * 1e6
         kept = math.ceil(usual.recent_minutes * 60 / RECENT_PART) + 1
-        # One file is being written while the others are counted.
+        # One file is being written, not counted with the others.
         limits = PartLimits(size / PARTS, RECENT_PART, kept, size - size / PARTS)
         try:
             remove_stale(folder)
@@ -60,14 +60,14 @@ class Recordings:
             self._problem = getattr(problem, "strerror", "") or str(problem)
 
     def start(self) -> Path:
-        """Begin a recording; where it is. Raises RecordingError."""
+        """Start a recording; return its path. Raises RecordingError."""
         usual = self._config.recording
         limits = PartLimits(usual.rotate_mb * 1e6, usual.rotate_minutes * 60, usual.keep)
         self._recorder = self._record(self._folder / RECORDINGS / f"{_now()}.jsonl.gz", limits)
         return self._recorder.path
 
     def stop(self) -> str:
-        """End it; what it was."""
+        """Stop it; return its summary."""
         recorder, self._recorder = self._recorder, None
         if recorder is None:
             return "no recording running"
@@ -77,7 +77,7 @@ class Recordings:
         return f"recorded {lasted}, {recorder.size / 1e6:.1f} MB{lost}: {recorder.path}"
 
     def notes(self) -> list[str]:
-        """Return what holds now: that it records, and what does not work of it."""
+        """Return notes: that it records, and any failures."""
         found = []
         if self._recorder is not None:
             problem = self._recorder.problem
@@ -87,15 +87,15 @@ class Recordings:
         return [*found, f"last minutes not kept: {problem}"] if problem else found
 
     def recent(self) -> list[Path]:
-        """The files that hold the last minutes, the oldest first: together, in this order, or each alone
-        they are a recording."""
+        """Return the files of the last minutes, the oldest first: together, in this order, or each alone they
+        are a recording."""
         if self._recent is None:
             return []
         self._recent.flush()
         return self._recent.paths
 
     def close(self) -> None:
-        """End all of it. The last minutes stay for who asks what happened."""
+        """End all recordings. The last minutes stay for later analysis."""
         for recorder in (self._recorder, self._recent):
             if recorder is not None:
                 self.taps.detach(recorder)
@@ -111,7 +111,7 @@ def _now() -> str:
 
 
 def _of_this_process() -> str:
-    """Its name among others, also of other machines with the same home."""
+    """Return a unique name of this process, also among machines with the same home."""
     return f"{_host()}-{os.getpid()}"
 
 
@@ -120,8 +120,8 @@ def _host() -> str:
 
 
 def remove_stale(folder: Path) -> None:
-    """Remove the last minutes of processes that have ended, but for the newest: it may be the one that
-    somebody will ask about. Raises OSError."""
+    """Remove the last minutes of processes that have ended, except the newest: it may be needed for analysis.
+    Raises OSError."""
     ended = sorted(_ended(folder))
     for _, run, path in ended:
         if run != ended[-1][1]:
@@ -129,13 +129,13 @@ def remove_stale(folder: Path) -> None:
 
 
 def recent_runs(folder: Path) -> dict[str, list[Path]]:
-    """The last minutes of every console that left some in a state folder: by name, the oldest file first."""
+    """Return the last minutes of every console in a state folder: by name, the oldest file first."""
     files = (folder / RECENT).glob("*.jsonl.gz")
     return {path.name.partition(".")[0]: list(parts_beside(path)) for path in sorted(files)}
 
 
 def _ended(folder: Path) -> Iterator[tuple[str, str, Path]]:
-    """When it began, which run it was, and the file, of all files of ended processes of this machine."""
+    """Return start, run and path of all files of ended processes of this machine."""
     if not folder.is_dir():
         return
     for path in folder.iterdir():
@@ -153,5 +153,5 @@ def _is_running(process: int) -> bool:
         return False
     except OSError:
         return True
-    # Ours would have another name: who had the number before us has ended.
+    # Ours would have another name: the earlier process of this number has ended.
     return process != os.getpid()

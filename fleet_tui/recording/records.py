@@ -1,7 +1,7 @@
 """Records: one JSON object per line, as docs/recordings.md describes them.
 
 `at` is the monotonic second at which a record took effect, and never runs backwards within a recording;
-`wall` is Unix time. Where the two jump apart, somebody set the clock.
+`wall` is Unix time. If they diverge, a clock was set.
 """
 
 import math
@@ -24,14 +24,14 @@ from fleet_tui.model.occupancy import OCCUPIED, build_grid
 from fleet_tui.recording.upgrade import upgrade_record, upgrade_state
 
 VERSION = 2
-"""Of the records below. It grows when an older program could not read them any more. Those of version 1
-are read, too: `upgrade` brings them to today's form."""
+"""Version of the records below. It grows when an older program could not read them any more. Those of version
+1 are read, too, by `upgrade`."""
 
 T = TypeVar("T")
 
 
 class RecordingError(FleetError):
-    """A recording that can't be read, or written, and what to do."""
+    """A recording that can't be read, or written, and the remedy."""
 
 
 class RecordingHeader(Struct, frozen=True, tag="header", tag_field="kind"):
@@ -49,7 +49,7 @@ class RecordingHeader(Struct, frozen=True, tag="header", tag_field="kind"):
 
 
 class Keyframe(Struct, frozen=True, tag="keyframe", tag_field="kind"):
-    """Everything known at an instant, before what follows: MessagePack, since JSON knows no infinity."""
+    """Everything known at an instant, before the next records: MessagePack, since JSON has no infinity."""
 
     at: float
     wall: float
@@ -57,17 +57,17 @@ class Keyframe(Struct, frozen=True, tag="keyframe", tag_field="kind"):
 
     @classmethod
     def of(cls, at: float, wall: float, state: FleetState, hook: "Packer") -> "Keyframe":
-        """The keyframe of a state."""
+        """Return the keyframe of a state."""
         return cls(at, wall, msgspec.msgpack.encode(state, enc_hook=hook))
 
     def fleet_state(self, version: int = VERSION) -> FleetState:
-        """The state, as far as its form goes: `Recording.state` also looks whether it fits the config.
-        `version` is that of its recording. Raises RecordingError."""
+        """Decode the state; `Recording.state` also checks whether it fits the config. `version` is that of
+        its recording. Raises RecordingError."""
         return _decoded(_STATES, self.state if version >= VERSION else _upgraded_state(self.state))
 
 
 class LinkFrame(Struct, frozen=True, omit_defaults=True):
-    """A frame: `text`, or `data` where it is none. `channel` is topics or commands."""
+    """A frame: `text`, or `data` if it is binary. `channel` is topics or commands."""
 
     at: float
     wall: float
@@ -78,23 +78,24 @@ class LinkFrame(Struct, frozen=True, omit_defaults=True):
 
 
 class Heard(LinkFrame, frozen=True, omit_defaults=True, tag="heard", tag_field="kind"):
-    """A frame came. `came` is when, if that was before `at`: a large frame is decoded beside the loop."""
+    """A received frame. `came` is its arrival, if that was before `at`: a large frame is decoded off the
+    loop."""
 
     binary: bool = False
     came: float | None = None
 
     @property
     def payload(self) -> bytes:
-        """The frame as it came."""
+        """Return the frame as received."""
         return self.data or self.text.encode()
 
 
 class Sent(LinkFrame, frozen=True, omit_defaults=True, tag="sent", tag_field="kind"):
-    """A frame left. Those with a secret in them are not recorded."""
+    """A sent frame. Those with a secret are not recorded."""
 
 
 class Told(Struct, frozen=True, tag="told", tag_field="kind"):
-    """Something happened that no frame brought."""
+    """An event without a frame."""
 
     at: float
     wall: float
@@ -102,7 +103,7 @@ class Told(Struct, frozen=True, tag="told", tag_field="kind"):
 
 
 class Mark(Struct, frozen=True, tag="mark", tag_field="kind"):
-    """A line of the audit log: what the record before it did to a command or an alarm."""
+    """A line of the audit log: the effect of the record before it on a command or an alarm."""
 
     at: float
     wall: float
@@ -110,7 +111,7 @@ class Mark(Struct, frozen=True, tag="mark", tag_field="kind"):
 
 
 class Lost(Struct, frozen=True, tag="lost", tag_field="kind"):
-    """So many records are missing here. A keyframe follows as soon as there is room again."""
+    """The number of records missing here. A keyframe follows as soon as there is space again."""
 
     at: float
     wall: float
@@ -122,21 +123,21 @@ Record = RecordingHeader | Keyframe | Heard | Sent | Told | Mark | Lost
 
 
 class _Cells(Struct, frozen=True):
-    """A grid: its finest level, compressed. The others are made of it."""
+    """A grid: its finest level, compressed. The others are derived from it."""
 
     frame: MapFrame
     cells: bytes
 
 
 class Packer:
-    """Turns what is no JSON into what is. A grid that was packed before is not compressed again."""
+    """Converts values into JSON types. A grid that was packed before is not compressed again."""
 
     def __init__(self) -> None:
         self._packed: dict[int, tuple[OccupancyGrid, _Cells]] = {}
         self._used: set[int] = set()
 
     def __call__(self, value: Any) -> Any:
-        """A value in a form that msgspec knows."""
+        """Return a value in a form that msgspec knows."""
         if isinstance(value, Path):
             return str(value)
         if not isinstance(value, OccupancyGrid):
@@ -148,7 +149,7 @@ class Packer:
         return self._packed[id(value)][1]
 
     def forget(self) -> None:
-        """Let go what was not packed since the last time."""
+        """Drop the grids not packed since the last call."""
         self._packed = {key: kept for key, kept in self._packed.items() if key in self._used}
         self._used = set()
 
@@ -160,7 +161,7 @@ def _unpacked(kind: type, value: Any) -> Any:
     frame = packed.frame
     check_frame(frame)
     size = frame.width * frame.height
-    # A few bytes can stand for more than fits into any memory.
+    # A few bytes can expand to more than fits into memory.
     cells = zlib.decompressobj().decompress(packed.cells, size + 1)
     if len(cells) != size:
         raise MapError(f"a map of {frame.width} x {frame.height} px with {len(cells)} cells")
@@ -174,24 +175,24 @@ _RECORDS: msgspec.json.Decoder[Record] = msgspec.json.Decoder(Record, dec_hook=_
 
 
 def encode(record: Record, packer: Packer) -> bytes:
-    """A record as a line. Raises ValueError for what can't be written, such as half a surrogate pair."""
+    """Return a record as a line. Raises ValueError for unsupported text, such as half a surrogate pair."""
     return encode_all([plain(record, packer)], packer)
 
 
 def encode_all(records: list[Any], packer: Packer) -> bytes:
-    """Records, of which each went through `plain`, as lines. Raises ValueError."""
+    """Return records, each already converted by `plain`, as lines. Raises ValueError."""
     return msgspec.json.Encoder(enc_hook=packer).encode_lines(records)
 
 
 def plain(record: Record, packer: Packer) -> Any:
-    """A record in a form in which every number can be written."""
+    """Return a record in a form in which every number can be written."""
     if isinstance(record, Told):
         return _spelled(msgspec.to_builtins(record, enc_hook=packer, str_keys=True))
     return record
 
 
 def _spelled(value: Any) -> Any:
-    """The numbers that JSON does not have become text; the rest stays."""
+    """Replace numbers that JSON does not have by text."""
     if isinstance(value, float):
         return value if math.isfinite(value) else str(value)
     if isinstance(value, dict):
@@ -200,13 +201,13 @@ def _spelled(value: Any) -> Any:
 
 
 def decode(line: bytes, version: int = VERSION) -> Record:
-    """A line as the record it is; `version` is that of its recording. Raises RecordingError."""
+    """Return the record of a line; `version` is that of its recording. Raises RecordingError."""
     if version < VERSION and not line.startswith(_FRAMES):
         line = _upgraded(line)
     return _decoded(_RECORDS, line)
 
 
-# What came over the wire is the same in every version.
+# Wire data is the same in every version.
 _FRAMES = (b'{"kind":"heard"', b'{"kind":"sent"')
 _BROKEN = (KeyError, TypeError, AttributeError, ValueError, RecursionError, msgspec.MsgspecError)
 
@@ -233,9 +234,9 @@ def _decoded(decoder: "msgspec.json.Decoder[T] | msgspec.msgpack.Decoder[T]", co
 
 
 def public(config: Config) -> Config:
-    """A config without secrets, where they lie, and what only this machine or operator cares about.
+    """Return a config without secrets, their locations, and settings of this machine or operator only.
 
-    The names of environment variables go too: a secret may have been put where its name belongs.
+    The names of environment variables are removed too: a secret may have been entered there by mistake.
     """
     names = {"rosbridge": config.rosbridge, **config.links}
     links = {

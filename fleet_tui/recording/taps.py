@@ -1,4 +1,4 @@
-"""Taps of recorders on a link; they come and go while it runs."""
+"""Taps of recorders on a link, attached and detached at run time."""
 
 from typing import TYPE_CHECKING
 
@@ -9,32 +9,32 @@ if TYPE_CHECKING:
 
 
 class Taps:
-    """The one tap of a link. Any thread may attach and detach."""
+    """The one tap of a link. `attach` and `detach` are callable from any thread."""
 
     def __init__(self) -> None:
         self._recorders: tuple[Recorder, ...] = ()
 
     def attach(self, recorder: "Recorder") -> "Recorder":
-        """Let a recorder listen; it begins with all that is known."""
+        """Attach a recorder; it begins with the whole state."""
         self._recorders = (*self._recorders, recorder)
         return recorder
 
     def detach(self, recorder: "Recorder") -> None:
-        """End a recording."""
+        """Detach a recorder."""
         self._recorders = tuple(one for one in self._recorders if one is not recorder)
         recorder.close()
 
     def heard(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
-        """A frame came."""
+        """Take a received frame."""
         for recorder in self._recorders:
             recorder.heard(link, channel, payload, is_binary, at)
 
     def sent(self, link: str, channel: str, payload: bytes) -> None:
-        """A frame left."""
+        """Take a sent frame."""
         for recorder in self._recorders:
             recorder.sent(link, channel, payload)
 
     def told(self, event: Event) -> None:
-        """Something happened."""
+        """Take an event."""
         for recorder in self._recorders:
             recorder.told(event)

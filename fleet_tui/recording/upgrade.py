@@ -1,7 +1,7 @@
-"""Records of older versions in the form of today's, before they become structs.
+"""Upgrades records of older versions, before they become structs.
 
-Until version 1 ids of vertices and orders were numbers, an order had a start, an end and the robot's letter,
-an order for the cargo on board was a command of its own, and vertices had no type.
+Up to version 1 ids of vertices and orders were numbers, an order had a start, an end and the robot's letter,
+an order for the cargo on board was a separate command, and vertices had no type.
 """
 
 from collections.abc import Callable
@@ -12,12 +12,12 @@ from fleet_tui.audit.upgrade import text_id, upgrade_audit
 Fields = dict[str, Any]
 
 STATES = {"Q": "queued", "W": "in process", "D": "done", "C": "cancelled"}
-"""The letters that version 1 knew."""
+"""The letters of version 1."""
 
 
 def upgrade_record(record: Fields) -> Fields:
-    """Bring a record of version 1 to today's form. The state of a keyframe is `upgrade_state`'s.
-    Raises KeyError, TypeError or AttributeError for what is no such record."""
+    """Upgrade a record of version 1. For the state of a keyframe see `upgrade_state`. Raises KeyError,
+    TypeError or AttributeError for an invalid record."""
     match record["kind"]:
         case "told":
             upgraded = _EVENTS.get(record["event"]["type"])
@@ -28,7 +28,7 @@ def upgrade_record(record: Fields) -> Fields:
 
 
 def upgrade_state(state: Fields) -> Fields:
-    """Bring everything known at an instant to today's form. Raises as `upgrade_record`."""
+    """Upgrade the state of a keyframe. Raises as `upgrade_record`."""
     robots = {name: _robot(robot) for name, robot in state["robots"].items()}
     return state | {"robots": robots, "commands": [_command_record(one) for one in state["commands"]]}
 

@@ -1,1 +1,1 @@
-"""Replay: the console on a recording, without a way to a robot."""
+"""Replay: the console on a recording, without connections to robots."""

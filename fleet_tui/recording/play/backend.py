@@ -1,4 +1,4 @@
-"""The backend of a console that shows a recording: nothing goes anywhere."""
+"""The backend of a console on a recording: sends nothing."""
 
 from collections.abc import Mapping
 
@@ -10,7 +10,7 @@ from fleet_tui.state.store import Store
 
 
 class ReplayBackend:
-    """Takes nothing and has no connection; behind it a player changes the picture."""
+    """Accepts no commands and has no connection; a player changes the state."""
 
     refusal = "not sent: this is a recording"
 
@@ -18,7 +18,7 @@ class ReplayBackend:
         self.player, self._store = player, store
 
     def open(self) -> None:
-        """Begin to play."""
+        """Start to play."""
         self.player.start(self._store)
 
     def submit(self, _command: Command) -> str:
@@ -26,15 +26,15 @@ class ReplayBackend:
         return self.refusal
 
     def tell(self, _event: Event) -> str:
-        """Leave what was recorded as it is."""
+        """Ignore the event: a recording does not change."""
         return "not possible in a recording"
 
     def show_map(self, _robot: str, _floor: str) -> None:
-        """The maps that were looked at are in the recording."""
+        """Do nothing: the maps shown at the time are in the recording."""
 
     @property
     def counters(self) -> Mapping[str, LinkCounter]:
-        """Return what came over each link, as far as it was played."""
+        """Return the counters of each link up to the played position."""
         return self.player.frames.counters
 
     def subscribe_logs(self, _on: bool) -> None:

@@ -1,4 +1,4 @@
-"""The works of a player: what a recording's clock does against ours. Knows no thread."""
+"""The engine of a player: the recorded clock relative to ours. Without threads."""
 
 import time
 from bisect import bisect_left, bisect_right
@@ -11,17 +11,17 @@ from fleet_tui.recording.recording import LAST_SECOND, Recording
 from fleet_tui.view.lines.time import MarkKind, ReplayPosition, TimeMark, span
 
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
-"""Recorded seconds for each of ours."""
+"""Recorded seconds per second of ours."""
 LATE = 0.25
-"""Seconds of work after which our clock is no longer run after: the recording plays slower."""
+"""Seconds of work after which our clock is no longer followed: the recording plays slower."""
 NOTHING_FOR = 5.0
-"""Recorded seconds without a record that are passed over."""
+"""Recorded seconds without a record that are skipped."""
 LONG = 0.5
-"""Seconds after which a jump tells how far it is."""
+"""Seconds after which a jump reports its progress."""
 
 
 class Playback:
-    """Moves a playhead. What takes long asks `goes_on` again and again whether it may."""
+    """Moves a cursor. Long operations call `goes_on` regularly for permission to continue."""
 
     def __init__(self, recording: Recording, speed: float) -> None:
         self.head, self.marks = RecordingCursor(recording), time_marks(recording)
@@ -35,11 +35,11 @@ class Playback:
 
     @property
     def shown(self) -> tuple[FleetState, ReplayPosition]:
-        """Return what is to be seen, and where in the recording that is. Any thread may look."""
+        """Return the visible state, and its place in the recording. Callable from any thread."""
         return self._shown
 
     def show(self) -> None:
-        """Show how far it has come; of a jump that is under way only that."""
+        """Show the current position; during a jump only that."""
         state = self.head.state if self._busy is None else self._shown[0]
         self._shown = state, self._moment()
 
@@ -61,11 +61,11 @@ class Playback:
         )
 
     def go_on(self) -> None:
-        """The recorded clock runs on from here and now."""
+        """Start the recorded clock from here and now."""
         self._since, self._begun_at = time.monotonic(), self.head.at
 
     def play(self, goes_on: Callable[[], bool]) -> None:
-        """As far as our clock says. It stops at the end."""
+        """Play up to our clock. It stops at the end."""
         following, now = self.head.next_at, time.monotonic()
         if self.paused or following is None:
             self.paused = True
@@ -92,7 +92,7 @@ class Playback:
             self.marks = sorted([*self.marks, TimeMark(until, MarkKind.GAP, text)], key=lambda mark: mark.at)
 
     def change_speed(self, step: int) -> None:
-        """The next faster (1) or slower (-1) speed; 0 is as it was."""
+        """Set the next faster (1) or slower (-1) speed; 0 is the original one."""
         speed = self._speed
         index = bisect_right(SPEEDS, speed) if step > 0 else bisect_left(SPEEDS, speed) - 1
         self._speed = SPEEDS[max(0, min(index, len(SPEEDS) - 1))] if step else 1.0
@@ -100,13 +100,13 @@ class Playback:
         self.go_on()
 
     def step(self, step: Callable[[int], None], by: int) -> None:
-        """On or back by one of the playhead's steps, and stop there."""
+        """Move forward or back by one of the cursor's steps, and stop there."""
         self.paused = True
         step(by)
         self._jumps += by < 0
 
     def seek(self, at: float, goes_on: Callable[[], bool]) -> None:
-        """To a second of the recording."""
+        """Go to a second of the recording."""
         began = time.monotonic()
         first: float | None = None
 
@@ -127,5 +127,5 @@ class Playback:
         self.go_on()
 
     def fail(self, note: str) -> None:
-        """Stop, and say why."""
+        """Stop, and report the reason."""
         self.paused, self._failure = True, note

@@ -1,4 +1,4 @@
-"""Events of a record: frames are read again as the link read them."""
+"""Events of a record: frames are decoded again like on the link."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -15,7 +15,7 @@ from fleet_tui.state.reducer import apply
 
 
 class Frames:
-    """Reads the frames of every bridge of a recording."""
+    """Decodes the frames of every bridge of a recording."""
 
     def __init__(self, config: Config) -> None:
         adapters = adapters_of(config)
@@ -28,7 +28,7 @@ class Frames:
 
     @property
     def counters(self) -> Mapping[str, LinkCounter]:
-        """Return what was read of each bridge since the last jump."""
+        """Return the counters of each bridge since the last jump."""
         return {name: reading.counter for name, reading in self._readings.items()}
 
     def count_anew(self) -> None:
@@ -37,7 +37,7 @@ class Frames:
             reading.count_anew()
 
     def after(self, state: FleetState, record: Record) -> FleetState:
-        """The state after a record. Answers are passed over: what they did was told."""
+        """Return the state after a record. Answers are skipped: their events were recorded."""
         match record:
             case Told(event=event):
                 return apply(state, event)

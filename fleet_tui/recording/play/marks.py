@@ -10,15 +10,15 @@ from fleet_tui.text.details import detail_text
 from fleet_tui.view.lines.time import MarkKind, TimeMark, span
 
 GAP = 2.0
-"""Seconds by which the wall clock runs ahead of the recorded one where whoever recorded was suspended."""
+"""Seconds by which the wall clock runs ahead of the recorded one if the recording machine was suspended."""
 
 _WORDS = {Stage.CHECKED.value} | {stage.value for stage in (*FAILURES, Stage.NO_ANSWER, Stage.UNKNOWN)}
-"""Of a command: that it was given, and what an operator has to know of its end."""
+"""Marked stages of a command: its start, and ends that an operator must know."""
 _RISES = ("raised", "raised again", "worse")
 
 
 def time_marks(recording: Recording) -> list[TimeMark]:
-    """Every mark, the earliest first."""
+    """Return every mark, the earliest first."""
     found = [*_happened(recording.marks), *_gaps(recording)]
     return sorted(found, key=lambda mark: mark.at)
 

@@ -1,4 +1,4 @@
-"""Plays a recording: the only thread that changes the picture, and no connection to anything."""
+"""Plays a recording: the only thread that changes the state, without any connection."""
 
 import logging
 import sys
@@ -18,16 +18,16 @@ from fleet_tui.view.lines.time import ReplayPosition
 LOG = logging.getLogger(__name__)
 
 STEADY = 1 / 30
-"""Seconds between two looks at the clock while it plays."""
+"""Seconds between two reads of the clock while it plays."""
 ONCE_MORE = 1.0
 """Recorded seconds after a mark within which "previous" means the one before it."""
 SWITCH_INTERVAL = 0.0005
-"""As long as Python lets this thread run on while the screen waits, in seconds."""
+"""Python's switch interval while the screen waits for this thread, in seconds."""
 
 
 class Player:
-    """Does one thing after the other; any thread may ask for them. Raises RecordingError for a
-    recording that can't be played."""
+    """Runs requests one by one; callable from any thread. Raises RecordingError for a recording that can't be
+    played."""
 
     def __init__(self, recording: Recording, speed: float = 1.0) -> None:
         self._recording = recording
@@ -40,30 +40,30 @@ class Player:
         """Reads what is played, and counts it."""
 
     def start(self, store: Store) -> None:
-        """Begin to play into a store."""
+        """Start to play into a store."""
         sys.setswitchinterval(SWITCH_INTERVAL)
         self._deck.go_on()
         threading.Thread(target=self._run, args=(store,), name="fleet-tui-player", daemon=True).start()
 
     def enter(self, at: float) -> None:
-        """Go to where it is to begin, before it is started."""
+        """Go to the first position, before it is started."""
         self._deck.seek(at, lambda: True)
         self._deck.show()
 
     def close(self) -> None:
-        """Stop for good."""
+        """Stop permanently."""
         with self._changed:
             self._closing = True
             self._changed.notify()
 
     @property
     def state(self) -> FleetState:
-        """Return what is to be seen now."""
+        """Return the current state."""
         return self._deck.shown[0]
 
     @property
     def moment(self) -> ReplayPosition:
-        """Return where in the recording what is seen was."""
+        """Return the current position in the recording."""
         return self._deck.shown[1]
 
     def toggle(self) -> None:
@@ -71,36 +71,36 @@ class Player:
         self._ask(self._deck.toggle)
 
     def change_speed(self, step: int) -> None:
-        """The next faster (1) or slower (-1) speed; 0 is as it was."""
+        """Set the next faster (1) or slower (-1) speed; 0 is the original one."""
         self._ask(partial(self._deck.change_speed, step))
 
     def step(self, ticks: int) -> None:
-        """One tick of the recorded clock on (1) or back (-1), and stop there."""
+        """Move one tick of the recorded clock forward (1) or back (-1), and stop there."""
         self._ask(partial(self._deck.step, self._deck.head.step_tick, ticks))
 
     def step_record(self, records: int) -> None:
-        """One record on (1) or back (-1), and stop there."""
+        """Move one record forward (1) or back (-1), and stop there."""
         self._ask(partial(self._deck.step, self._deck.head.step_record, records))
 
     def seek(self, at: float) -> None:
-        """To a monotonic second of the recording, instead of any other that was asked for before."""
+        """Go to a monotonic second of the recording, replacing any pending request."""
         self._target = at = max(self._recording.begin.at, min(at, self._recording.end.at))
         self._ask(partial(self._seek, at))
 
     def time_of(self, text: str) -> float:
-        """The second that is written as a time. Raises FleetError."""
+        """Return the second of a written time. Raises FleetError."""
         return moment_of(text, self._recording)
 
     def skip(self, seconds: float) -> None:
-        """So much on or back, from where it is going."""
+        """Skip a number of seconds forward or back, from the pending position."""
         self.seek(self._going_to + seconds)
 
     def to_end(self, step: int) -> None:
-        """To the beginning (-1) or the end (1)."""
+        """Go to the beginning (-1) or the end (1)."""
         self.seek(self._recording.end.at if step > 0 else self._recording.begin.at)
 
     def to_mark(self, step: int) -> str:
-        """To the next (1) or previous (-1) mark; where there is none, what to say."""
+        """Go to the next (1) or previous (-1) mark; if there is none, return a notice."""
         here, marks = self._going_to, self._deck.marks
         if step > 0:
             found = [mark for mark in marks if mark.at > here][:1]

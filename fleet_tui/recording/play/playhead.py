@@ -1,4 +1,4 @@
-"""A place in a recording, and the state there. Knows no clock and no thread."""
+"""A position in a recording, and the state there. Without clocks and threads."""
 
 import math
 from bisect import bisect_right
@@ -13,17 +13,17 @@ from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Keyframe, Record, RecordingError, Told
 
 REMEMBERED_EVERY = 500
-"""Records between two states that are kept, so that a step back need not go back to the keyframe."""
+"""Records between two cached states, so that a step back need not start at the keyframe."""
 REMEMBERED = 400
-"""States at most; of more, every other one is let go."""
+"""Maximum number of states; above it every other one is dropped."""
 BEHIND = 5000
-"""Records that are kept, too, so that steps back need no reading."""
+"""Number of cached records, so that steps back need no reading."""
 LOOK_EVERY = 200
-"""Records between two looks whether to go on."""
+"""Records between two checks whether to continue."""
 
 
 class _Remembered(NamedTuple):
-    """The state after so many records from the keyframe; when the last of them and the last tick were."""
+    """The state after a number of records from the keyframe, with the times of the last record and tick."""
 
     records: int
     at: float
@@ -36,8 +36,8 @@ def _always() -> bool:
 
 
 class RecordingCursor:
-    """Moves by records; `at` is the monotonic second of the last one. Whatever moves raises
-    RecordingError where the recording can't be read."""
+    """Moves by records; `at` is the monotonic second of the last one. All moves raise RecordingError if the
+    recording can't be read."""
 
     def __init__(self, recording: Recording) -> None:
         self._recording, self.frames = recording, Frames(recording.config)
@@ -46,7 +46,7 @@ class RecordingCursor:
         self._enter(0)
 
     def _enter(self, number: int) -> None:
-        """To a keyframe, as if nothing had been before it. Where that can't be, it stays where it is."""
+        """Start at a keyframe, independent of earlier records. On an error the position stays."""
         wanted = self._recording.keyframes[number].at
         records = self._recording.records(wanted)
         first = next(records, None)
@@ -61,7 +61,7 @@ class RecordingCursor:
         self._begin(first)
 
     def _begin(self, keyframe: Keyframe) -> None:
-        """Take the whole state of a keyframe: records may be missing before it."""
+        """Load the whole state of a keyframe: records may be missing before it."""
         self.state, self.at = self._recording.state(keyframe), keyframe.at
         self._keyframe, self._count, self._tick_at = self._keyframe + 1, 0, self.at
         self._kept = [self._here()]
@@ -71,13 +71,13 @@ class RecordingCursor:
 
     @property
     def next_at(self) -> float | None:
-        """When the next record is, None at the end."""
+        """Return the time of the next record, None at the end."""
         if self._next is None:
             self._next = self._again.popleft() if self._again else next(self._records, None)
         return None if self._next is None else self._next.at
 
     def take(self) -> Record | None:
-        """Take one record into the picture, and return it. None at the end."""
+        """Apply one record, and return it. None at the end."""
         if self.next_at is None:
             return None
         record, self._next = self._next, None
@@ -95,7 +95,7 @@ class RecordingCursor:
         return record
 
     def advance(self, until: float, goes_on: Callable[[], bool] = _always) -> bool:
-        """Take every record up to a second. False where it was broken off."""
+        """Apply every record up to a second. False if it was cancelled."""
         taken = 0
         while self.next_at is not None and self.next_at <= until:
             self.take()
@@ -105,7 +105,7 @@ class RecordingCursor:
         return True
 
     def seek(self, at: float, goes_on: Callable[[], bool] = _always) -> bool:
-        """To the state after the last record up to a second, wherever that is."""
+        """Go to the state after the last record up to a second, anywhere in the recording."""
         moments = self._recording.keyframes
         number = max(0, bisect_right(moments, at, key=lambda moment: moment.at) - 1)
         if number != self._keyframe:
@@ -115,7 +115,7 @@ class RecordingCursor:
         return self.advance(at, goes_on)
 
     def _back(self, index: int) -> None:
-        """To a state of this keyframe's that is remembered, past the records before it."""
+        """Go to a cached state of this keyframe, skipping the records before it."""
         kept = self._kept[: max(0, index) + 1]
         back = self._count - kept[-1].records
         if back <= len(self._behind):
@@ -128,7 +128,7 @@ class RecordingCursor:
         self._count, self.at, self._tick_at, self.state = kept[-1]
 
     def _wind(self, back: int) -> None:
-        """So many records will come once more."""
+        """Queue the last records to be read once more."""
         if self._next is not None:
             self._again.appendleft(self._next)
             self._next = None
@@ -137,7 +137,7 @@ class RecordingCursor:
         self.frames.count_anew()
 
     def step_record(self, step: int) -> None:
-        """One record on or back."""
+        """Move one record forward or back."""
         if step > 0:
             self.take()
         elif self._count == 0:
@@ -149,14 +149,14 @@ class RecordingCursor:
                 self.take()
 
     def _before_keyframe(self) -> None:
-        """To the record before the keyframe on which it stands, if there is one."""
+        """Go to the record before the current keyframe, if there is one."""
         if self._keyframe > 0:
             self._enter(self._keyframe - 1)
             while self.next_at is not None and not isinstance(self._next, Keyframe):
                 self.take()
 
     def step_tick(self, step: int) -> None:
-        """To the next tick of the recorded clock, or to the one before."""
+        """Go to the next or the previous tick of the recorded clock."""
         if step < 0:
             self.seek(math.nextafter(self._tick_at, -math.inf))
             self.seek(self._tick_at)

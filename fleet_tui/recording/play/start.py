@@ -19,9 +19,8 @@ def playing(
     progress: Callable[[float], None],
     notes: Iterable[str] = (),
 ) -> tuple[Player, Config]:
-    """A player that stands where it is to start, and the configuration: robots, floors, links and limits
-    of the recording, keys and appearance of the one `found`. `notes` say what else is to be known of it.
-    Raises ConfigError."""
+    """Return a player at its start, and the configuration: robots, floors, links and limits of the recording,
+    keys and appearance of the one `found`. `notes` are further remarks. Raises ConfigError."""
     try:
         recording = open_recording(path, progress)
         recording.notes = [*notes, *recording.notes]

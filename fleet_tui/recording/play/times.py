@@ -14,7 +14,8 @@ _SPAN = re.compile(r"\+\s*(?:(\d+)\s*h)?\s*(?:(\d+)\s*m(?:in)?)?\s*(?:(\d+(?:\.\
 
 
 def moment_of(text: str, recording: Recording) -> float:
-    """The monotonic second that is meant. Raises FleetError for what is none, or not in the recording."""
+    """Return the monotonic second of a written time. Raises FleetError for one that is invalid, or not in the
+    recording."""
     text = text.strip()
     found = _SPAN.fullmatch(text)
     if found is not None and any(found.groups()):
@@ -24,7 +25,8 @@ def moment_of(text: str, recording: Recording) -> float:
 
 
 def _wall_of(text: str, recording: Recording) -> float:
-    """Unix time of a date with a time, or of the first time of day after the recording began."""
+    """Return the Unix time of a date with a time, or of the first such time of day after the recording
+    began."""
     with suppress(ValueError, OverflowError):
         return datetime.fromisoformat(text).astimezone().timestamp()
     problem = FleetError(f"{text!r} is not a time: use {FORMS}")
@@ -45,7 +47,7 @@ def _day(began: datetime, days: int) -> date:
 
 
 def _at_wall(wall: float, recording: Recording) -> float:
-    """The monotonic second of a Unix time: in the last stretch between two keyframes that has it, since a
+    """Return the monotonic second of a Unix time: in the last span between two keyframes that has it, since a
     clock may have been set back; else the end of the last one that began before it."""
     known = recording.keyframes
     ends = [*(moment.at for moment in known[1:]), math.inf]
