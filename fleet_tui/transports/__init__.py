@@ -1,1 +1,1 @@
-"""Transports: connections to bridges and brokers. Only I/O: what the bytes mean is read elsewhere."""
+"""Transports: connections to bridges and brokers. Only I/O: decoding is elsewhere."""

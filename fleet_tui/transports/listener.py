@@ -7,7 +7,7 @@ class Listener(Protocol):
     """Receives the events of a connection. Everything is called on the network loop."""
 
     def on_connecting(self) -> None:
-        """A try has begun."""
+        """A connection attempt has begun."""
 
     def on_open(self) -> None:
         """Frames can be sent."""
@@ -16,10 +16,10 @@ class Listener(Protocol):
         """Take the loss of the connection; the next try is in `next_try_in` seconds."""
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
-        """A frame came."""
+        """A frame arrived."""
 
     def on_sent(self, payload: bytes) -> None:
-        """A frame left."""
+        """A frame was sent."""
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
-        """A message of `size` bytes was passed over; `head` is how it begins."""
+        """A message of `size` bytes was dropped; `head` is its beginning."""

@@ -8,7 +8,7 @@ _loop: asyncio.AbstractEventLoop | None = None
 
 
 def network_loop() -> asyncio.AbstractEventLoop:
-    """Return the loop, started if need be. Any thread may call."""
+    """Return the loop, started if need be. Callable from any thread."""
     global _loop
     with _lock:
         if _loop is None:

@@ -1,7 +1,7 @@
 """Connections over roslibpy with its gaps closed. The only module that imports it; pinned to 2.1.0.
 
-Left alone it sends on reconnect what was sent while the link was down, backs off to an hour, never
-notices a frozen server, can't read binary frames and complains on stderr.
+By itself it sends queued messages on reconnect, backs off to an hour, never detects a frozen server, can't
+read binary frames and prints errors on stderr.
 """
 
 import asyncio
@@ -24,18 +24,18 @@ from fleet_tui.transports.rosbridge.tls import tls_context
 LOG = logging.getLogger(__name__)
 
 FIRST_DELAY, LONGEST_DELAY, JITTER = 1.0, 5.0, 0.25
-# After so long a life the next loss is tried again quickly.
+# After a connection of this length the next loss is retried quickly.
 SETTLED_AFTER = 5.0
 CONNECT_TIMEOUT = 5.0
 PING_INTERVAL = PING_TIMEOUT = 3.0
-# Closed sooner after it was opened, a connection was not wanted.
+# Closed sooner after opening, the server rejected the connection.
 AT_ONCE = 1.0
-# Of a message that is too large so much is kept: enough to see which topic it is of.
+# Bytes kept of a message that is too large: enough to identify its topic.
 HEAD = 1000
 
 
 class _OwnLoop(comm_asyncio.AsyncioEventLoopManager):  # type: ignore[misc]  # roslibpy has no types
-    """Has roslibpy run on our loop, not on one of its own."""
+    """Runs roslibpy on our loop instead of its own."""
 
     def run(self) -> None:
         self.loop = network_loop()
@@ -45,7 +45,7 @@ comm_asyncio._MANAGER_SINGLETON = _OwnLoop()
 
 
 class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  # roslibpy has no types
-    """Hands whole messages to the listener undecoded, and passes over those that are too large."""
+    """Passes whole messages to the listener undecoded, and drops those that are too large."""
 
     lost_by: Exception | None = None
     message_data: list[bytes]
@@ -57,7 +57,7 @@ class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  #
         super().data_received(data)
 
     def onAutoPingTimeout(self) -> None:  # noqa: N802  # autobahn's name
-        # The answer to a ping waits behind a long message: what still arrives is alive.
+        # The answer to a ping waits behind a long message: any arriving data is a sign of life.
         if self.factory.manager.loop.time() - self.factory.fed_at > PING_TIMEOUT:
             super().onAutoPingTimeout()
             return
@@ -69,7 +69,7 @@ class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  #
         self._head = b""
 
     def onMessageFrameBegin(self, length: int) -> None:  # noqa: N802  # autobahn's name
-        # Not the base's: that one fails the connection, and the next one would bring the same message.
+        # Not the base's: that one fails the connection, and the next one would get the same message.
         self.frame_length, self.frame_data = length, []
         self.message_data_total_length += length
 
@@ -88,7 +88,7 @@ class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  #
         self.factory.listener.on_too_large(head, self.message_is_binary, size)
 
     def _max_message_size_exceeded(self, msg_size: int, max_msg_size: int, reason: str) -> None:
-        # A compressed message can't be passed over: from the next connection on there are none.
+        # A compressed message can't be skipped: from the next connection on there are none.
         self.factory.setProtocolOptions(perMessageCompressionOffers=[])
         super()._max_message_size_exceeded(msg_size, max_msg_size, reason)
 
@@ -111,7 +111,7 @@ class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  #
 
 
 class _Factory(comm_asyncio.AsyncioRosBridgeClientFactory):  # type: ignore[misc]  # roslibpy has no types
-    """Tries for ever, at most every second, at least every five, and says what it is doing."""
+    """Reconnects forever, after one to five seconds, and reports its state."""
 
     protocol = _Protocol
 
@@ -126,7 +126,7 @@ class _Factory(comm_asyncio.AsyncioRosBridgeClientFactory):  # type: ignore[misc
         self._opened_at = 0.0
         self._reconnect_delay: float = FIRST_DELAY
         self._timer: asyncio.TimerHandle | None = None
-        self._trying: asyncio.Task[None] | None = None  # held, or it may be collected in the middle
+        self._trying: asyncio.Task[None] | None = None  # held, or it may be garbage-collected while running
         self.setProtocolOptions(
             autoPingInterval=PING_INTERVAL,
             autoPingTimeout=PING_TIMEOUT,
@@ -134,25 +134,25 @@ class _Factory(comm_asyncio.AsyncioRosBridgeClientFactory):  # type: ignore[misc
             closeHandshakeTimeout=1,
             maxMessagePayloadSize=self.limit,
             tcpNoDelay=True,
-            # The decoder finds bad UTF-8, without going through 54 MB of a map first.
+            # The decoder detects bad UTF-8, without scanning 54 MB of a map first.
             utf8validateIncoming=False,
         )
 
     def ready(self, proto: _Protocol) -> None:
-        """The handshake is done."""
+        """Report the completed handshake."""
         if self._stop:
             proto.transport.abort()
             return
         delay = self._reconnect_delay
         super().ready(proto)
-        self._reconnect_delay = delay  # a server that drops at once must not be asked ever faster
+        self._reconnect_delay = delay  # a server that drops at once must not be retried ever faster
         self._opened_at = self.manager.loop.time()
         if first := self.credentials.frame(self.host):
             proto.sendMessage(first)
         self.listener.on_open()
 
     def connection_lost(self, proto: _Protocol) -> None:
-        """The connection is gone, whoever ended it."""
+        """Report the loss, whichever side ended it."""
         lived = self.manager.loop.time() - self._opened_at if self._opened_at else 0.0
         if lived > SETTLED_AFTER:
             self._reconnect_delay = FIRST_DELAY
@@ -160,7 +160,7 @@ class _Factory(comm_asyncio.AsyncioRosBridgeClientFactory):  # type: ignore[misc
         super().connection_lost(proto)
 
     def why_closed(self, code: int, text: str, lost_by: Exception | None) -> str:
-        """Return why a connection ended, in plain words; `text` is autobahn's."""
+        """Return the reason that a connection ended, in plain words; `text` is autobahn's."""
         if not self._opened_at:
             return failed_handshake(text, self._bridge, lost_by)
         if isinstance(lost_by, ssl.SSLError):
@@ -168,7 +168,7 @@ class _Factory(comm_asyncio.AsyncioRosBridgeClientFactory):  # type: ignore[misc
         return ended(code, text, self._bridge, self.manager.loop.time() - self._opened_at < AT_ONCE)
 
     def stop(self) -> None:
-        """Never try again. On the loop."""
+        """Stop reconnecting. On the loop."""
         self._stop = True
         for pending in (self._timer, self._trying):
             if pending is not None:
@@ -190,7 +190,7 @@ class _Factory(comm_asyncio.AsyncioRosBridgeClientFactory):  # type: ignore[misc
             self._schedule_reconnect()
 
     async def _be_let_in(self) -> ssl.SSLContext | None:
-        """Read secrets and certificates anew: they may have been renewed."""
+        """Read secrets and certificates again: they may have been renewed."""
         self.credentials.read()
         self.headers = self.credentials.headers
         return await asyncio.to_thread(tls_context, self._bridge) if self._bridge.is_secure else None
@@ -214,7 +214,7 @@ class Connection(roslibpy.Ros):  # type: ignore[misc]  # roslibpy has no types
         self.is_connecting = False
 
     def progress(self) -> tuple[int, int]:
-        """Bytes ever read, and the socket's file descriptor, -1 without one."""
+        """Return the bytes ever read, and the socket's file descriptor, -1 without one."""
         transport = self.factory._proto.transport if self.is_connected else None
         found = transport.get_extra_info("socket") if transport is not None else None
         return self.factory.read_bytes, -1 if found is None else found.fileno()
@@ -226,22 +226,22 @@ class Connection(roslibpy.Ros):  # type: ignore[misc]  # roslibpy has no types
         self.factory.listener.on_sent(payload)
 
     def _refuse_without_link(self) -> None:
-        # After a server's goodbye the connection stands, and takes nothing, until somebody hangs up.
+        # After a server's close frame the connection stays open, and accepts nothing, until one side closes it.
         if not self.is_connected or self.factory._proto.state != _Protocol.STATE_OPEN:
             raise LinkError("no link")
 
     def send_on_ready(self, message: Any) -> None:
-        """Like the base, but without a link nothing is kept for later. Raises LinkError."""
+        """Send like the base, but without a link nothing is queued. Raises LinkError."""
         self._refuse_without_link()
         super().send_on_ready(message)
 
     def call_async_service(self, message: Any, callback: Any, errback: Any) -> None:
-        """Like the base, but without a link nothing is kept for later. Raises LinkError."""
+        """Call like the base, but without a link nothing is queued. Raises LinkError."""
         self._refuse_without_link()
         super().call_async_service(message, callback, errback)
 
     def shut(self) -> None:
-        """Close, and never connect again. On the loop."""
+        """Close permanently. On the loop."""
         self.factory.stop()
         proto = self.factory._proto
         if proto is not None:

@@ -9,11 +9,11 @@ from fleet_tui.config.schema import Link
 from fleet_tui.transports.rosbridge.rosauth import auth
 
 SHORTEST = 6
-"""Characters of a word that is looked for: a shorter one stands in too much else."""
+"""Minimum characters of a secret to mask: shorter ones occur in too many texts."""
 
 
 class Credentials:
-    """The secrets of one link, as they were at the last try."""
+    """The secrets of one link, as of the last attempt."""
 
     def __init__(self, bridge: Link) -> None:
         self._bridge = bridge
@@ -22,7 +22,7 @@ class Credentials:
         self._told: list[bytes] = []
 
     def read(self) -> None:
-        """Read them anew: they may have been renewed. Raises ConfigError."""
+        """Read them again: they may have been renewed. Raises ConfigError."""
         authorization = secret(self._bridge, "authorization")
         self.headers = {"Authorization": authorization} if authorization else {}
         self._rosauth = secret(self._bridge, "rosauth")
@@ -30,14 +30,14 @@ class Credentials:
         self._told = [word.encode() for word in words if len(word) >= SHORTEST]
 
     def frame(self, host: str) -> bytes:
-        """The first frame of a connection, empty where the bridge wants none."""
+        """Return the first frame of a connection, empty if the bridge needs none."""
         if not self._rosauth:
             return b""
         rand, now = secrets.token_hex(16), int(time.time())
         return auth(self._rosauth, platform.node(), host, rand, now)
 
     def hidden(self, said: bytes) -> bytes:
-        """Return what a server says, which may repeat what it was told, at the same length."""
+        """Return a server's text, which may repeat secrets, with those masked, at the same length."""
         for word in self._told:
             said = said.replace(word, b"*" * len(word))
         return said

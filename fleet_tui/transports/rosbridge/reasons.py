@@ -1,5 +1,5 @@
-"""Reasons for a missing connection, in plain words with a remedy. Nothing that a server said is repeated:
-it may hold what we told it in confidence."""
+"""Reasons for a missing connection, in plain words with a remedy. No text of a server is repeated: it may
+contain our secrets."""
 
 import re
 import socket
@@ -21,7 +21,7 @@ _STATUSES = {
 
 
 def refusal(problem: Exception, bridge: Link) -> str:
-    """Return why no connection was made."""
+    """Return the reason that no connection was made."""
     match problem:
         case FleetError():
             return str(problem)
@@ -68,7 +68,7 @@ def _tls(problem: ssl.SSLError) -> str:
 
 
 def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> str:
-    """Return why a connection did not become a WebSocket; `text` is autobahn's."""
+    """Return the reason that a connection did not become a WebSocket; `text` is autobahn's."""
     if isinstance(lost_by, ssl.SSLError):
         return _tls(lost_by)
     status = re.search(r"upgrade failed \[(\d+)\]", text)
@@ -97,7 +97,7 @@ def _http(status: int, bridge: Link) -> str:
 
 
 def ended(code: int, text: str, bridge: Link, at_once: bool) -> str:
-    """Return why a connection that stood has ended; `at_once`: before it brought anything."""
+    """Return the reason that an open connection has ended; `at_once`: before any data."""
     if "ping timeout" in text:
         return STOPPED
     if at_once and (bridge.rosauth_env or bridge.rosauth_file):

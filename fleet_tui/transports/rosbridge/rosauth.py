@@ -1,18 +1,18 @@
-"""The frame that shows a rosauth server that a client knows its secret."""
+"""The frame that proves to a rosauth server that a client knows its secret."""
 
 import hashlib
 
 import msgspec
 
-# Seconds for which we ask to be let in. rosauth looks at it only once, when the connection begins.
+# Seconds of the requested session. rosauth checks it only once, when the connection begins.
 SESSION = 86_400
 
 
 def auth(secret: str, client: str, dest: str, rand: str, now: int) -> bytes:
-    """The frame that shows a rosauth server, at Unix second `now`, that we know its secret.
+    """Return the frame that proves to a rosauth server, at Unix second `now`, that we know its secret.
 
-    Source: ROSBRIDGE_PROTOCOL.md (auth) and rosauth's ros_mac_authentication: SHA-512 over the
-    secret and the fields as they are sent.
+    Source: ROSBRIDGE_PROTOCOL.md (auth) and rosauth's ros_mac_authentication: SHA-512 over the secret and the
+    fields as they are sent.
     """
     level, end = "operator", now + SESSION
     mac = hashlib.sha512(f"{secret}{client}{dest}{rand}{now}{level}{end}".encode()).hexdigest()

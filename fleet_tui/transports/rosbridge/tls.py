@@ -1,4 +1,4 @@
-"""TLS to a bridge: always verified, by the system's authorities or your own."""
+"""TLS to a bridge: always verified, by the system's authorities or the configured one."""
 
 import ssl
 from pathlib import Path
@@ -9,9 +9,9 @@ from fleet_tui.errors import LinkError
 
 
 def tls_context(bridge: Link) -> ssl.SSLContext | None:
-    """Return what verifies the bridge and shows our certificate; None for ws://. Reads files.
+    """Return the context that verifies the bridge and sends our certificate; None for ws://. Reads files.
 
-    Raises LinkError that names the key of the file which is of no use.
+    Raises LinkError with the key of an unusable file.
     """
     if not bridge.is_secure:
         return None
@@ -22,7 +22,7 @@ def tls_context(bridge: Link) -> ssl.SSLContext | None:
         raise LinkError(f"ca_file: {_words(problem)}") from None
     if bridge.client_cert:
         try:
-            # A passphrase would be asked for on the terminal: an empty one is wrong instead.
+            # A passphrase would be requested on the terminal: an empty one fails instead.
             context.load_cert_chain(bridge.client_cert, bridge.client_key or None, password="")
         except (OSError, ValueError) as problem:
             raise LinkError(f"client_cert or client_key: {_words(problem)}") from None
@@ -30,7 +30,8 @@ def tls_context(bridge: Link) -> ssl.SSLContext | None:
 
 
 def _look_at_files(bridge: Link) -> None:
-    """OpenSSL opens by itself, and a pipe would keep it for ever: it gets regular files only."""
+    """Check the files: OpenSSL opens them by itself, and a pipe would block forever: only regular files
+    pass."""
     for key in ("ca_file", "client_cert", "client_key"):
         if name := getattr(bridge, key):
             try:
