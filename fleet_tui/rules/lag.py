@@ -1,4 +1,4 @@
-"""Lag: how far what is shown is behind, and whose doing that is."""
+"""Lag: the delay of the shown values, and its cause."""
 
 import statistics
 from collections.abc import Mapping
@@ -9,15 +9,15 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState
 
 FRESH = 2.0
-"""Seconds within which a pose came whose stamp tells how late messages are."""
+"""Maximum age in seconds of a pose whose stamp is used for the lag."""
 BEHIND = 1.0
-"""Seconds from which on this console, or a bridge, is behind."""
+"""Seconds from which this console, or a bridge, counts as behind."""
 STEP = 0.1
-"""Seconds by which a lag must differ to be told anew."""
+"""Seconds by which a lag must differ to be updated."""
 
 
 def stamp_lag(state: FleetState, link: str, now: float) -> float:
-    """Seconds by which the poses that come over a link now are late, by their stamps: the median."""
+    """Return the seconds by which the current poses of a link are late, by their stamps: the median."""
     lags = [
         robot.clock.at - robot.pose.at
         for robot in state.robots.values()
@@ -27,11 +27,11 @@ def stamp_lag(state: FleetState, link: str, now: float) -> float:
 
 
 def with_lags(state: FleetState, now: float, unread: float) -> FleetState:
-    """Note how far the console and the links are behind. `unread`: seconds that the oldest message has waited
-    for this console to read it.
+    """Update the lag of the console and the links. `unread`: seconds that the oldest unread message has
+    waited.
 
-    Where it waits long, all lateness is this console's own: what comes late over the links comes late
-    because it is not read.
+    If it waits long, all lateness is this console's own: messages of the links are late because they are
+    unread.
     """
     lags = {name: stamp_lag(state, name, now) for name in state.links}
     if unread < BEHIND:

@@ -4,31 +4,31 @@ import math
 
 from fleet_tui.model.geometry import Pose
 
-# Localisation jitters: a robot whose pose stays within these stands still.
+# Localisation jitter: a robot whose pose stays within these stands still.
 STILL_WITHIN, STILL_YAW = 0.05, 0.1
-# Metres that a robot must get on to be somewhere else: turning on the spot is not getting on.
+# Metres of progress below which a robot stays at its place: turning on the spot is no progress.
 PLACE_WITHIN = 0.2
-# Metres along x or y, and metres per second, from which on a robot did not drive: its localisation jumped.
+# Metres along x or y, and metres per second, above which a robot did not drive: its localisation jumped.
 JUMP_DISTANCE, JUMP_SPEED = 1.0, 5.0
 JUMPS_WITHIN = 10.0
 """Seconds for which a jump of a robot's pose counts."""
 
 
 def moved(one: Pose, other: Pose) -> bool:
-    """Tell whether it moved or turned by more than localisation jitters."""
+    """Tell whether it moved or turned by more than localisation jitter."""
     turned = abs(math.remainder(_turn(one) - _turn(other), math.tau))
     return _metres(one, other) > STILL_WITHIN or turned > STILL_YAW
 
 
 def progressed(one: Pose, other: Pose) -> bool:
-    """Tell whether it is somewhere else."""
+    """Tell whether it made progress."""
     return _metres(one, other) > PLACE_WITHIN
 
 
 def jump(one: Pose, other: Pose, seconds: float) -> float | None:
-    """The metres between them, if no robot drives so far in that time."""
+    """Return the metres between them, if no robot drives so far in that time."""
     if abs(one.x - other.x) < JUMP_DISTANCE and abs(one.y - other.y) < JUMP_DISTANCE:
-        # As nearly every pose is: this is asked for each of them.
+        # True of nearly every pose: this runs for each of them.
         return None
     metres = _metres(one, other)
     return metres if metres > JUMP_SPEED * abs(seconds) else None

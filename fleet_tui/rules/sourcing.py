@@ -1,17 +1,17 @@
-"""Messages that a bridge was started without: the commonest mistake in setting rosbridge up."""
+"""Message packages missing in a bridge's environment: the commonest mistake in setting rosbridge up."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-# Wherever rosbridge is installed these are too.
+# Installed with every rosbridge.
 ALWAYS_THERE = frozenset({"std_msgs", "geometry_msgs", "nav_msgs", "sensor_msgs", "diagnostic_msgs"})
-FEWEST = 2  # silent topics: one alone has many causes
+FEWEST = 2  # minimum number of silent topics: one alone has many causes
 
 
 @dataclass(frozen=True, slots=True)
 class Listening:
-    """A robot's topic that is listened to long enough: its type, how many nodes publish it (None: not
-    known), and whether anything came."""
+    """A robot's topic that was subscribed long enough: its type, its number of publishers (None: unknown),
+    and whether anything arrived."""
 
     robot: str
     type: str
@@ -20,10 +20,10 @@ class Listening:
 
 
 def unsourced_package(topics: Iterable[Listening]) -> str | None:
-    """Name the package whose messages the bridge can't read, None where silence has another cause.
+    """Return the package whose messages the bridge can't read, None if silence has another cause.
 
-    Such a bridge takes the subscriptions, and says only in its own log that it can't import the package. So
-    every topic of it stays silent, of robots of which other topics come.
+    Such a bridge accepts the subscriptions, and only its own log has the failed import. So every topic of the
+    package stays silent, of robots with other active topics.
     """
     published = [topic for topic in topics if topic.publishers != 0]
     awake = {topic.robot for topic in published if topic.heard}

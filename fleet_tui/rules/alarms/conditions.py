@@ -1,7 +1,7 @@
 """Alarm rules: one function for each source, over the newest state.
 
-A rule gives None while all is well. `held` is what held at the last look: a battery has to leave
-its dead band, and what was known before the link went goes on.
+A rule returns None while all is well. `held` are the conditions of the last check: a battery has to leave its
+dead band, and conditions from before a link loss continue.
 """
 
 from collections.abc import Iterator
@@ -17,8 +17,8 @@ from fleet_tui.rules.lag import BEHIND
 from fleet_tui.text.durations import age
 
 BAD_AFTER, BAD_FOR = 1.0, 10.0
-"""Seconds from bad data to its alarm (other robots may send some, too), and without any until it
-counts as good."""
+"""Seconds from bad data to its alarm (other robots may send some, too), and without any until it counts as
+over."""
 BEHIND_FOR = 2.0
 """Seconds for which the console or a bridge must be behind: a map may take a moment."""
 OVERLOADED = "bridge overloaded: use fewer topics, lower rates or a second bridge"
@@ -27,7 +27,7 @@ STILL = 2.0
 
 
 def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
-    """In contact for longer than the limit, by its last word."""
+    """Raise after contact for longer than the limit, by its last report."""
     if robot.obstacle is None or robot.obstacle.value <= state.limits.obstacle_after:
         return None
     text = obstacle_text(state, robot, robot.obstacle)
@@ -35,7 +35,7 @@ def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
 
 
 def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
-    """Below a limit, or not above its dead band yet."""
+    """Raise below a limit, or until above its dead band."""
     limits, reading = state.limits, robot.battery
     if reading is None or reading.value >= limits.battery_low + limits.battery_band:
         return None
@@ -53,7 +53,7 @@ def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
 
 
 def pause(state: FleetState, robot: Robot, held: Held) -> Condition | None:
-    """Paused, which is an alarm once it lasts."""
+    """Raise after a pause for longer than the limit."""
     last_word = robot.paused.value if robot.paused is not None else robot.paused_by_us
     if not last_word or not (state.is_paused(robot) or is_held(held, robot.name, robot.link, "pause")):
         return None
@@ -66,7 +66,7 @@ def pause(state: FleetState, robot: Robot, held: Held) -> Condition | None:
 
 
 def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
-    """An order to drive and no movement, which is an alarm once it lasts.
+    """Raise for an order to drive without movement.
 
     An obstacle or a pause explains it, and silence hides it: neither begins it. A pause also ends it.
     """
@@ -86,12 +86,12 @@ def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
 
 
 def is_news(state: FleetState, fault_at: float | None) -> bool:
-    """Tell whether bad data came a short while ago; `fault_at` is when it came last."""
+    """Tell whether bad data arrived a short while ago; `fault_at` is the time of the latest."""
     return fault_at is not None and state.now - fault_at < BAD_FOR
 
 
 def bad_data(state: FleetState, source: Robot | LinkState, _held: Held) -> Condition | None:
-    """Something came from a robot or over a link that can't be read, a short while ago."""
+    """Raise after unreadable data from a robot or over a link, a short while ago."""
     if not is_news(state, source.fault_at):
         return None
     text = f"bad data x{source.faults}: {source.last_fault}"
@@ -101,7 +101,7 @@ def bad_data(state: FleetState, source: Robot | LinkState, _held: Held) -> Condi
 
 
 def no_link(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
-    """Nothing can be heard or said."""
+    """Raise without a link in either direction."""
     if link.phase is Phase.UP or state.now - link.since <= state.limits.link_after:
         return None
     text = f"no link: {link.reason}" if link.reason else "no link"
@@ -109,7 +109,7 @@ def no_link(state: FleetState, link: LinkState, _held: Held) -> Condition | None
 
 
 def dead_commands(state: FleetState, link: LinkState, held: Held) -> Condition | None:
-    """Raise where telemetry flows, but a command would not get through."""
+    """Raise if telemetry flows, but a command would not get through."""
     was_dead = (link.name, "commands") in held and link.phase is not Phase.UP
     if not was_dead and not (link.phase is Phase.UP and link.command_path in NO_WAY):
         return None
@@ -118,10 +118,10 @@ def dead_commands(state: FleetState, link: LinkState, held: Held) -> Condition |
 
 
 def offline(state: FleetState, robot: Robot, held: Held) -> Condition | None:
-    """Silent for longer than the limit, or half-way there.
+    """Raise after silence for longer than the limit, pending from half of it.
 
-    While the link is down its own alarm stands for its robots; what was raised before goes on. A new
-    link begins everybody's silence anew.
+    While the link is down its own alarm covers its robots; earlier alarms continue. A new link restarts the
+    silence of all robots.
     """
     limit = state.patience
     if robot.heard is not None and state.now - robot.heard <= limit / 2:
@@ -136,7 +136,7 @@ def offline(state: FleetState, robot: Robot, held: Held) -> Condition | None:
 
 
 def behind(state: FleetState) -> Condition | None:
-    """Raise where this console does not keep up with what comes: no robot is to blame for it."""
+    """Raise if this console does not keep up with incoming messages: the cause is no robot."""
     if state.behind < BEHIND:
         return None
     due = state.began.get(("console", "behind"), state.now) + BEHIND_FOR
@@ -145,7 +145,7 @@ def behind(state: FleetState) -> Condition | None:
 
 
 def late(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
-    """Raise where messages come late while this console keeps up: the bridge carries too much."""
+    """Raise if messages are late while this console keeps up: the bridge is overloaded."""
     if link.phase is not Phase.UP or link.late < BEHIND:
         return None
     due = state.began.get((link.name, "late"), state.now) + BEHIND_FOR
@@ -154,7 +154,7 @@ def late(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
 
 
 def unsourced(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
-    """Raise where the bridge can't read the robots' messages: the commonest mistake in setting it up."""
+    """Raise if the bridge can't read the robots' messages: the commonest mistake in setting it up."""
     if link.phase is not Phase.UP or not link.unsourced:
         return None
     return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "message types available")
@@ -165,7 +165,7 @@ LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)
 
 
 def conditions(state: FleetState, held: Held) -> Iterator[Condition]:
-    """Everything that needs a person now, or soon: see `due`."""
+    """Return every condition that needs a person now, or soon: see `due`."""
     own = behind(state)
     if own is not None:
         yield own

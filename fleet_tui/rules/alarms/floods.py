@@ -1,4 +1,4 @@
-"""Many alarms with one cause as one alarm: robots of a link to which the same happens together."""
+"""Alarm groups: robots of a link with the same condition as one alarm."""
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
@@ -10,14 +10,14 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.limits import some
 
 Held = Mapping[Key, Condition]
-"""What held at the last look."""
+"""Conditions of the last check."""
 
 FLOOD, FLOOD_SPAN = 5, 3.0
-"""So many robots of a link to which the same happens within so many seconds are one alarm."""
+"""Robots of a link with the same condition within this many seconds are one alarm."""
 
 
 class Flood(Struct, frozen=True):
-    """The text of a group of alarms of one kind: `text` follows the number of robots."""
+    """The text of an alarm group of one kind: `text` follows the number of robots."""
 
     text: str
     over: str
@@ -33,17 +33,17 @@ FLOODS = {
 
 
 def group_key(link: str, kind: str) -> Key:
-    """The alarm of a link's robots to which the same happens."""
+    """Return the key of a group of a link's robots."""
     return link, f"many {kind}"
 
 
 def is_group(kind: str) -> bool:
-    """Tell whether a kind is that of an alarm that stands for several robots'."""
+    """Tell whether a kind is that of an alarm group."""
     return kind.startswith("many ") and kind.removeprefix("many ") in FLOODS
 
 
 def is_held(held: Held, robot: str, link: str, kind: str) -> bool:
-    """Tell whether a robot's condition held at the last look, by itself or in the group."""
+    """Tell whether a robot's condition held at the last check, by itself or in the group."""
     if (robot, kind) in held:
         return True
     group = held.get(group_key(link, kind))
@@ -51,7 +51,7 @@ def is_held(held: Held, robot: str, link: str, kind: str) -> bool:
 
 
 def without_floods(state: FleetState, found: Sequence[Condition], held: Held) -> list[Condition]:
-    """Return what of the conditions is due, with those of many robots as one.
+    """Return the due conditions, with those of many robots as one.
 
     A robot stays where it was counted first until its condition is over.
     """
@@ -75,7 +75,7 @@ def _grouped(
     parts = group.parts if group else frozenset()
     loose = [one for one in members if one.key not in held]
     fresh = {one.source for one in loose if state.now > one.due and one.source not in parts}
-    # Those that are nearly due, or joined a moment ago: what happens together takes a while.
+    # Those nearly due, or recently added: a common cause takes a while to show.
     near = sum(one.source not in fresh and abs(state.now - one.due) <= FLOOD_SPAN for one in loose)
     grouped = parts | fresh if fresh and len(fresh) + near >= FLOOD else parts
     together = []

@@ -1,4 +1,4 @@
-"""Alarm rules for navigating robots: blocked, lost on its map, orders that wait for the operator."""
+"""Alarm rules for navigating robots: blocked, lost on its map, orders held for the operator."""
 
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState
@@ -8,12 +8,11 @@ from fleet_tui.rules.alarms.floods import Held
 from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, to_keep
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
-"""Variance of x and y in square metres above which a robot does not know where it is, and below which it
-does again."""
+"""Variance of x and y in square metres above which localisation is lost, and below which it is back."""
 
 
 def blocked(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
-    """Stopped by its collision monitor for longer than the limit, by its last word."""
+    """Raise after a stop by its collision monitor for longer than the limit, by its last report."""
     if robot.blocked is None or not robot.blocked.value.is_stopped:
         return None
     held_back = robot.blocked.value
@@ -23,7 +22,7 @@ def blocked(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
 
 
 def not_sure_where(state: FleetState, robot: Robot, held: Held) -> Condition | None:
-    """Its localisation is too uncertain to drive by."""
+    """Raise if its localisation is too uncertain to drive by."""
     if robot.variance is None:
         return None
     limit = FOUND_BELOW if (robot.name, "localisation") in held else LOST_ABOVE
@@ -34,7 +33,7 @@ def not_sure_where(state: FleetState, robot: Robot, held: Held) -> Condition | N
 
 
 def held_orders(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
-    """Orders wait here, and the operator has to say that they go on."""
+    """Raise for orders held here until the operator releases them."""
     if not robot.held:
         return None
     kept = sum(1 for _ in to_keep(state, robot))

@@ -1,4 +1,4 @@
-"""Commands given together: one request to many robots, and how it stands as a whole."""
+"""Commands given together: one request to many robots, and its overall state."""
 
 from collections import defaultdict
 from collections.abc import Sequence
@@ -9,7 +9,7 @@ from fleet_tui.rules.commands.pauses import FOREIGN_STOPPED
 from fleet_tui.text.limits import some
 
 TOGETHER = 0.3
-"""Commands of one kind with less than so many seconds in between are one request."""
+"""Commands of one kind less than this many seconds apart are one request."""
 
 _WORDS = {
     Stage.CONFIRMED: "confirmed",
@@ -22,8 +22,8 @@ _WELL = ("confirmed", "accepted")
 
 
 def batches(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
-    """Divide commands into those that were given together, in the order in which they were given. A robot is
-    in a batch once."""
+    """Group commands that were given together, in the order in which they were given. A robot is in a batch
+    once."""
     found: list[list[CommandRecord]] = []
     robots = set[str]()
     for record in records:
@@ -44,7 +44,7 @@ def batches(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
 
 
 def pauses(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
-    """Keep the batches that paused or resumed several robots."""
+    """Return the batches that paused or resumed several robots."""
     return [
         batch
         for batch in batches(records)
@@ -53,15 +53,15 @@ def pauses(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
 
 
 def batch_name(state: FleetState, commands: Sequence[Command]) -> str:
-    """Name pauses or resumes of several robots: `pause all`, `resume 3 robots`."""
+    """Return the name of pauses or resumes of several robots: `pause all`, `resume 3 robots`."""
     robots = {command.robot for command in commands}
     verb = "pause" if isinstance(commands[0], PauseRobot) else "resume"
     return f"{verb} all" if robots == set(state.robots) else f"{verb} {len(robots)} robots"
 
 
 def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str]:
-    """Summarise a batch: `pause all` and `98 confirmed, 2 open (robot_5, robot_9)`. What is open may still
-    be carried out, or was, unseen."""
+    """Summarise a batch: `pause all` and `98 confirmed, 2 open (robot_5, robot_9)`. Open ones may still be
+    carried out, or were, unseen."""
     found: dict[str, list[CommandRecord]] = defaultdict(list)
     for record in batch:
         found[_WORDS.get(record.stage, "open")].append(record)

@@ -33,14 +33,14 @@ from fleet_tui.text.limits import some
 
 _NOT_POSITIVE = re.compile(r"-[0-9]+|0+", re.ASCII)
 SAME_WITHIN = 1.0
-"""Seconds within which the same orders given again are a slip of the finger."""
+"""Seconds within which the same orders given again count as a slip."""
 
 
 Check = Callable[[FleetState, Robot, Command], Iterator[Problem]]
 
 
 def rights(allowed: Permissions) -> Iterator[Problem]:
-    """This console may send commands."""
+    """Check that this console may send commands."""
     if allowed.read_only:
         yield Problem("read-only", "this console is read-only")
     elif not allowed.armed:
@@ -48,7 +48,7 @@ def rights(allowed: Permissions) -> Iterator[Problem]:
 
 
 def ability_for(command: Command) -> str:
-    """Return what a robot must accept to be asked this."""
+    """Return the ability that a robot needs for a command."""
     match command:
         case PlaceOrder():
             return ORDER_TO if command.with_cargo else ORDER
@@ -65,7 +65,7 @@ def ability_for(command: Command) -> str:
 
 
 def unaccepted(state: FleetState, command: Command) -> str:
-    """Return why robots of this kind can't be asked this, empty where they can."""
+    """Return the reason that robots of this kind can't take a command, empty if they can."""
     robot = state.robots.get(command.robot)
     if robot is None or (ability := ability_for(command)) in robot.kind.accepts:
         return ""
@@ -78,7 +78,7 @@ def unknown_robot(state: FleetState, name: str) -> Problem:
 
 
 def no_link(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """Commands would get through."""
+    """Check that commands would get through."""
     link = state.links[robot.link]
     if link.phase is not Phase.UP:
         reason = link.reason or "not connected yet"
@@ -88,7 +88,7 @@ def no_link(state: FleetState, robot: Robot, command: Command) -> Iterator[Probl
 
 
 def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """Somebody is there to obey."""
+    """Check that the robot is online."""
     if isinstance(command, ResumeRobot):
         return
     if robot.heard is None:
@@ -98,14 +98,14 @@ def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
 
 
 def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """An order would be driven now."""
+    """Check that an order would be driven now."""
     if isinstance(command, PlaceOrder) and state.is_paused(robot):
         how = "paused" if robot.paused is not None else own_pause_text(state, robot)
         yield Problem("paused", f"{robot.name} is {how}", blocks=False)
 
 
 def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """Return what becomes of an order can be seen."""
+    """Check that the progress of an order can be seen."""
     if not isinstance(command, PlaceOrder) or robot.heard is None or not state.is_online(robot):
         return
     if robot.kind.expects("queue") and not state.is_fresh(robot, "queue"):
@@ -115,10 +115,10 @@ def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator
 
 
 def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """Return what is to be cancelled is there."""
+    """Check that the order to cancel exists."""
     if not isinstance(command, CancelOrder):
         return
-    # Where ids are numbers: the others have their own words for all orders.
+    # If ids are numbers: other kinds have their own words for all orders.
     if _NOT_POSITIVE.fullmatch(command.order_id):
         text = f"order id {command.order_id} means all orders to the robot: use clear instead"
         yield Problem("id means all", text)
@@ -145,7 +145,8 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
 
 
 def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """With cargo on board and nothing to do there is only a destination; without cargo there is none."""
+    """Check the start: cargo on board without an order has only a destination; without cargo a start is
+    needed."""
     if not isinstance(command, PlaceOrder) or "cargo" not in robot.kind.reports:
         return
     waiting = sum(order.state in PENDING for order in robot.orders.orders)
@@ -175,11 +176,12 @@ CHECKS: tuple[Check, ...] = (
     floor_mismatch,
 )
 FIRST: tuple[Check, ...] = (no_way_there, cargo)
-"""What is asked only of the first command to a robot: the others come after it."""
+"""Checks of only the first command to a robot: the others follow it."""
 
 
 def not_accepted(state: FleetState, commands: Sequence[Command]) -> list[Problem]:
-    """Return what robots can't be asked because of their kind; robots of one reason are named together."""
+    """Return the commands that robots can't take because of their kind; robots with the same reason are named
+    together."""
     robots: dict[str, list[str]] = {}
     for command in commands:
         if reason := unaccepted(state, command):
@@ -191,8 +193,8 @@ def not_accepted(state: FleetState, commands: Sequence[Command]) -> list[Problem
 
 
 def acceptable(state: FleetState, wish: Request) -> tuple[Request, list[Problem]]:
-    """Of a wish for several robots what their kinds accept, and what is left out: the others don't wait for a
-    robot that can't. A wish that none can carry out is as it was: `problems` says why."""
+    """Return the part of a request that the robots' kinds accept, and the rest: the others don't wait for a
+    robot that can't. A request that none accepts is unchanged: `problems` has the reason."""
     able = tuple(command for command in wish.commands if not unaccepted(state, command))
     if not able or len({command.robot for command in wish.commands}) == 1:
         return wish, []
@@ -201,7 +203,7 @@ def acceptable(state: FleetState, wish: Request) -> tuple[Request, list[Problem]
 
 
 def problems(state: FleetState, wish: Request, allowed: Permissions) -> list[Problem]:
-    """All that speaks against a wish, errors first; the only place where it is asked."""
+    """Return all objections to a request, errors first; the only place that runs the checks."""
     if impossible := not_accepted(state, wish.commands):
         return impossible
     if all(isinstance(command, PauseRobot) for command in wish.commands):
@@ -222,7 +224,7 @@ def problems(state: FleetState, wish: Request, allowed: Permissions) -> list[Pro
 
 
 def repeated(wish: Request, given: Mapping[tuple[Command, ...], float], now: float) -> list[Problem]:
-    """The same orders given again at once are a slip of the finger. `given`: when each was (monotonic)."""
+    """Check for the same orders given again at once. `given`: the time of each (monotonic)."""
     at = given.get(wish.commands)
     places = any(isinstance(command, PlaceOrder) for command in wish.commands)
     if at is None or now - at >= SAME_WITHIN or not places:

@@ -1,6 +1,6 @@
 """Confirmation of commands by telemetry.
 
-An answer is only the robot's word; the queue and the pose have the last one.
+An answer is only the robot's claim; the queue and the pose decide.
 """
 
 from typing import assert_never
@@ -26,11 +26,11 @@ from fleet_tui.rules.commands.goals import is_given_as, own_ids
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, WAITS, instead_of_pause, pause_seen
 
 CLOCKS_AGREE = 1.0
-"""Seconds by which a robot's clock, as its messages arrive, may differ from ours."""
+"""Seconds by which a robot's clock, by the arrival of its messages, may differ from ours."""
 
 
 def before(robot: Robot, now: float) -> Baseline:
-    """Return what the robot has reported up to `now`, when a command is given."""
+    """Return the robot's reports up to `now`, when a command is given."""
     queue = robot.orders
     known = robot.queue is not None or robot.kind.tells_ends
     last = max([queue.last_serial, *(order.serial for order in queue.orders)]) if known else None
@@ -40,9 +40,9 @@ def before(robot: Robot, now: float) -> Baseline:
 
 
 def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
-    """The queue, if it was reported after the command had been sent."""
+    """Return the queue, if it was reported after the command had been sent."""
     if robot.kind.tells_ends:
-        # It comes when it changes: what came last is true, however old, and nothing ever is an empty one.
+        # It is sent on change: the last one is valid, however old, and a missing one means empty.
         return robot.orders
     sent = record.time_of(Stage.SENT)
     if robot.queue is None or sent is None or robot.queue.at <= sent:
@@ -51,28 +51,28 @@ def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
 
 
 def _is_of_another_life(other: CommandRecord, record: CommandRecord, last: int) -> bool:
-    """Tell whether the robot has begun to count anew between two commands: a serial seen before the second
-    one was given was above the last one known when it was."""
+    """Tell whether the robot restarted its count between two commands: a serial seen before the second one
+    was given was above the last one known at that time."""
     claimed = other.time_of(Stage.LATE) or other.time_of(Stage.CONFIRMED)
     decided = claimed is not None and claimed <= record.issued_at
     return other.order_serial is not None and decided and other.order_serial > last
 
 
 def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool = True) -> Order | None:
-    """Find the order in the queue that a command placed: by the name that this console gave it, else by what
-    it is. `by_echo`: not where the queue says that another request placed it."""
+    """Find the order in the queue that a command placed: by the name that this console gave it, else by its
+    content. `by_echo`: not if the queue attributes it to another request."""
     if record.name:
         return next((order for order in robot.orders.orders if order.name == record.name), None)
     return _find_alike(state, robot, record, by_echo)
 
 
 def _find_alike(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool) -> Order | None:
-    """Find an order with the same stops, new, nobody else's."""
+    """Find a new order with the same stops that has no other origin."""
     queue, command, last = _queue_since(robot, record), record.command, record.before.last_serial
     if queue is None or last is None or not isinstance(command, PlaceOrder):
         return None
     if queue.last_serial < record.before.counted:
-        last = 0  # the robot was started anew before it took the order: its serials start over
+        last = 0  # the robot was restarted before it took the order: its serials start over
     taken = {
         other.order_id
         for other in state.commands
@@ -88,7 +88,7 @@ def _find_alike(state: FleetState, robot: Robot, record: CommandRecord, by_echo:
         and _is_since(record, order)
     ]
     if len(found) > 1 and not any(order.stops for order in found):
-        return None  # whose each of them is nobody can tell
+        return None  # the origin of each is unknown
     if not by_echo:
         return _oldest(found)
     own = (0, record.id, record.before.request_id)
@@ -97,9 +97,9 @@ def _find_alike(state: FleetState, robot: Robot, record: CommandRecord, by_echo:
 
 
 def could_be(command: PlaceOrder, order: Order) -> bool:
-    """Tell whether an order is as this command asks. One for the cargo on board begins wherever it was."""
+    """Tell whether an order matches this command. One for the cargo on board begins anywhere."""
     if not order.stops:
-        # A goal: its robot does not tell where it leads to.
+        # A goal: its robot does not report its target.
         return not order.label
     return order.stops[-1:] == command.stops if command.with_cargo else order.stops == command.stops
 
@@ -115,7 +115,7 @@ def _oldest(orders: list[Order]) -> Order | None:
 
 
 def is_given_again(state: FleetState, record: CommandRecord) -> bool:
-    """Tell whether the same command was sent since and is not decided: what is seen now is that one."""
+    """Tell whether the same command was sent since and is still open: reports now belong to that one."""
     return any(
         other.command == record.command
         and other.issued_at > record.issued_at
@@ -126,8 +126,8 @@ def is_given_again(state: FleetState, record: CommandRecord) -> bool:
 
 
 def _by_echo(found: list[Order], queue: OrderQueue, record: CommandRecord) -> Order | None:
-    """Choose among equal orders. The queue echoes the request of its newest order, if at all: where the
-    echo changed since the command was given, the newest order belongs to that request."""
+    """Choose among equal orders. The queue echoes the request of its newest order, if at all: if the echo
+    changed since the command was given, the newest order belongs to that request."""
     newest = [order for order in found if order.serial == queue.last_serial]
     if queue.request_id == record.id and newest:
         return newest[0]
@@ -137,7 +137,7 @@ def _by_echo(found: list[Order], queue: OrderQueue, record: CommandRecord) -> Or
 
 
 def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
-    """Which of the orders that were to go are still in the queue; None while no queue has come."""
+    """Return those of the orders to remove that are still in the queue; None before the first queue."""
     queue, last = _queue_since(robot, record), record.before.last_serial
     if queue is None:
         return None
@@ -150,7 +150,7 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
             left = [
                 one for one in queue.orders if one.state in PENDING and (last is None or one.serial <= last)
             ]
-            if robot.kind.keeps_goals:  # those of others are not meant
+            if robot.kind.keeps_goals:  # those of others are not affected
                 left = [one for one in left if one.id in own_ids(robot.goals)]
         case PlaceOrder() | PauseRobot() | ResumeRobot():
             left = []
@@ -160,7 +160,7 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
 
 
 def _is_driven(state: FleetState, record: CommandRecord) -> bool:
-    """Tell whether a goal that a clear takes back by its name is under way, or may be listed yet."""
+    """Tell whether a goal that a clear cancels by its name is active, or may still be listed."""
     return isinstance(record.command, ClearOrders) and any(
         one.name and (one.stage in WAITS | {Stage.SENT} or one.has_open_order)
         for one in state.commands
@@ -169,7 +169,7 @@ def _is_driven(state: FleetState, record: CommandRecord) -> bool:
 
 
 def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool) -> CommandRecord:
-    """The record, confirmed if telemetry shows that the command was carried out."""
+    """Return the record, confirmed if telemetry shows that the command was carried out."""
     match record.command:
         case PlaceOrder():
             order = find_order(state, robot, record, by_echo)
@@ -195,7 +195,7 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
 
 
 def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
-    """Return what telemetry showed where a command can't be seen to have been carried out."""
+    """Return the evidence of telemetry if a command can't be seen to have been carried out."""
     unheard = _queue_since(robot, record) is None
     match record.command:
         case PauseRobot() | ResumeRobot():
@@ -216,7 +216,7 @@ def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
 
 
 def _deadline(state: FleetState, robot: Robot, record: CommandRecord) -> float | None:
-    """Until when telemetry may show it; None while there is no link to show anything."""
+    """Return the time limit for telemetry to show it; None while there is no link."""
     link = state.links[robot.link]
     if link.phase is not Phase.UP:
         return None
@@ -229,13 +229,13 @@ def _is_goal_under_way(robot: Robot, record: CommandRecord) -> bool:
 
 
 def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
-    """The record after a look at what its robot reports."""
+    """Return the record after a check of its robot's reports."""
     robot = state.robots.get(record.command.robot)
     if robot is None or not (record.stage in WAITS or _is_goal_under_way(robot, record)):
         return record
     deadline = _deadline(state, robot, record)
     is_last_look = deadline is not None and state.now >= deadline
-    # The echo is not reliable everywhere: an order that it gives to another request is believed in the end.
+    # The echo is not always reliable: an order attributed to another request is accepted in the end.
     looked = _seen(state, robot, record, by_echo=not is_last_look)
     if looked.is_decided or not is_last_look:
         return looked

@@ -1,7 +1,7 @@
 """Commands that failed, as conditions of the alarm list.
 
-A failure is a moment and does not hold: it counts as news for a while, then its alarm has
-returned, and stays until somebody acknowledges it.
+A failure is a moment and does not hold: it counts as news for a while, then its alarm has returned, and stays
+until it is acknowledged.
 """
 
 from collections import defaultdict
@@ -23,11 +23,11 @@ _OVER = {
     for stage in commands.FAILURES & (commands.ORDER_ENDS | {commands.Stage.LATE}) - {commands.Stage.FAILED}
 }
 MANY = 5
-"""Failed commands to so many robots that were given together are one alarm."""
+"""Failed commands to at least this many robots given together are one alarm."""
 
 
 def has_failed(record: commands.CommandRecord) -> bool:
-    """Tell whether a command that left this console needs a person: it failed, or went on unexpectedly."""
+    """Tell whether a command of this console needs a person: it failed, or continued unexpectedly."""
     return record.stage in commands.FAILURES and record.stage is not commands.Stage.NOT_SENT
 
 
@@ -48,8 +48,8 @@ def _wish(robot: Robot, command: commands.Command) -> str:
 
 
 def failed_commands(state: FleetState) -> Iterator[Condition]:
-    """Commands that failed a short while ago: an alarm for each robot, or for each link where one
-    wish for many robots failed."""
+    """Return commands that failed a short while ago: an alarm for each robot, or for each link on which one
+    request to many robots failed."""
     fresh = [record for record in state.commands if has_failed(record) and state.now - record.at < FAILED_FOR]
     if not fresh:
         return
@@ -74,9 +74,9 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
-        # How it failed comes first: it must not be cut at the right end.
+        # The failure is first: it must not be cut at the right end.
         f"{last.stage.value}: {wish}{detail_text(last.words)}",
         f"{_OVER.get(last.stage, 'failed')}: {wish}",
-        # A failure that turns into another one is news.
+        # A failure that changes into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),
     )

@@ -1,4 +1,4 @@
-"""Follow-up of decided commands: orders until they end, and what is carried out late."""
+"""Follow-up of decided commands: orders until they end, and late effects."""
 
 from typing import assert_never
 
@@ -25,12 +25,12 @@ from fleet_tui.rules.commands.pauses import is_overtaken
 from fleet_tui.text.durations import age
 
 ANSWER_WITHIN = 1.0
-"""Seconds for the robot's own word on the end of a goal, which comes beside its status."""
+"""Seconds for the robot's own report on the end of a goal, which is separate from its status."""
 LATE_ORDER, LATE_OTHER = 600.0, 60.0
-"""Seconds after `not confirmed` in which what a robot does still counts as the command carried out late."""
+"""Seconds after `not confirmed` in which an effect still counts as the command carried out late."""
 
 _UNSEEN = Stage.LOST, Stage.DONE
-"""Of a goal whose last status never came, and of which the robot told that it is done."""
+"""Detail of a goal without a final status that the robot reported as done."""
 _TAKEN = frozenset({Stage.CONFIRMED, Stage.UNVERIFIABLE, Stage.LATE})
 _REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
 _MAY_HAVE_REMOVED = _REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED}
@@ -55,7 +55,7 @@ def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
 
 
 def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
-    """A pause that a robot took is gone where it was started anew, unless a later command stands for it."""
+    """Find the pause of a robot that lost it in a restart, unless a later command replaced it."""
     if robot.pause_lost_at is None or robot.pause_lost_at < record.issued_at or record.stage not in _TAKEN:
         return record
     if last_command(state, robot, PauseRobot, ResumeRobot) is not record:
@@ -65,19 +65,19 @@ def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> Comma
 
 def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
     assert record.order_id is not None
-    # Not since it was confirmed: a queue may be read after a tick that is later than its arrival.
+    # Not since it was confirmed: a queue may be processed after a tick later than its arrival.
     gone = latest(robot.gone, record.order_id, record.issued_at) or _listed(robot, record.order_id)
     if gone is None:
         return record
     answers = robot.kind.keeps_goals and not record.name
     if answers and record.answer is None and state.now - gone.at < ANSWER_WITHIN:
-        return record  # its own answer tells why
+        return record  # its own answer has the reason
     stage = _end_stage(state, record, gone)
     if stage is Stage.WAITING:
         return _waiting_again(state, robot, record, "stopped, goal kept here")
     if stage is Stage.DONE and record.has_further_leg(robot.kind):
         if _removals(state, record, gone):
-            # What is left of it is kept here: to have asked is enough, whatever the robot took of that.
+            # The rest is kept here: having sent the request suffices, whatever the robot did with it.
             return record.advanced(
                 Step(Stage.CANCELLED, state.now, f"order {record.order_id}: by this console")
             )
@@ -86,7 +86,7 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     reason = "by this console" if stage is Stage.CANCELLED else gone.reason
     answer = record.answer
     if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
-        # What the robot missed on the way only its answer tells.
+        # Skipped stops are only in its answer.
         stage, reason = answer.stage, answer.words or reason
     elif answers and stage is Stage.DONE and _is_of_several_stops(record):
         reason = "succeeded, result missing: stops may have been missed"
@@ -103,7 +103,7 @@ def _is_of_several_stops(record: CommandRecord) -> bool:
 
 
 def _listed(robot: Robot, order_id: str) -> GoneOrder | None:
-    """Find the end of an order that was over when it was first seen."""
+    """Return the end of an order that was over when it was first seen."""
     over = (order for order in robot.orders.orders if order.id == order_id and order.is_over)
     return next((listed_end(order, robot.queue.at) for order in over if robot.queue), None)
 
@@ -140,8 +140,8 @@ def _is_held(state: FleetState, record: CommandRecord, gone: GoneOrder) -> bool:
 
 
 def _removals(state: FleetState, record: CommandRecord, gone: GoneOrder) -> set[Stage]:
-    """Return where this console's other commands since `record` stand that were to remove an order. A clear
-    takes back what this console named, also where it was not listed yet."""
+    """Return the stages of this console's other commands since `record` that were to remove an order. A clear
+    cancels the goals of this console, also those not listed yet."""
     return {
         other.stage
         for other in state.commands
@@ -200,8 +200,8 @@ def _reports_pause(state: FleetState, robot: Robot, record: CommandRecord, wante
 
 
 def _is_repeated(state: FleetState, record: CommandRecord) -> bool:
-    """Tell whether the same was asked again since and reached the robot, as far as is known: that one did
-    it."""
+    """Tell whether the same command was sent since and reached the robot, as far as is known: the effect
+    belongs to that one."""
     return any(
         other.command == record.command
         and other.issued_at > record.issued_at

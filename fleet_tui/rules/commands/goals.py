@@ -1,4 +1,4 @@
-"""Goals as orders: what a robot's action servers list, put together as its queue."""
+"""Goals as orders: the lists of a robot's action servers, combined into its queue."""
 
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -10,7 +10,7 @@ from fleet_tui.model.order import BEGUN, OVER, Order, OrderQueue, OrderState, St
 from fleet_tui.text.limits import MOST_ORDERS
 
 LISTED_FOR = 10.0
-"""Seconds for which a goal that has ended stays in the queue, for the command that gave it."""
+"""Seconds for which an ended goal stays in the queue, for the command that gave it."""
 
 Goals = Mapping[str, tuple[Goal, ...]]
 """The goals of each action."""
@@ -19,8 +19,8 @@ Goals = Mapping[str, tuple[Goal, ...]]
 def with_reported(
     known: Goals, action: str, reported: Sequence[Goal], at: float, last: int, is_whole: bool = True
 ) -> Goals:
-    """Return the goals after an action server has listed its own, oldest first; what is missing in a list
-    that is not whole stays as it was. `last` is the highest serial so far."""
+    """Return the goals after an action server has listed its own, oldest first; goals missing in an
+    incomplete list stay. `last` is the highest serial so far."""
     before = {goal.uuid: goal for goal in known.get(action, ())}
     if not is_whole:
         reported = [
@@ -39,7 +39,7 @@ def with_reported(
 
 
 def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
-    """A goal as it was, with what a list tells of it now."""
+    """Return a goal updated by a list."""
     begun = seen_at if old.begun_at is None and goal.state in BEGUN else old.begun_at
     ended = seen_at if old.ended_at is None and goal.state in OVER else old.ended_at
     return replace(
@@ -55,7 +55,7 @@ def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
 
 
 def _with_replaced(before: Mapping[str, Goal], goals: Sequence[Goal]) -> Iterable[Goal]:
-    """A goal that fails at the moment at which a newer one has come was replaced by it."""
+    """Mark a goal that fails just when a newer one arrives as replaced by it."""
     for goal in goals:
         old = before.get(goal.uuid)
         was_over = old is not None and old.state in OVER
@@ -69,7 +69,7 @@ def _with_replaced(before: Mapping[str, Goal], goals: Sequence[Goal]) -> Iterabl
 
 
 def _with_legs(goals: Goals) -> Goals:
-    """Mark the goals that a leading one gave while it was under way."""
+    """Mark the goals that a leading one gave while it was active."""
     leaders = [goal for listed in goals.values() for goal in listed if goal.leads and goal.state in BEGUN]
     if not leaders:
         return goals
@@ -86,8 +86,8 @@ def _is_leg_of(leaders: Sequence[Goal], goal: Goal) -> bool:
 
 
 def queue_of(goals: Goals, at: float, offset: float | None, last: int = 0) -> OrderQueue:
-    """Return the goals as a queue: those under way, and those that have just ended. `offset`: by how many
-    seconds our clock is ahead of the robot's; `last`: the highest serial before."""
+    """Return the goals as a queue: the active ones, and those just ended. `offset`: seconds by which our
+    clock is ahead of the robot's; `last`: the highest serial before."""
     own = sorted(
         (goal for listed in goals.values() for goal in listed if not goal.is_leg),
         key=lambda goal: goal.serial,
@@ -113,7 +113,7 @@ def queue_of(goals: Goals, at: float, offset: float | None, last: int = 0) -> Or
 
 
 def with_stops(goals: Goals, id_: str, stops: tuple[Stop, ...], is_ours: bool) -> Goals:
-    """Return the goals, one of them with where it leads to and whether this console gave it."""
+    """Return the goals, one of them with its stops and whether this console gave it."""
     return {
         action: tuple(
             replace(goal, stops=stops, is_ours=is_ours) if goal.id == id_ else goal for goal in listed
@@ -123,14 +123,14 @@ def with_stops(goals: Goals, id_: str, stops: tuple[Stop, ...], is_ours: bool) -
 
 
 def without(goals: Goals, uuids: Collection[str]) -> Goals:
-    """Return the goals but those with these ids."""
+    """Return the goals except those with these ids."""
     return {
         action: tuple(goal for goal in listed if goal.uuid not in uuids) for action, listed in goals.items()
     }
 
 
 def is_given_as(goals: Goals, id_: str, stops: Sequence[Stop]) -> bool:
-    """Tell whether a goal is of the action by which an order with these stops is given."""
+    """Tell whether a goal is of the action used for orders with these stops."""
     leads = any(goal.id == id_ and goal.leads for listed in goals.values() for goal in listed)
     return leads == (len(stops) > 1)
 
@@ -141,5 +141,5 @@ def own_ids(goals: Goals) -> frozenset[str]:
 
 
 def active(goals: Goals) -> list[Goal]:
-    """Return the goals that are under way, legs included."""
+    """Return the active goals, legs included."""
     return [goal for listed in goals.values() for goal in listed if goal.state not in OVER]

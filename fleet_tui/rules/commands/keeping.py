@@ -14,7 +14,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import own_ids
 
 PREFIX = "k"
-"""Begins the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
+"""Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
 SOMEBODY_ELSE = "another client drives"
 
 _WELL = frozenset({Stage.DONE})
@@ -22,8 +22,8 @@ _GOING = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, 
 
 
 def orders_of(state: FleetState, robot: Robot) -> list[CommandRecord]:
-    """Return the orders that this console gave to a robot, in the order in which they are driven: one that
-    was stopped and is kept comes before those that were never begun."""
+    """Return the orders that this console gave to a robot, in driving order: a stopped one that is kept
+    precedes those never begun."""
     found = [
         one
         for one in state.commands
@@ -38,8 +38,7 @@ def waiting(state: FleetState, robot: Robot) -> list[CommandRecord]:
 
 
 def to_keep(state: FleetState, robot: Robot) -> Iterator[tuple[CommandRecord, tuple[Stop, ...]]]:
-    """Return the orders of which something is to be driven that the robot does not know of, with the stops
-    that are left."""
+    """Return the orders with stops unknown to the robot, with the stops that are left."""
     for one in orders_of(state, robot):
         if isinstance(one.command, PlaceOrder):
             if one.stage is Stage.WAITING:
@@ -49,7 +48,7 @@ def to_keep(state: FleetState, robot: Robot) -> Iterator[tuple[CommandRecord, tu
 
 
 def kept_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
-    """Return the orders that wait here, as a queue shows them."""
+    """Return the orders that wait here, as shown in a queue."""
     return tuple(
         Order(one.order_id or "", one.command.stops, None, one.stage.value, 0)
         for one in waiting(state, robot)
@@ -58,13 +57,13 @@ def kept_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
 
 
 def all_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
-    """Return the orders of a robot as they will be driven: its own, then those that wait here."""
+    """Return the orders of a robot in driving sequence: its own, then those that wait here."""
     own = robot.orders.in_sequence()
     return own + kept_orders(state, robot) if robot.kind.keeps_goals else own
 
 
 def clearable(state: FleetState, robot: Robot) -> tuple[Order, ...]:
-    """Return the orders that a clear takes back: all, but of goals only those that this console gave."""
+    """Return the orders that a clear cancels: all, but of goals only those that this console gave."""
     listed = tuple(order for order in all_orders(state, robot) if not order.is_over)
     if not robot.kind.keeps_goals:
         return listed
@@ -73,21 +72,21 @@ def clearable(state: FleetState, robot: Robot) -> tuple[Order, ...]:
 
 
 def next_id(state: FleetState, robot: Robot) -> str:
-    """Return an id for an order that begins to wait."""
+    """Return an id for a new waiting order."""
     taken = [one.order_id or "" for one in orders_of(state, robot)]
     numbers = [int(id_[1:]) for id_ in taken if id_.startswith(PREFIX) and id_[1:].isdigit()]
     return f"{PREFIX}{max(numbers, default=0) + 1}"
 
 
 def foreign(state: FleetState, robot: Robot) -> list[Order]:
-    """Return the orders under way that this console did not give, as far as it knows its own."""
+    """Return the active orders from other clients, as far as this console knows its own."""
     known = {one.order_id for one in orders_of(state, robot)}
     unknown = any(one.stage in _GOING for one in orders_of(state, robot))
     return [] if unknown else [order for order in robot.orders.open if order.id not in known]
 
 
 def is_busy(state: FleetState, robot: Robot, command_id: int) -> bool:
-    """Tell whether the order of a command, if it left now, would replace another one, overtake it, or let a
+    """Tell whether the order of a command, if sent now, would replace another one, overtake it, or let a
     paused robot drive."""
     return (
         bool(robot.orders.open)
@@ -101,7 +100,7 @@ def is_busy(state: FleetState, robot: Robot, command_id: int) -> bool:
 
 
 def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
-    """Return the order that may leave now, if any: the one before is done, and nothing speaks against it."""
+    """Return the order that may be sent now, if any: the one before is done, and there is no objection."""
     kept = waiting(state, robot)
     if not kept or robot.held or state.is_paused(robot) or not state.is_online(robot):
         return None
@@ -110,13 +109,13 @@ def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
     others = (one for one in orders_of(state, robot) if one.stage is not Stage.WAITING)
     if any(one.stage in _GOING or one.has_open_order for one in others):
         return None
-    # Between two ticks something may have happened that holds the queue from the next one on.
+    # An event between two ticks may hold the queue from the next one on.
     return None if next(_reasons(state, robot), "") else kept[0]
 
 
 def withdrawn(state: FleetState, command_id: int, since: float) -> str:
-    """Say why a goal that was given a moment ago, at `since` (monotonic), must not leave any more; empty
-    where it may, and of any other command."""
+    """Return the reason not to send a goal any more that was given a moment ago, at `since` (monotonic);
+    empty if it may be sent, and for any other command."""
     record = next((one for one in state.commands if one.id == command_id), None)
     is_order = record is not None and isinstance(record.command, PlaceOrder)
     if record and not (is_order and state.robots[record.command.robot].kind.keeps_goals):
@@ -134,12 +133,12 @@ def withdrawn(state: FleetState, command_id: int, since: float) -> str:
 
 
 def hold_all(state: FleetState, reason: str) -> Iterator[QueueHeld]:
-    """Return the facts that hold every queue of which something is left to give."""
+    """Return the events that hold every queue with stops left to send."""
     return (QueueHeld(robot.name, reason) for robot in state.robots.values() if any(to_keep(state, robot)))
 
 
 def with_held_queues(state: FleetState) -> FleetState:
-    """Hold the queue of each robot where something happened that the operator must know of first."""
+    """Hold the queue of each robot after an event that the operator must know of first."""
     held = {
         robot.name: replace(robot, held=reason)
         for robot in state.robots.values()
@@ -149,8 +148,8 @@ def with_held_queues(state: FleetState) -> FleetState:
 
 
 def _held(state: FleetState, robot: Robot) -> str:
-    """Return why its queue is held from now on: the first reason counts, as long as something is left to
-    give, be it the next stop of the order that is driven now."""
+    """Return the reason to hold its queue from now on: the first one counts, as long as there is something to
+    send, even the next stop of the current order."""
     if not any(to_keep(state, robot)):
         return ""
     return robot.held or next(_reasons(state, robot), "")

@@ -6,7 +6,7 @@ from fleet_tui.model.robot import Robot
 
 
 def last_command(state: FleetState, robot: Robot, *kinds: type[Command]) -> CommandRecord | None:
-    """The newest command of these kinds that was given to the robot from here."""
+    """Return the newest command of these kinds that this console gave to the robot."""
     ours = (one for one in reversed(state.commands) if one.command.robot == robot.name)
     return next((one for one in ours if isinstance(one.command, kinds)), None)
 
@@ -15,7 +15,8 @@ _UNDONE = frozenset({Stage.CHECKED, Stage.NOT_SENT, Stage.REFUSED, Stage.LOST})
 
 
 def own_pause(state: FleetState, robot: Robot) -> CommandRecord | None:
-    """Find the pause from here that the robot may be under: the last of its kind, unless it did nothing."""
+    """Return the pause from here that the robot may be under: the last of its kind, unless it had no
+    effect."""
     record = last_command(state, robot, PauseRobot, ResumeRobot)
     if record is None or not isinstance(record.command, PauseRobot) or record.stage in _UNDONE:
         return None

@@ -1,4 +1,4 @@
-"""Pauses and resumes: what telemetry says of whether they were carried out."""
+"""Pauses and resumes: the evidence in telemetry that they were carried out."""
 
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
@@ -8,25 +8,25 @@ from fleet_tui.rules.commands.goals import active, own_ids
 from fleet_tui.rules.commands.keeping import orders_of, waiting
 
 STANDS_AFTER = 1.0
-"""Seconds without movement after which a robot stands, and with which it counted as moving."""
+"""Seconds without movement after which a robot counts as standing, and within which it counted as moving."""
 
 FOREIGN_STOPPED = "stopped, also another client's goal, not resumable from here"
 """Detail of a pause that cancelled another client's goal."""
 
 WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
-"""Where telemetry decides."""
+"""Text of a pause that telemetry decides."""
 
 
 def own_pause_text(state: FleetState, robot: Robot) -> str:
-    """Return how a robot that does not tell its pauses is paused, as far as this console knows."""
+    """Return the pause state of a robot that does not report it, as far as this console knows."""
     if robot.kind.holds:
         return "stopped, goal kept here" if waiting(state, robot) else "stopped, no goal to keep"
     return "paused (by us)"
 
 
 def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
-    """Tell whether a pause's or resume's opposite was given since and took effect, as far as is known:
-    what is seen from then on is the doing of that one."""
+    """Tell whether the opposite of a pause or resume was given since and took effect, as far as is known:
+    later reports belong to that one."""
     opposite = ResumeRobot if isinstance(record.command, PauseRobot) else PauseRobot
     return any(
         isinstance(other.command, opposite)
@@ -38,15 +38,16 @@ def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
 
 
 def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
-    """Tell whether it has reported one place since the command. A robot may stop so soon that it reports no
-    further one."""
+    """Tell whether it has reported a single place since the command. A robot may stop so soon that it reports
+    no other one."""
     if robot.pose is None or robot.standing is None or state.is_old(robot, "pose"):
         return False
     return robot.pose.at - max(robot.standing.at, record.issued_at) >= STANDS_AFTER
 
 
 def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
-    """The words stay on the screen, and must not read as what the robot is later."""
+    """Return the evidence for a pause or resume. It stays on the screen, and must not read as a later
+    state."""
     taken = Step(Stage.UNVERIFIABLE, state.now) if record.stage is Stage.ACCEPTED else None
     if is_overtaken(state, record):
         return taken
@@ -64,8 +65,8 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
 
 
 def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> Step | None:
-    """A pause that cancels goals is seen when none is under way any more; one that nothing answered to, when
-    a goal was cancelled since."""
+    """Return the evidence of a held pause. One that cancels goals shows when none is active any more; one
+    without an answer, when a goal was cancelled since."""
     if not wanted:
         has_left = any(
             (one.time_of(Stage.SENT) or 0.0) >= record.issued_at for one in orders_of(state, robot)
@@ -80,7 +81,7 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     if robot.orders.open or any(one.has_open_order for one in orders_of(state, robot)):
         return None
     if not state.is_online(robot) or (record.before.moving and not _stopped(state, robot, record)):
-        return None  # something else may drive it on
+        return None  # another client may drive it on
     kept = any(one.order_id for one in waiting(state, robot))
     words = "stopped, goal kept here" if kept else "stopped, no goal to keep"
     ours = own_ids(robot.goals) | {one.order_id for one in orders_of(state, robot)}
@@ -91,7 +92,7 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
 
 
 def late_goals(state: FleetState, record: CommandRecord) -> list[Goal]:
-    """Return the goals that are still to be stopped by a pause: they were first listed after it was sent."""
+    """Return the goals that a pause must still stop: they were first listed after it was sent."""
     robot, sent = state.robots.get(record.command.robot), record.time_of(Stage.SENT)
     if robot is None or sent is None or not robot.kind.holds or not isinstance(record.command, PauseRobot):
         return []
@@ -101,7 +102,7 @@ def late_goals(state: FleetState, record: CommandRecord) -> list[Goal]:
 
 
 def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
-    """Return what telemetry showed where a pause or resume can't be seen to have been carried out."""
+    """Return the evidence of telemetry if a pause or resume can't be seen to have been carried out."""
     wanted = isinstance(record.command, PauseRobot)
     if robot.kind.holds and not state.is_online(robot):
         return "the robot is offline"

@@ -19,7 +19,7 @@ def _name(robot: Robot, vertex: str) -> str:
 
 
 def ends_of(command: commands.Command) -> tuple[str, ...]:
-    """The vertices that an order names."""
+    """Return the vertices that an order names."""
     match command:
         case commands.PlaceOrder(_, stops):
             return vertices_of(stops)
@@ -30,14 +30,14 @@ def ends_of(command: commands.Command) -> tuple[str, ...]:
 
 
 def _legs(command: commands.Command) -> Iterator[tuple[str, str]]:
-    """The vertices of an order that follow each other."""
+    """Return the pairs of consecutive vertices of an order."""
     for one, other in pairwise(command.stops if isinstance(command, commands.PlaceOrder) else ()):
         if one.pose is None and other.pose is None:
             yield one.vertex, other.vertex
 
 
 def unknown_vertex(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
-    """The robot's graphs have the vertices. A missing graph proves nothing."""
+    """Check that the robot's graphs have the vertices. A missing graph proves nothing."""
     missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
     for vertex in ends_of(command):
         if robot.name_of(vertex) is not None:
@@ -66,7 +66,7 @@ def _graphs(robot: Robot) -> Mapping[str, RouteGraph]:
 
 
 def _floors(robot: Robot, vertex: str) -> set[str]:
-    """The floors that have such a vertex. Ids of different floors may be the same."""
+    """Return the floors with such a vertex. Ids of different floors may be the same."""
     return {floor for floor, graph in _graphs(robot).items() if vertex in graph.vertices}
 
 
@@ -75,7 +75,7 @@ def _lifts(graph: RouteGraph) -> list[str]:
 
 
 def _are_joined(graphs: Mapping[str, RouteGraph], start: str, end: str) -> bool:
-    """Tell whether a way is known, on one floor or by elevators, which are all taken to meet."""
+    """Tell whether a way is known, on one floor or by elevators, which are all assumed to connect."""
     if any(graph.path(start, end) for graph in graphs.values()):
         return True
     lifts = [(graph, lift) for graph in graphs.values() for lift in _lifts(graph)] if len(graphs) > 1 else []
@@ -84,12 +84,12 @@ def _are_joined(graphs: Mapping[str, RouteGraph], start: str, end: str) -> bool:
 
 
 def _lack_lifts(robot: Robot, floors: Iterable[str]) -> bool:
-    """Tell whether one of these floors names no elevator: how it is left is not in its graph."""
+    """Tell whether one of these floors names no elevator: its exits are not in its graph."""
     return any(not _lifts(_graphs(robot)[floor]) for floor in floors)
 
 
 def no_path(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
-    """The graph leads from one to the other."""
+    """Check that the graph leads from one to the other."""
     if not robot.knows_all_graphs():
         return
     for start, end in _legs(command):
@@ -101,7 +101,7 @@ def no_path(state: FleetState, robot: Robot, command: commands.Command) -> Itera
 
 
 def no_way_there(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
-    """The graph leads from where the robot is to where the order begins."""
+    """Check that the graph leads from the robot to the start of the order."""
     graphs, floor = _graphs(robot), robot.floor or ""
     here = graphs.get(floor)
     if robot.pose is None or not here or not here.vertices or not robot.knows_all_graphs():
@@ -117,8 +117,8 @@ def no_way_there(state: FleetState, robot: Robot, command: commands.Command) -> 
 
 
 def floor_mismatch(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
-    """The robot and both places are on one floor, or an elevator is known. A floor that is not known
-    proves nothing."""
+    """Check that the robot and both places are on one floor, or an elevator is known. An unknown floor proves
+    nothing."""
     stops = [(robot.name, {floor for floor in _graphs(robot) if floor == robot.floor})]
     stops += [(_name(robot, vertex), _floors(robot, vertex)) for vertex in ends_of(command)]
     for (one, here), (other, there) in pairwise(stops):
@@ -132,7 +132,8 @@ def floor_mismatch(state: FleetState, robot: Robot, command: commands.Command) -
 
 
 def mistakable(robot: Robot, floors: Mapping[str, str]) -> Iterator[Problem]:
-    """The wire knows only ids: one that was chosen on another floor may be another place on this one."""
+    """Check for ambiguous ids: the wire has only ids, and a place chosen on another floor may be another one
+    on this floor."""
     here = robot.charts.get(robot.floor or "")
     for vertex, floor in floors.items():
         if here is None or floor not in robot.charts or floor == robot.floor:

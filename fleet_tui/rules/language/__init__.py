@@ -1,1 +1,1 @@
-"""The command language: parsed, completed, places found by what is typed."""
+"""The command language: parsing, completion, finding places by typed text."""

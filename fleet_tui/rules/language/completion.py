@@ -19,7 +19,7 @@ def is_command(line: str, state: FleetState) -> bool:
 
 
 def complete(line: str, state: FleetState, selected: str = "") -> list[str]:
-    """The lines that the last word of this one can become, the likeliest first."""
+    """Return the completions of the last word of a line, best first."""
     done = tokens(line)
     start = len(line)
     if done and not done[-1].separates and not line[-1].isspace():
@@ -40,7 +40,7 @@ def complete(line: str, state: FleetState, selected: str = "") -> list[str]:
 
 
 def _able(state: FleetState, verb: str) -> list[str]:
-    """The robots that accept what a verb asks."""
+    """Return the robots that accept the request of a verb."""
     return [name for name, robot in state.robots.items() if robot.kind.can(verb)]
 
 
@@ -52,8 +52,8 @@ def _robot(token: Token, state: FleetState) -> Robot | None:
 
 
 def _lines(line: str, start: int, words: Iterable[str], last: bool = False) -> list[str]:
-    """The line with its last part, from `start`, become each of the words that begin with it, else
-    contain it."""
+    """Return the line with its last part, from `start`, replaced by each of the words that begin with it,
+    else contain it."""
     typed = line[start:].strip("\"' ").casefold()
     words = list(words)
     found = [word for word in words if word.strip("\"'").casefold().startswith(typed)]

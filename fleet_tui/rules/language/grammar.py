@@ -1,7 +1,7 @@
-"""The command language: what an operator types, in the palette, in a file or after `fleet-tui`.
+"""The command language: typed in the palette, in a file or after `fleet-tui`.
 
     robot_0 Base > Consumidores          robot_0 Base > A > B: Base -> A, then A -> B
-    robot_0 > B                          the cargo on board to B; it alone where it tells of no cargo
+    robot_0 > B                          the cargo on board to B; it alone if it reports no cargo
     order robot_0 Base Consumidores      the same without `>`; labels with spaces in quotes
     cancel 12, cancel robot_0 12         clear robot_0
     pause robot_0, pause all             resume robot_0, resume all
@@ -33,7 +33,7 @@ USAGE = {
 }
 ALL = "all"
 
-# A `-` belongs to the `>` after it only where it stands apart: labels may end with one.
+# A `-` belongs to the `>` after it only if it is separate: labels may end with one.
 _TOKEN = re.compile(
     r"""(?P<to>(?<![^\s>])->|>)|"(?P<two>[^"]*)"(?=[\s>]|$)|'(?P<one>[^']*)'(?=[\s>]|$)|[^\s>]+"""
 )
@@ -49,7 +49,7 @@ class Token(Struct, frozen=True):
 
 
 def tokens(line: str) -> list[Token]:
-    """The words of a line. A quote that is never closed is a letter like others."""
+    """Return the words of a line. A quote that is never closed is an ordinary letter."""
     found = []
     for match in _TOKEN.finditer(line):
         quoted = match["two"] if match["two"] is not None else match["one"]
@@ -59,8 +59,8 @@ def tokens(line: str) -> list[Token]:
 
 
 def parse(line: str, state: FleetState, selected: str = "") -> Request:
-    """Return what a line asks; `selected` is the robot where `cancel` names none. CommandError names the
-    word that is wrong, and the nearest right one."""
+    """Return the request of a line; `selected` is the robot if `cancel` names none. CommandError names the
+    wrong word, and the nearest right one."""
     found = tokens(line)
     if any(token.separates for token in found):
         return _route(line, found, state)
@@ -68,7 +68,7 @@ def parse(line: str, state: FleetState, selected: str = "") -> Request:
 
 
 def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> Request:
-    """The same for words that are apart already, as a shell hands them over."""
+    """Return the request of separate words, as a shell passes them."""
     if not words:
         raise CommandError("missing command: " + "; ".join(USAGE.values()))
     verb, *rest = words[0].casefold(), *words[1:]
@@ -93,7 +93,7 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
 
 
 def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot:
-    """A robot by its name, whatever the case where that is clear, or by its number."""
+    """Return a robot by its name, in any case if unambiguous, or by its number."""
     same = [name for name in state.robots if name.casefold() == word.casefold()]
     for name in [word] if word in state.robots else same if len(same) == 1 else []:
         return state.robots[name]
@@ -111,7 +111,7 @@ def _robots(word: str, state: FleetState) -> list[str]:
 
 
 def _order_id(state: FleetState, robot: Robot, word: str) -> str:
-    """The id that a word means: one of the queue, or any number, since the queue may be old."""
+    """Return the id of a word: one of the queue, or any number, since the queue may be old."""
     if any(order.id == word for order in all_orders(state, robot)):
         return word
     if not NUMBER.fullmatch(word):
@@ -124,19 +124,19 @@ def _said(word: str) -> str:
 
 
 def _vertex_id(robot: Robot, word: str) -> str:
-    """The vertex id that a word is, empty for none: one of the robot's graphs, or any number."""
+    """Return the vertex id of a word, empty for none: one of the robot's graphs, or any number."""
     if robot.name_of(word) is not None:
         return word
     return plain_id(word) if NUMBER.fullmatch(word) else ""
 
 
 def _vertex(robot: Robot, word: str) -> tuple[str, str]:
-    """The vertex that a word means, and its floor where it was called by its label."""
+    """Return the vertex of a word, and its floor if it was named by its label."""
     id_ = _vertex_id(robot, word.removeprefix("id="))
     if word.startswith("id=") and id_:
         return id_, ""
     if NUMBER.fullmatch(word) and word.startswith("-"):
-        id_ = ""  # a negative number is an id only where that is said
+        id_ = ""  # a negative number is an id only if marked as one
     found = {place.vertex: place for place in called(robot, word)}
     if not found and id_:
         return id_, ""
@@ -153,7 +153,7 @@ def _vertex(robot: Robot, word: str) -> tuple[str, str]:
 
 
 def _order(robot: Robot, named: Sequence[str], only_to: bool = False) -> Request:
-    """A single place is where the cargo on board goes."""
+    """Return an order. A single place is the destination of the cargo on board."""
     found = [_vertex(robot, word) for word in named]
     vertices = [vertex for vertex, _ in found]
     floors = {vertex: floor for vertex, floor in found if floor}
@@ -161,7 +161,7 @@ def _order(robot: Robot, named: Sequence[str], only_to: bool = False) -> Request
 
 
 def _route(line: str, found: list[Token], state: FleetState) -> Request:
-    """`ROBOT FROM > TO > ...`, with or without `order` before it."""
+    """Parse `ROBOT FROM > TO > ...`, with or without `order` before it."""
     if found[0].text.casefold() == "order" and not found[0].separates:
         found = found[1:]
     if not found or found[0].separates:
@@ -187,14 +187,14 @@ def _legs(found: Iterable[Token]) -> list[list[Token]]:
 
 
 def _label(line: str, leg: list[Token]) -> str:
-    """Between two `>` spaces belong to the label."""
+    """Return a label. Between two `>` its spaces belong to it."""
     if len(leg) == 1:
         return leg[0].text
     return line[leg[0].start : leg[-1].end] if leg else ""
 
 
 def written(command: Command, state: FleetState) -> str:
-    """A command as a line that `parse` reads back."""
+    """Return a command as a line that `parse` accepts."""
     match command:
         case PlaceOrder(name, stops):
             robot = state.robots[name]
@@ -212,7 +212,7 @@ def written(command: Command, state: FleetState) -> str:
 
 
 def _word(robot: Robot, vertex: str) -> str:
-    """The label in quotes where it needs them, else the id."""
+    """Return the label, in quotes if needed, else the id."""
     name = robot.name_of(vertex)
     if name is None or not (word := next(_spellings(name), "")):
         return _id_word(vertex)
@@ -227,13 +227,13 @@ def _id_word(vertex: str) -> str:
 
 
 def _quoted(text: str) -> str:
-    """A text as one word of a line, as far as that is possible."""
+    """Return a text as one word of a line, as far as possible."""
     return next(_spellings(text), text)
 
 
 def _spellings(text: str) -> Iterator[str]:
-    """The words of a line that are read back as this text."""
-    # One that begins with a quote might find the end of that quote in the next word.
+    """Return the words of a line that parse to this text."""
+    # One that begins with a quote might end at a quote in the next word.
     plain = [] if text.startswith(("'", '"')) else [text]
     for word in [*plain, f'"{text}"', f"'{text}'"]:
         found = tokens(word)

@@ -1,4 +1,4 @@
-"""Finding a vertex by what an operator types: part of a label, or an id."""
+"""Finding a vertex by typed text: part of a label, or an id."""
 
 import re
 from collections.abc import Sequence
@@ -23,7 +23,7 @@ class Place(Struct, frozen=True):
 
 
 def places(robot: Robot) -> list[Place]:
-    """Every labelled vertex of a robot's graphs, the floor it is on first, by label."""
+    """Return every labelled vertex of a robot's graphs, the floor it is on first, by label."""
     found = [
         Place(vertex, label, floor)
         for floor, chart in robot.charts.items()
@@ -34,7 +34,7 @@ def places(robot: Robot) -> list[Place]:
 
 
 def no_graphs(robot: Robot) -> str:
-    """Name the floors of which a robot has no graph, as the rest of a sentence; empty where it has all."""
+    """Return the floors of which a robot has no graph, as the rest of a sentence; empty if it has all."""
     missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
     if not missing:
         return ""
@@ -44,7 +44,8 @@ def no_graphs(robot: Robot) -> str:
 
 
 def recent_ends(state: FleetState, robot: Robot) -> list[str]:
-    """The vertices to which the robot was last sent, the newest first: by this console, and by its queue."""
+    """Return the vertices to which the robot was last sent, newest first: by this console, and by its
+    queue."""
     given = [
         record.command.stops[-1:]
         for record in reversed(state.commands)
@@ -55,8 +56,8 @@ def recent_ends(state: FleetState, robot: Robot) -> list[str]:
 
 
 def matches(robot: Robot, typed: str, recent: Sequence[str] = ()) -> list[Place]:
-    """The places that what was typed can mean, the best first: whole label, id, start, part; among
-    equals the `recent` ones."""
+    """Return the places that typed text can mean, best first: whole label, id, start, part; among equals the
+    `recent` ones."""
     wanted = typed.strip().casefold()
     rank = {vertex: place for place, vertex in enumerate(recent)}
     everything = sorted(places(robot), key=lambda place: rank.get(place.vertex, len(rank)))
@@ -69,7 +70,7 @@ def matches(robot: Robot, typed: str, recent: Sequence[str] = ()) -> list[Place]
 
 
 def plain_id(word: str) -> str:
-    """An id as a robot writes it: a number without zeros before it, any other text as it is."""
+    """Return an id as a robot writes it: a number without leading zeros, any other text unchanged."""
     return str(int(word)) if NUMBER.fullmatch(word) else word
 
 
@@ -83,22 +84,21 @@ def _by_id(robot: Robot, typed: str) -> list[Place]:
 
 
 def called(robot: Robot, word: str) -> list[Place]:
-    """The places with exactly this label; only where there is none, those that differ in case."""
+    """Return the places with exactly this label; only if there are none, those that differ in case."""
     everything = places(robot)
     same = [place for place in everything if place.name == word]
     return same or [place for place in everything if place.name.casefold() == word.casefold()]
 
 
 def destination_only(robot: Robot) -> bool:
-    """Tell whether an order has no start: cargo on board and nothing to do with it, or a kind that takes
-    none."""
+    """Tell whether an order has no start: cargo on board without an order, or a kind that takes none."""
     accepts = robot.kind.accepts
     idle_with_cargo = robot.has_cargo and not robot.orders.orders
     return ORDER_TO in accepts and (ORDER not in accepts or idle_with_cargo)
 
 
 def may_skip_start(robot: Robot | None) -> bool:
-    """Tell whether an order may have a start or none: a robot that tells of no cargo then simply goes
+    """Tell whether the start of an order is optional: a robot that reports no cargo then simply goes
     there."""
     kind = robot.kind if robot else Kind()
     return ORDER in kind.accepts and ORDER_TO in kind.accepts and "cargo" not in kind.reports

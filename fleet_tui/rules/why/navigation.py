@@ -9,7 +9,7 @@ from fleet_tui.rules.why.reason import Reason, Strength, mission
 
 
 def blocked(state: FleetState, robot: Robot) -> Reason | None:
-    """Its collision monitor holds it back."""
+    """Report that its collision monitor holds it back."""
     if robot.blocked is None or not robot.blocked.value.action:
         return None
     found, fresh = robot.blocked.value, state.is_fresh(robot, "blocked")
@@ -26,7 +26,7 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
-    """Its localisation is uncertain."""
+    """Report that its localisation is uncertain."""
     if robot.variance is None or robot.variance.value <= LOST_ABOVE:
         return None
     evidence = f"localisation uncertainty {2 * robot.variance.value**0.5:.1f} m: set the robot's pose"
@@ -36,7 +36,7 @@ def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def recovering(state: FleetState, robot: Robot) -> Reason | None:
-    """Its navigation tries again and again to find a way on."""
+    """Report that its navigation repeatedly tries to recover."""
     current = robot.orders.current
     if robot.progress is None or current is None or not robot.progress.value.recoveries:
         return None
@@ -46,7 +46,7 @@ def recovering(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def held(state: FleetState, robot: Robot) -> Reason | None:
-    """Orders wait here for the operator."""
+    """Report that orders are held here for the operator."""
     kept = sum(1 for _ in to_keep(state, robot))
     if not kept or not robot.held:
         return None
@@ -55,7 +55,7 @@ def held(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def somebody_else(state: FleetState, robot: Robot) -> Reason | None:
-    """Another client's goal is under way."""
+    """Report that another client's goal is active."""
     if not robot.kind.keeps_goals:
         return None
     orders = foreign(state, robot)

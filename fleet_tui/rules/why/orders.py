@@ -1,4 +1,4 @@
-"""Reasons to stand still that lie in what the robot is to do, and in who is in its way."""
+"""Reasons to stand still from the robot's orders, and from robots in its way."""
 
 from collections.abc import Iterator
 
@@ -20,7 +20,7 @@ from fleet_tui.text.durations import age
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:
-    """Return what was to make it drive is under way, or failed a short while ago."""
+    """Report that a command to drive is open, or failed a short while ago."""
     record = last_command(state, robot, ResumeRobot if state.is_paused(robot) else PlaceOrder)
     if record is None or (robot.orders.current is not None and not state.is_paused(robot)):
         return None
@@ -35,7 +35,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def cargo(state: FleetState, robot: Robot) -> Reason | None:
-    """Loaded, and nobody said where to."""
+    """Report cargo without a destination."""
     if not robot.has_cargo or robot.queue is None or robot.orders.open:
         return None
     strength = Strength.POSSIBLE if state.is_old(robot, "queue") else Strength.CERTAIN
@@ -44,7 +44,7 @@ def cargo(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def no_orders(state: FleetState, robot: Robot) -> Reason | None:
-    """Nothing to drive."""
+    """Report that it has no order."""
     if not robot.kind.lists_orders or waiting(state, robot):
         return None
     if robot.queue is None:
@@ -63,7 +63,7 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def at_stop(state: FleetState, robot: Robot) -> Reason | None:
-    """Loading and unloading take a moment."""
+    """Report a stop: loading and unloading take a moment."""
     order, here, since = robot.orders.current, vertex_here(robot), stands_since(robot)
     if order is None or since is None or here is None or here != next_stop(robot):
         return None
@@ -73,7 +73,7 @@ def at_stop(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
-    """Another robot is on the next vertices and edges of its way."""
+    """Report another robot on the next vertices and edges of its way."""
     found = in_the_way(state, robot)
     if found is None:
         return None
@@ -91,7 +91,7 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def none_current(_state: FleetState, robot: Robot) -> Reason | None:
-    """It has orders and has begun none."""
+    """Report orders of which none has begun."""
     waiting = robot.orders.open
     if robot.queue is None or not waiting or robot.orders.current is not None:
         return None
@@ -112,7 +112,7 @@ def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
 
 
 def unexplained(state: FleetState, robot: Robot) -> Reason | None:
-    """An order is active, and no report explains why the robot does not move."""
+    """Report an active order without an explanation for standing."""
     order, since = robot.orders.current, stands_since(robot)
     if order is None and not robot.kind.lists_orders:
         return Reason(

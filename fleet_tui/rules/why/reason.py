@@ -1,4 +1,4 @@
-"""One reason why a robot stands still, and how far its evidence carries."""
+"""One reason why a robot stands still, and the strength of its evidence."""
 
 from collections.abc import Callable
 from enum import IntEnum
@@ -23,8 +23,8 @@ class Strength(IntEnum):
 
 
 class Reason(Struct, frozen=True):
-    """`name` is what holds, `evidence` what shows it. Monotonic seconds, None where unknown: `since` it
-    holds, `seen` when it was last reported. `keys` are the ids of the keys that help."""
+    """`name` is the reason, `evidence` the reports that show it. Monotonic seconds, None if unknown: `since`
+    it holds, `seen` when it was last reported. `keys` are the ids of the keys that help."""
 
     name: str
     evidence: str
@@ -38,15 +38,15 @@ Rule = Callable[[FleetState, Robot], Reason | None]
 
 
 def stands_since(robot: Robot) -> float | None:
-    """Since when its pose is the same."""
+    """Return the time since which its pose is the same."""
     return robot.standing.at if robot.standing else None
 
 
 def name_of(robot: Robot, vertex: str) -> str:
-    """A vertex by its label or id; one that no graph of the robot has is marked."""
+    """Return a vertex by its label or id; one missing from every graph of the robot is marked."""
     return robot.name_of(vertex) or f"{vertex}?"
 
 
 def mission(robot: Robot, order: Order) -> str:
-    """An order by its id and its stops."""
+    """Return an order by its id and its stops."""
     return f"order {order.id}, {order.label or route_text(order.stops, partial(name_of, robot))}"

@@ -1,4 +1,4 @@
-"""Reasons to stand still that lie in the robot: what it says of itself, and whether it is heard at all."""
+"""Reasons to stand still from the robot: its own reports, and whether it is online."""
 
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, obstacle_text
@@ -13,7 +13,7 @@ from fleet_tui.rules.why.traffic import graph_here, vertex_here
 from fleet_tui.text.durations import age
 
 JUMPS = 2
-"""This many jumps within JUMPS_WITHIN seconds are no correction any more."""
+"""This many jumps within JUMPS_WITHIN seconds are more than corrections."""
 
 FULL = 95.0
 """Per cent below which a robot at a charger may be charging."""
@@ -22,11 +22,11 @@ FULL = 95.0
 _UNRESOLVED = frozenset(
     {Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED, Stage.LATE}
 )
-"""Where a pause may hold the robot though nothing shows it."""
+"""States in which a pause may hold the robot without evidence."""
 
 
 def moves(state: FleetState, robot: Robot) -> Reason | None:
-    """It does not stand still at all."""
+    """Report that it does not stand still at all."""
     since = stands_since(robot)
     if robot.pose is None or since is None or state.is_old(robot, "pose"):
         return None
@@ -37,7 +37,7 @@ def moves(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def no_link(state: FleetState, robot: Robot) -> Reason | None:
-    """Nobody knows what it does."""
+    """Report that its state is unknown without a link."""
     link = state.links[robot.link]
     if link.phase is Phase.UP:
         return None
@@ -46,7 +46,7 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def unheard(state: FleetState, robot: Robot) -> Reason | None:
-    """The link is there, and the robot is not."""
+    """Report that it is offline while the link is up."""
     if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None
     if robot.heard is None:
@@ -56,7 +56,7 @@ def unheard(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
-    """By its own word, or by our accepted pause where it gives none."""
+    """Report a pause: by its own report, or by our accepted pause if it sends none."""
     if not state.is_paused(robot):
         return None
     record = own_pause(state, robot)
@@ -73,7 +73,7 @@ def paused(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
-    """A pause from here that may still take effect, or took it late, where no topic tells."""
+    """Report a pause from here that may still take effect, or took it late, if no topic reports it."""
     record = own_pause(state, robot)
     if record is None or state.is_paused(robot) or record.stage not in _UNRESOLVED:
         return None
@@ -87,7 +87,7 @@ def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def obstacle(state: FleetState, robot: Robot) -> Reason | None:
-    """Something touches it; a short contact may be a passing one."""
+    """Report contact with an obstacle; a short contact may be a passing one."""
     contact, is_old = robot.obstacle, state.is_old(robot, "obstacle")
     if contact is None or contact.value <= 0.0 or (is_old and not state.was_obstructed(robot)):
         return None
@@ -104,7 +104,7 @@ def obstacle(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
-    """Its place is old while the rest of it is fresh: it may not stand at all."""
+    """Report that its pose is old while its other values are fresh: it may not stand at all."""
     if not state.is_online(robot) or state.is_fresh(robot, "pose") or "pose" not in robot.kind.reports:
         return None
     if robot.pose is None:
@@ -117,7 +117,7 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def jumps(state: FleetState, robot: Robot) -> Reason | None:
-    """Its localisation jumps: most robots then stop, and the pose means nothing."""
+    """Report that its localisation jumps: most robots then stop, and the pose means nothing."""
     recent = [jump for jump in robot.jumps if state.now - jump.at < JUMPS_WITHIN]
     if len(recent) < JUMPS:
         return None
@@ -127,7 +127,7 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def charges(state: FleetState, robot: Robot) -> Reason | None:
-    """It stands at a charger, is not full, and drives no order."""
+    """Report that it is at a charger, is not full, and drives no order."""
     graph, here, battery = graph_here(robot), vertex_here(robot), robot.battery
     if graph is None or here is None or battery is None or robot.orders.current is not None:
         return None
@@ -139,7 +139,8 @@ def charges(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def battery(state: FleetState, robot: Robot) -> Reason | None:
-    """Many robots drive no order on the last of their charge; fewer mind the low limit."""
+    """Report a low battery: many robots drive no order on the last of their charge; fewer respect the low
+    limit."""
     charge, limits = robot.battery, state.limits
     if charge is None or charge.value >= max(limits.battery_low, limits.battery_critical):
         return None

@@ -1,4 +1,4 @@
-"""The way a robot has to drive next, and who stands on it."""
+"""The next way of a robot, and the robots on it."""
 
 import math
 from itertools import pairwise
@@ -12,13 +12,13 @@ from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Robot, RobotMap
 
 AT_VERTEX = 0.5
-"""Metres within which a robot stands at a vertex."""
+"""Metres within which a robot is at a vertex."""
 
 ROBOT_WIDTH = 0.8
-"""Metres beside the line of a way within which a robot stands on it."""
+"""Metres beside the line of a way within which a robot is on it."""
 
 VERTICES_AHEAD = 2
-"""How many vertices of its way are looked at."""
+"""Number of vertices of its way that are checked."""
 
 NEAR = 4.0
 """Metres within which a robot keeps its distance; at a vertex it also waits for the whole next edge."""
@@ -35,8 +35,8 @@ class InTheWay(Struct, frozen=True, eq=False):
 
 
 def stops_left(robot: Robot, order: Order) -> tuple[Stop, ...]:
-    """The stops that an order still leads to, as far as is known: of the current one the last with the cargo
-    on board, else those from the one that its progress names."""
+    """Return the remaining stops of an order, as far as known: of the current one the last with the cargo on
+    board, else those from its progress on."""
     if not robot.orders.is_current(order):
         return order.stops
     if robot.has_cargo:
@@ -45,7 +45,7 @@ def stops_left(robot: Robot, order: Order) -> tuple[Stop, ...]:
 
 
 def _stop_driven_to(robot: Robot, order: Order) -> int | None:
-    """Which of its stops an order leads to now, by its progress."""
+    """Return the current stop of an order, by its progress."""
     progress = robot.progress.value if robot.progress else None
     if progress is None or progress.goal != order.id or progress.stop is None:
         return None
@@ -53,8 +53,8 @@ def _stop_driven_to(robot: Robot, order: Order) -> int | None:
 
 
 def next_stop(robot: Robot) -> str | None:
-    """The vertex that its current order leads to now, None also where it leads to a pose, and where neither
-    cargo nor progress tells which of several stops it is."""
+    """Return the vertex that its current order leads to now, None also if it leads to a pose, and if neither
+    cargo nor progress shows which of several stops it is."""
     order = robot.orders.current
     stops = stops_left(robot, order) if order is not None else ()
     if order is None or not stops:
@@ -66,12 +66,12 @@ def next_stop(robot: Robot) -> str | None:
 
 
 def graph_here(robot: Robot) -> RouteGraph | None:
-    """The robot's own graph of the floor it is on."""
+    """Return the robot's own graph of its floor."""
     return robot.charts.get(robot.floor or "", RobotMap()).graph
 
 
 def vertex_here(robot: Robot) -> str | None:
-    """The vertex at which it stands, None on the way between two."""
+    """Return the vertex at which it stands, None on the way between two."""
     graph = graph_here(robot)
     if graph is None or robot.pose is None:
         return None
@@ -82,7 +82,8 @@ def vertex_here(robot: Robot) -> str | None:
 
 
 def way_ahead(robot: Robot) -> tuple[str, ...]:
-    """The vertices that lie before it on the way to its next stop; to an elevator where that is elsewhere."""
+    """Return the vertices before it on the way to its next stop; to an elevator if that is on another
+    floor."""
     graph, stop = graph_here(robot), next_stop(robot)
     start = _nearest(graph, robot.pose.value) if graph is not None and robot.pose is not None else None
     if graph is None or robot.pose is None or stop is None or start is None:
@@ -96,7 +97,7 @@ def way_ahead(robot: Robot) -> tuple[str, ...]:
 
 
 def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
-    """The nearest robot on the next vertices and edges of its way, seen in the same frame."""
+    """Return the nearest robot on the next vertices and edges of its way, in the same frame."""
     graph, pose = graph_here(robot), robot.pose
     way = way_ahead(robot)[:VERTICES_AHEAD]
     if graph is None or pose is None or not way:
@@ -112,7 +113,8 @@ def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
 
 
 def _same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
-    """Positions are compared only where both are on one floor and their maps lie alike in the world."""
+    """Tell whether positions can be compared: both are on one floor and their maps have the same place in the
+    world."""
     if other.floor is None or other.floor != one.floor or not state.is_fresh(other, "pose"):
         return False
     frames = [robot.charts.get(one.floor, RobotMap()).frame for robot in (one, other)]
@@ -120,8 +122,7 @@ def _same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
 
 
 def _along(points: list[Point], at: Point) -> tuple[float, int] | None:
-    """Return how far along the line a point lies on it, and on which of its parts; None beside or behind
-    it."""
+    """Return the distance of a point along a line, and its part of the line; None beside or behind it."""
     before = 0.0
     for part, ((x, y), (to_x, to_y)) in enumerate(pairwise(points)):
         length = math.dist((x, y), (to_x, to_y))

@@ -1,14 +1,14 @@
 """Reasons why a robot stands still, the likeliest first.
 
-What weighs more comes first, and among equals the sequence of RULES decides:
+The strongest is first, and among equals the sequence of RULES decides:
 
-CERTAIN: the robot's own fresh word, or a fact about the link. Where the robot can't be heard comes before
-what it said last; a pause before an obstacle, since a paused robot would not drive on a free way either;
-a command that failed before the empty queue it left behind.
-LIKELY: follows from several fresh reports (a place, a queue and a charge), none of which says so itself.
-POSSIBLE: would explain it, and so would much else; and whatever a robot said that can't be heard now.
+CERTAIN: the robot's own fresh word, or a fact about the link. A lost connection precedes its last reports; a
+pause before an obstacle, since a paused robot would not drive on a free way either; a command that failed
+before the empty queue it left behind. LIKELY: follows from several fresh reports (a place, a queue and a
+charge), none of which states it alone. POSSIBLE: would explain it, and so would much else; and all reports of
+a robot that is offline.
 
-A robot that moves has no reason to stand. Where nothing weighs, the order that it should drive is named.
+A robot that moves has no reason to stand. Without any evidence, the order that it should drive is named.
 """
 
 from msgspec.structs import replace
@@ -40,7 +40,7 @@ from fleet_tui.rules.why.robot import (
 )
 
 DEAF: tuple[Rule, ...] = (no_link, unheard)
-"""Where one of these holds, everything else is what it said before."""
+"""If one of these holds, everything else is an earlier report."""
 
 RULES: tuple[Rule, ...] = (
     paused,
@@ -65,7 +65,8 @@ def _held(rules: tuple[Rule, ...], state: FleetState, robot: Robot) -> list[Reas
 
 
 def reasons(state: FleetState, robot: Robot) -> list[Reason]:
-    """Return why it stands still, the likeliest first: at least one, and only that it moves where it does."""
+    """Return the reasons why it stands still, the likeliest first: at least one, and only that it moves if it
+    does."""
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
         return deaf + [replace(reason, strength=Strength.POSSIBLE) for reason in others]
