@@ -226,7 +226,7 @@ class Connection(roslibpy.Ros):  # type: ignore[misc]  # roslibpy has no types
         self.factory.listener.on_sent(payload)
 
     def _refuse_without_link(self) -> None:
-        # After a server's close frame the connection stays open, and accepts nothing, until one side closes it.
+        # After a server's close frame the connection stays open, and accepts nothing, until one side ends it.
         if not self.is_connected or self.factory._proto.state != _Protocol.STATE_OPEN:
             raise LinkError("no link")
 
