@@ -35,7 +35,7 @@ LOG = logging.getLogger(__name__)
 
 # Records that wait for a writable disk, and seconds between two attempts.
 WAITING, RETRY = 10_000, 1.0
-# Seconds that an event waits for its lines; the sum of those above SLOW is limited to this in each RETRY.
+# Seconds that an event waits for its lines; for those above SLOW, in total, this many in each RETRY.
 PATIENCE, SLOW, SLOW_TOGETHER = 0.05, 0.02, 0.1
 # Seconds at the end after which an unresponsive disk is given up.
 LAST_CHANCE = 0.5
