@@ -13,7 +13,7 @@ LARGEST = 500_000
 """Maximum bytes of a configuration or a theme."""
 
 _MANY_PARTS = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){30}""")
-"""Maximum dots in a key: tomllib takes memory with the square of them."""
+"""Matches a deeply nested key: tomllib takes memory with the square of its parts."""
 
 
 def _without_waiting(path: str, flags: int) -> int:
