@@ -1,1 +1,1 @@
-"""ROS bags, made into recordings so that the console can show them. Only this package knows rosbags."""
+"""ROS bags, converted to recordings so that the console can show them. Only this package imports rosbags."""

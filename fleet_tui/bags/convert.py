@@ -1,4 +1,4 @@
-"""A ROS bag as a recording: what a bridge would have sent, and what the console would have made of it."""
+"""A ROS bag as a recording: the frames that a bridge would have sent, and their events."""
 
 import secrets
 from collections.abc import Callable
@@ -27,7 +27,7 @@ from fleet_tui.recording.records import VERSION, Packer, RecordingHeader, encode
 from fleet_tui.text.limits import truncate
 
 LARGEST = 128 * 2**20
-"""Bytes of a message, in the bag or as a frame."""
+"""Maximum bytes of a message, in the bag or as a frame."""
 TELL_EVERY = 200
 """Messages between two calls of the progress."""
 
@@ -36,9 +36,8 @@ Progress = Callable[[float], None]
 
 @dataclass
 class Report:
-    """The outcome of a conversion: how many of its messages are in the recording, from how many topics, how
-    many could not be read, came before the one before, or have a time that can't be; `notes` are for a
-    person."""
+    """The outcome of a conversion: number of messages in the recording, of topics, and of messages that were
+    unreadable, out of order, or with an impossible time; `notes` are for a person."""
 
     messages: int = 0
     topics: int = 0
@@ -50,8 +49,8 @@ class Report:
 
 
 def convert(path: Path, config: Config, out: Path, progress: Progress = lambda _share: None) -> Report:
-    """Make a recording, which must not be there yet, of the bag's messages that the config asks for.
-    `progress` is told the share that is done. Raises BagError, and leaves no file then."""
+    """Make a recording, which must not exist yet, of the configured messages of a bag. `progress` is called
+    with the share done. Raises BagError, and then leaves no file."""
     with open_bag(path) as bag:
         chosen = choose(bag, config)
         try:
@@ -117,7 +116,7 @@ class _Conversion:
         return report
 
     def _take(self, connection: Any, stamp: int, raw: bytes) -> None:
-        # A database may hold anything where a number belongs.
+        # A database may hold anything in place of a number.
         if not (isinstance(stamp, int) and 0 <= stamp < LAST_SECOND * 1e9 and isinstance(raw, bytes)):
             self._report.impossible += 1
             return
@@ -142,7 +141,7 @@ class _Conversion:
             track.heard(link, frame, framer.is_binary)
 
     def _framer(self, track: Track, connection: Any) -> Framer | None:
-        """Return what writes a connection's messages, None where its type can't be read."""
+        """Return the writer of a connection's messages, None if its type can't be read."""
         key = id(connection)
         if key not in self._framers:
             as_cbor = any(one.large for _, one in self._chosen.by_topic[connection.topic])
@@ -175,8 +174,8 @@ class _Conversion:
         return track
 
     def _first_state(self, wall: float) -> FleetState:
-        """Nothing is known yet. The links are up, or all would be taken for lost; what they are stands where
-        the address of a bridge would."""
+        """Return the state before the first message. The links are up, or all would count as lost; the bag is
+        named in place of the bridge's address."""
         state = initial_state(self._config, FIRST_AT)
         url = OF_BAG + self._bag.path.name
         links = {name: replace(link, url=url, phase=Phase.UP) for name, link in state.links.items()}
@@ -184,7 +183,7 @@ class _Conversion:
 
 
 def _frame(framer: Framer, raw: bytes) -> tuple[bytes, str]:
-    """The frame of a message, or why there is none."""
+    """Return the frame of a message, or the reason that there is none."""
     try:
         return framer.frame(raw), ""
     except Exception as problem:  # noqa: BLE001  # a hostile message leads rosbags into errors of every kind

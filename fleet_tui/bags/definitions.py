@@ -1,7 +1,7 @@
 """The types of a bag's messages, from the definitions in it.
 
-rosbags makes Python code out of names and numbers of a definition, and runs it. So here a definition is
-read, and only what is a plain name or a small number goes on.
+rosbags generates Python code from names and numbers of a definition, and runs it. So here a definition is
+checked, and only plain names and small numbers pass.
 """
 
 import re
@@ -11,11 +11,11 @@ from fleet_tui.bags.opening import BagError
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 LONGEST = 500_000
-"""Characters of a definition with all it refers to."""
+"""Maximum characters of a definition with all referenced ones."""
 MOST_VALUES, DEEPEST = 100_000, 50
-"""Values of a message, those in lists without a fixed size once, and how deep they may be nested."""
+"""Maximum values of a message, those in lists of variable size counted once, and maximum nesting."""
 LONGEST_LIST = 2**27
-"""Values of one list of a message."""
+"""Maximum values of one list of a message."""
 
 _INTEGERS = {f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)}
 BASE = frozenset({"bool", "byte", "char", "float32", "float64", "string", *_INTEGERS})
@@ -37,11 +37,11 @@ _FIELD_NAME = re.compile(r"[A-Za-z]\w*", re.ASCII)
 
 Fields = list[tuple[str, Any]]
 Types = dict[str, tuple[list[Any], Fields]]
-"""As rosbags takes them: for each type its constants, of which we need none, and its fields."""
+"""In the format of rosbags: for each type its constants, unused here, and its fields."""
 
 
 def typestore(connection: Any) -> Any:
-    """Return what reads the messages of a connection. Raises BagError, which names the type."""
+    """Return the reader of a connection's messages. Raises BagError with the type's name."""
     from rosbags.interfaces import MessageDefinitionFormat
     from rosbags.typesys import Stores, get_typestore
 
@@ -88,7 +88,7 @@ def _of_msg(text: str, name: str) -> Types:
 
 
 def _fields(text: str, owner: str) -> Fields:
-    """The fields of one message; constants are left out, and what a field is if nobody sets it."""
+    """Return the fields of one message, without constants and default values."""
     from rosbags.interfaces import Nodetype
 
     found: Fields = []
@@ -110,7 +110,7 @@ def _fields(text: str, owner: str) -> Fields:
 
 
 def _whole(kind: str, owner: str) -> str:
-    """A type's whole name, as one that stands in a definition of the owner means it."""
+    """Return a type's whole name, resolved in a definition of the owner."""
     if kind in BUILT_IN:
         return BUILT_IN[kind]
     package, _, name = kind.rpartition("/")
@@ -120,7 +120,7 @@ def _whole(kind: str, owner: str) -> str:
 
 
 class _Check:
-    """Raises BagError for what would make rosbags write code that is none, or too much of it."""
+    """Raises BagError for a definition from which rosbags would generate invalid or too much code."""
 
     def __init__(self, types: Types, wanted: str) -> None:
         self._types, self._about = types, f"the definition of {truncate(wanted, LONGEST_NAME)}"
@@ -128,7 +128,7 @@ class _Check:
         self._message(wanted, 0)
 
     def _message(self, name: str, depth: int) -> int:
-        """Return how many values a message has."""
+        """Return the number of values in a message."""
         if name in TIMES:
             return 2
         if name not in self._types or not _TYPE_NAME.fullmatch(name):
@@ -149,7 +149,7 @@ class _Check:
         kind, what = desc
         times = 1
         if kind in (Nodetype.ARRAY, Nodetype.SEQUENCE):
-            # Code is written for each part of what has a fixed size, except for numbers.
+            # Code is generated for each part of fixed size, except for numbers.
             times = what[1] if kind == Nodetype.ARRAY else 1
             kind, what = what[0]
         if kind == Nodetype.NAME:

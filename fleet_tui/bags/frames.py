@@ -18,8 +18,8 @@ _KEPT_EMPTY = "structure_needs_at_least_one_member"
 
 
 class Framer:
-    """Writes the messages of one connection. As CBOR where it is a map, as JSON else: NaN and infinities
-    become null there, bytes base64."""
+    """Writes the messages of one connection. Maps as CBOR, others as JSON: NaN and infinities become null
+    there, bytes base64."""
 
     def __init__(self, store: Any, kind: str, topic: str, is_ros1: bool, as_cbor: bool) -> None:
         self.topic, self.is_binary = topic, as_cbor
@@ -28,7 +28,7 @@ class Framer:
         self._spell = _message(store, kind, is_ros1, as_cbor)
 
     def frame(self, raw: bytes) -> bytes:
-        """The frame of a message. What can't be read raises all kinds of errors."""
+        """Return the frame of a message. Unreadable ones raise all kinds of errors."""
         msg = self._spell(self._deserialize(raw, self._kind))
         frame = {"op": "publish", "topic": self.topic, "msg": msg}
         return cbor2.dumps(frame) if self.is_binary else _encode(frame)
@@ -36,11 +36,11 @@ class Framer:
 
 def _message(store: Any, kind: str, is_ros1: bool, as_cbor: bool) -> Spell:
     if kind in TIMES and is_ros1:
-        # A time of ROS 1 has no sign, rosbags reads it with one: it would end in 2038.
+        # A time of ROS 1 is unsigned, rosbags reads it as signed: it would end in 2038.
         mask = 2**32 - 1 if kind == BUILT_IN["time"] else -1
         return lambda time: {"secs": time.sec & mask, "nsecs": time.nanosec}
     fields = [
-        # rosbags avoids the words of Python, the wire does not.
+        # rosbags renames Python keywords, the wire does not.
         (name, name + "_" * keyword.iskeyword(name), _field(store, desc, is_ros1, as_cbor))
         for name, desc in store.fielddefs[kind][1]
         if name != _KEPT_EMPTY
@@ -72,7 +72,7 @@ def _field(store: Any, desc: Any, is_ros1: bool, as_cbor: bool) -> Spell:
 
 
 def _array(of: str, as_cbor: bool) -> Spell:
-    """A list of text or numbers; the latter are numpy's."""
+    """Return a list of text or numbers; the latter are numpy's."""
     if of == "string":
         return list
     if of in ("uint8", "char"):

@@ -1,4 +1,4 @@
-"""Opens a ROS bag, whatever is in it: errors in plain words, and no more memory than there is."""
+"""Opens a ROS bag safely: errors in plain words, and bounded memory."""
 
 import resource
 from collections.abc import Iterator
@@ -11,14 +11,14 @@ from fleet_tui.text.limits import truncate
 
 SUFFIXES = (".bag", ".db3", ".mcap")
 MEMORY = 4 * 2**30
-"""Bytes that reading may take: a few bytes of a compressed bag can stand for more than fits anywhere."""
+"""Maximum bytes for reading: a few bytes of a compressed bag can expand beyond all memory."""
 LARGEST_METADATA = 16 * 2**20
-"""Bytes of a metadata.yaml."""
+"""Maximum bytes of a metadata.yaml."""
 MISSING = "ROS bags need rosbags, which is not installed: pip install 'fleet-tui[bags]'"
 
 _REINDEX = "truncated or damaged: repair a ROS 1 bag with `rosbag reindex {name}`"
 _RECOVER = "truncated or damaged: repair it with `mcap recover {name} -o mended.mcap`"
-# What rosbags says (0.11), and what that means to a person.
+# Messages of rosbags (0.11), and their meaning for a person.
 _WORDS = {
     "not indexed": f"no index: {_REINDEX}",
     "index looks damaged": _REINDEX,
@@ -35,7 +35,7 @@ _WORDS = {
 
 
 class BagError(FleetError):
-    """A bag that can't be shown, and what to do."""
+    """A bag that can't be shown, and the remedy."""
 
 
 def is_bag(path: Path) -> bool:
@@ -52,8 +52,8 @@ class Bag:
         self.connections: list[Any] = list(reader.connections)
 
     def messages(self, connections: list[Any]) -> Iterator[tuple[Any, int, bytes]]:
-        """The messages of these connections: which one, nanoseconds since 1970, as they were sent.
-        Raises BagError where they can't be read on."""
+        """Yield the messages of these connections: connection, nanoseconds since 1970, raw message. Raises
+        BagError at unreadable data."""
         with _in_words(self.path):
             yield from self._reader.messages(connections)
 
@@ -84,7 +84,7 @@ def _closing(path: Path, kind: Any) -> Iterator[Any]:
 
 
 def _check(path: Path) -> int:
-    """The size of all its files, in bytes. Raises BagError for what is none, before anything is opened."""
+    """Return the size of all its files, in bytes. Raises BagError for invalid ones, before any is opened."""
     try:
         if not path.exists():
             raise BagError(f"{path}: no such file")
@@ -136,11 +136,11 @@ def _words(path: Path, problem: Exception) -> str:
 
 @contextmanager
 def _bounded(memory: int, size: int) -> Iterator[None]:
-    """Memory, and files that are unpacked, within bounds; `size` is that of the bag."""
+    """Limit memory and unpacked files; `size` is that of the bag."""
     try:
         in_use = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
     except OSError:
-        # Not on Linux, where alone the limit of memory is kept.
+        # Not on Linux, the only system that enforces the limit of memory.
         yield
         return
     wanted = {resource.RLIMIT_AS: in_use + memory, resource.RLIMIT_FSIZE: 100 * size + 2**30}

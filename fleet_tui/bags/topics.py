@@ -1,4 +1,4 @@
-"""Which of a bag's topics are wanted, and what to say of the others."""
+"""The configured topics of a bag, and notes on the others."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -14,16 +14,16 @@ from fleet_tui.state.reducer import LIVE_MAPS_KEPT
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 NAMED = 5
-"""Topics or robots that a message names; how many more there are, it says."""
+"""Maximum topics or robots that a message names; the number of others follows."""
 
 ByTopic = dict[str, list[tuple[str, Feed]]]
-"""For whom each topic is: a link, and what it wants."""
+"""The users of each topic: a link, and its feed."""
 
 
 @dataclass
 class Chosen:
-    """The connections to read, for whom each topic is, by link, and what a person should know. `refused`
-    are topics whose type is another one, by robot."""
+    """The connections to read, the users of each topic, by link, and notes for a person. `refused` are topics
+    of another type, by robot."""
 
     connections: list[Any] = field(default_factory=list)
     by_topic: ByTopic = field(default_factory=dict)
@@ -32,7 +32,7 @@ class Chosen:
 
 
 def choose(bag: Bag, config: Config) -> Chosen:
-    """Return what is to be read of a bag. Raises BagError where that is nothing."""
+    """Return the selection from a bag. Raises BagError if that is empty."""
     adapters = adapters_of(config)
     wanted = _wanted(config, adapters)
     there = {one.topic: plain_type(one.msgtype) for one in bag.connections}
@@ -69,7 +69,7 @@ def _take(chosen: Chosen, connection: Any, adapters: Mapping[str, Adapter]) -> N
 
 
 def _leave_maps(chosen: Chosen) -> None:
-    """The picture keeps so many live maps, and of a bag none can be asked for again: the first ones."""
+    """Drop live maps above the state's limit, since a bag's can't be requested again: the first ones stay."""
     taken = {connection.topic for connection in chosen.connections}
     maps = [
         topic
@@ -93,13 +93,13 @@ def _nothing(chosen: Chosen, wanted: ByTopic, there: Mapping[str, str]) -> str:
 
 
 def _near(wanted: Feed, others: Mapping[str, str]) -> str:
-    """A topic of that type that may be meant."""
+    """Return a topic of that type that may be the intended one."""
     kind = plain_type(wanted.type)
     return did_you_mean(wanted.address, [topic for topic, of in others.items() if of == kind])
 
 
 def _absent(config: Config, wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
-    """Robots of which there is nothing."""
+    """Return the robots without any topic."""
     present = _present(wanted, there)
     absent = [robot.name for robot in config.robots if robot.name not in present]
     return [f"not in the bag: {_some(absent)}"] if absent else []
@@ -110,7 +110,7 @@ def _present(wanted: ByTopic, there: Mapping[str, str]) -> set[str]:
 
 
 def _missing(wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
-    """Topics of the other robots."""
+    """Return the missing topics of the other robots."""
     present = _present(wanted, there)
     others = {topic: kind for topic, kind in there.items() if topic not in wanted}
     missing = [one for topic, ((_, one), *_) in wanted.items() if topic not in there and one.robot in present]

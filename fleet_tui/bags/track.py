@@ -1,4 +1,4 @@
-"""A recording while it is made of something that is long over: its clock is that of what is read."""
+"""A recording made of past data: its clock is that of the data."""
 
 import math
 
@@ -11,23 +11,22 @@ from fleet_tui.recording.play.frames import Frames
 from fleet_tui.recording.records import Heard, Keyframe, Mark, Packer, Record, Told, encode
 
 FIRST_AT = 1.0
-"""Monotonic seconds at which it begins."""
+"""Monotonic seconds at its beginning."""
 TICKS_PER_SECOND = 10
-"""As the link tells the time."""
+"""Seconds between ticks, as on a live link."""
 KEYFRAME_EVERY = 60.0
 """Seconds."""
 LONGEST_SILENCE = 7200.0
-"""Seconds without a message that are ticked through; of a longer silence the rest is leapt over."""
+"""Seconds without a message that have ticks; the rest of a longer silence is skipped."""
 
 
 class Track:
-    """Writes what is told to it, and what the clock and the alarms do meanwhile. What can't be written
-    raises OSError."""
+    """Writes events, and the ticks and alarms between them. Raises OSError if it can't write."""
 
     def __init__(
         self, file: PartFile, config: Config, state: FleetState, origin: Origin, wall: float
     ) -> None:
-        """Go on after the header, at a Unix time, with a state whose `now` is FIRST_AT."""
+        """Continue after the header, at a Unix time, with a state whose `now` is FIRST_AT."""
         self.at, self.state = FIRST_AT, state
         self._file, self._origin, self._begun_wall = file, origin, wall
         self._frames, self._packer = Frames(config), Packer()
@@ -37,22 +36,22 @@ class Track:
 
     @property
     def wall(self) -> float:
-        """The Unix time it is."""
+        """Return the current Unix time."""
         return self._begun_wall + self.at - FIRST_AT
 
     def heard(self, link: str, frame: bytes, is_binary: bool) -> None:
-        """A frame came now."""
+        """Record a frame received now."""
         self._heard[link] = self.at
         text, data = ("", frame) if is_binary else (frame.decode(), b"")
         self._take(Heard(self.at, self.wall, link, "topics", text, data, is_binary))
 
     def told(self, event: Event) -> None:
-        """Something happened now."""
+        """Record an event of now."""
         self._take(Told(self.at, self.wall, event))
 
     def advance(self, seconds: float) -> bool:
-        """Let time pass until so long after the beginning. False where that has been already: then none
-        passes."""
+        """Advance the time to a number of seconds after the beginning. False if that is past: then it
+        stays."""
         until = FIRST_AT + seconds
         if until < self.at:
             return False
@@ -78,7 +77,7 @@ class Track:
         self._ticks += 1
 
     def _take(self, record: Record) -> None:
-        """Write what happened, and what it did to the alarms."""
+        """Write an event, and its effect on the alarms."""
         self._put(record)
         before, self.state = self.state, self._frames.after(self.state, record)
         if before.alarms is not self.state.alarms:
