@@ -1,4 +1,4 @@
-"""Every key of the console in one table, from which bindings, help, palette, footer and config check come."""
+"""Every key of the console in one table, the source of bindings, help, palette, footer and config check."""
 
 from typing import Any
 

@@ -9,8 +9,8 @@ from fleet_tui.keys.key import Key, Pane
 
 
 class DiagnosticsPage(Struct, frozen=True):
-    """`text` is what help says of a page, `enter` the word for Enter in its last line, `keys` the ids of the
-    keys there beside those of all pages."""
+    """`text` is the help of a page, `enter` the label of Enter in its last line, `keys` the ids of its keys
+    besides those of all pages."""
 
     text: str
     enter: str = ""

@@ -7,34 +7,34 @@ from typing import Generic, Literal, TypeVar
 from msgspec import Struct
 
 LISTS = "lists orders"
-"""A need: of robots that say what they are to do."""
+"""A need: of robots that report their orders."""
 
 
 Doer = TypeVar("Doer")
-"""The actions that a key calls one of."""
+"""The protocols of actions that a key can call."""
 
 
 class Pane(Enum):
-    """The places where keys work, with their titles in help."""
+    """The places in which keys work, with their titles in help."""
 
     CONSOLE = "Everywhere"
     ANYWHERE = "Everywhere, also while typing"
-    """Reaches through text fields, forms and modals."""
+    """Works in text fields, forms and modals, too."""
     RECORDING = "The recording"
-    """Everywhere, while one is played."""
+    """Everywhere, while a recording is played."""
     MAP = "Map"
     TABLE = "Tables: fleet, alarms, queue"
     DIAGNOSTICS = "Diagnostics (d)"
 
     @property
     def is_everywhere(self) -> bool:
-        """Tell whether its keys work whatever has the focus."""
+        """Tell whether its keys work with any focus."""
         return self in (Pane.CONSOLE, Pane.ANYWHERE, Pane.RECORDING)
 
 
 class Key(Struct, Generic[Doer], frozen=True):
     """`id` names it in the config; `keys` are the defaults. `action` is a call on the actions of its pane:
-    for tables and diagnostics those of the widget that has the focus, else those of the console."""
+    for tables and diagnostics those of the focused widget, else those of the console."""
 
     id: str
     keys: tuple[str, ...]
@@ -42,29 +42,29 @@ class Key(Struct, Generic[Doer], frozen=True):
     text: str
     pane: Pane = Pane.CONSOLE
     hint: str = ""
-    """The footer's word, empty to stay out of the footer."""
+    """The footer's label, empty to be left out of the footer."""
     needs: str = ""
     """A verb that a robot must accept for the key to be offered, or LISTS."""
     of_any: bool = False
-    """Offered as soon as one robot of the fleet has what it needs, else only for the selected robot."""
+    """Offered as soon as one robot of the fleet has the need, else only for the selected robot."""
     commands: bool = False
-    """Commands robots: a console that can't does not hint at it."""
+    """Commands robots: hidden in the footer of a console without permission."""
     eager: Literal["", "opens", "selects"] = ""
-    """Comes before all else: it opens something to type in, and the next key may already be on its way; or it
-    selects what that is opened for."""
+    """Takes precedence: it opens a text field, and the next key may already be in the queue; or it selects
+    the object for that."""
     helps: Literal["", "stays", "leaves"] = ""
-    """Works while the reasons (`why`) are shown, which stay or are left."""
+    """Works while the reasons (`why`) are shown, which stay or are closed."""
     always: bool = False
-    """Stands at the right end of the footer."""
+    """Shown at the right end of the footer."""
     in_palette: bool = True
     only_live: bool = False
-    """Means nothing while a recording is played."""
+    """Disabled while a recording is played."""
     of_map: bool = False
     """A key of the map that works from every pane."""
 
     @property
     def section(self) -> Pane:
-        """The section of help that lists it."""
+        """Return the section of help that lists it."""
         return Pane.MAP if self.of_map else self.pane
 
 
