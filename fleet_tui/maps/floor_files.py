@@ -14,7 +14,7 @@ def load_floors(config: Config) -> Iterator[FloorGraphLoaded | FloorMapLoaded]:
 
 
 def load_graphs(config: Config) -> Iterator[FloorGraphLoaded]:
-    """Load the graph files alone, for what draws no map."""
+    """Load the graph files alone, for commands that draw no map."""
     for floor in config.floors:
         if floor.graph:
             yield load_floor_graph(floor.name, config.beside(floor.graph))
@@ -22,7 +22,7 @@ def load_graphs(config: Config) -> Iterator[FloorGraphLoaded]:
 
 def load_maps(config: Config) -> Iterator[FloorMapLoaded]:
     """Load the map files alone."""
-    # Its libraries take longer to import than all that a command without a screen does.
+    # Its libraries take longer to import than a whole command without a screen.
     from fleet_tui.maps.images import load_floor_map
 
     for floor in config.floors:

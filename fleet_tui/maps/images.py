@@ -1,4 +1,4 @@
-"""Map images from files: map_server's YAML, or a plain image that map_metadata ties to the world."""
+"""Map images from files: map_server's YAML, or a plain image that map_metadata places in the world."""
 
 import warnings
 from dataclasses import dataclass
@@ -26,10 +26,10 @@ from fleet_tui.model.occupancy import (
 )
 
 MODES = ("trinary", "scale", "raw")
-# Not all that Pillow can: TIFF's library writes on stderr, EPS starts a program.
+# Not all formats of Pillow: TIFF's library writes on stderr, EPS starts a program.
 FORMATS = ("PPM", "PNG", "BMP", "JPEG", "GIF")
 MAX_YAML = 2**16  # bytes
-_BAND = 256  # rows turned into classes at a time: a large image in colour is not copied whole
+_BAND = 256  # rows converted to classes at a time: a large image in colour is not copied whole
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +46,7 @@ class OccupancyThresholds:
 
 
 def load_floor_map(floor: str, path: Path, added: bool) -> FloorMapLoaded:
-    """A floor's map file, or what is wrong with it. Takes long for large images: not for the loop."""
+    """Return a floor's map file, or its error. Takes long for large images: not for the loop."""
     try:
         if path.suffix.lower() in (".yaml", ".yml"):
             return FloorMapLoaded(floor, _from_yaml(path, added))
@@ -71,7 +71,7 @@ def _from_yaml(path: Path, added: bool) -> OccupancyGrid:
         raise MapError("origin must be [x, y, yaw]")
     x, y, yaw = (_number({"origin": part}, "origin") for part in [*origin, 0.0][:3])
     resolution = _number(table, "resolution")
-    # Before the image: a mistake in the small file should not cost the reading of the large one.
+    # Before the image: an error in the small file should not cost the reading of the large one.
     check_frame(MapFrame(resolution, 1, 1))
     classes = _classes(path.parent / table["image"], _reading(table))
     height, width = classes.shape
@@ -81,7 +81,7 @@ def _from_yaml(path: Path, added: bool) -> OccupancyGrid:
 
 
 class _WithoutAliases(yaml.SafeLoader):
-    """Of aliases a few lines can be made that stand for more than fits into any memory."""
+    """Rejects YAML aliases: a few lines can expand to more than fits into memory."""
 
     def compose_node(self, parent: Any, index: Any) -> Any:
         """Compose anything else."""
@@ -122,10 +122,10 @@ def _reading(table: dict[str, Any]) -> OccupancyThresholds:
 
 
 def _classes(path: Path, reading: OccupancyThresholds) -> Classes:
-    """An image file as classes, uint8 of shape (height, width)."""
+    """Return an image file as classes, uint8 of shape (height, width)."""
     try:
         with warnings.catch_warnings():
-            # Pillow's own limit is lower than ours and warns on stderr, which would tear the screen.
+            # Pillow's own limit is lower than ours and warns on stderr, which would garble the screen.
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             with open_file(path) as file, Image.open(file, formats=FORMATS) as image:
                 if image.width * image.height > MAX_PIXELS:
@@ -152,7 +152,7 @@ def _classified(image: Image.Image, reading: OccupancyThresholds) -> Classes:
 
 
 def _channels(image: Image.Image) -> str:
-    """Pillow's name for an image's channels as they count here: grey, deep grey, colour, with alpha."""
+    """Return Pillow's name for the relevant channels of an image: grey, deep grey, colour, with alpha."""
     if image.mode.startswith("I"):
         return image.mode
     if "A" in image.mode or "a" in image.mode or "transparency" in image.info:
@@ -161,10 +161,10 @@ def _channels(image: Image.Image) -> str:
 
 
 def _band_classes(cells: NDArray[Any], reading: OccupancyThresholds) -> Classes:
-    """Rows of pixels, 8 bits or (without channels) 16, as classes.
+    """Return rows of pixels, 8 bits or (without channels) 16, as classes.
 
-    map_server averages the channels, in trinary mode the alpha among them; in scale mode what is
-    not opaque is unknown.
+    map_server averages the channels, in trinary mode the alpha among them; in scale mode non-opaque pixels
+    are unknown.
     """
     if cells.ndim == 2:
         top = 255 if cells.dtype == np.uint8 else 65535
@@ -180,7 +180,7 @@ def _band_classes(cells: NDArray[Any], reading: OccupancyThresholds) -> Classes:
 
 @lru_cache(8)
 def _table_of(top: int, reading: OccupancyThresholds) -> Classes:
-    """The class of every brightness from 0 to `top`."""
+    """Return the class of every brightness from 0 to `top`."""
     bright = np.arange(top + 1)
     if reading.mode == "raw":
         percent = np.rint(bright / top * 255)
@@ -188,7 +188,7 @@ def _table_of(top: int, reading: OccupancyThresholds) -> Classes:
     dark = (bright if reading.negate else top - bright) / top
     between = np.full(top + 1, UNKNOWN, np.uint8)
     if reading.mode == "scale":
-        # What lies between the thresholds is a percentage, and becomes what the live map makes of it.
+        # Values between the thresholds are percentages, classified like those of the live map.
         span = max(reading.occupied_above - reading.free_below, 1e-9)
         percent = np.rint((dark - reading.free_below) / span * 100)
         between = CLASS_OF_CELL[np.clip(percent, 0, 100).astype(np.uint8)]

@@ -28,7 +28,7 @@ class _Task(msgspec.Struct):
 
 
 def decode_apart(profile: Profile, feed: Feed, payload: bytes) -> GridReceived:
-    """A text frame with a map as the event it means. Blocks its thread, not the others.
+    """Return the event of a text frame with a map. Blocks its thread, not the others.
 
     Raises WireError.
     """
@@ -42,14 +42,14 @@ def decode_apart(profile: Profile, feed: Feed, payload: bytes) -> GridReceived:
         raise WireError(f"map of {len(payload):,} bytes: {problem}") from None
     if done.returncode != 0:
         raise WireError(done.stdout.decode(errors="replace") or "decoding process ended early")
-    # From our own child, and nobody else writes to that pipe.
+    # From our own child: that pipe has no other writer.
     grid = pickle.loads(done.stdout)
     assert isinstance(grid, GridReceived)
     return grid
 
 
 def main() -> None:
-    """The process: task and frame from standard input, the event to standard output."""
+    """Run the process: task and frame from standard input, the event to standard output."""
     task = msgspec.json.decode(sys.stdin.buffer.readline(), type=_Task)
     try:
         operation = operations.decode(sys.stdin.buffer.read())

@@ -16,7 +16,7 @@ from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
 MAX_FILE = 40_000_000
-"""Bytes: some 500 for each of the most vertices and edges that are taken."""
+"""Maximum bytes: some 500 for each of the maximum vertices and edges."""
 LINES = ("LineString", "MultiLineString")
 ROLES: Mapping[str, Role] = {
     "elevator": Role.ELEVATOR,
@@ -27,13 +27,13 @@ ROLES: Mapping[str, Role] = {
     "docking": Role.DOCKING,
     "docking_station": Role.DOCKING,
 }
-"""What vertices of a class are for; those of any other are plain."""
+"""Roles by vertex class; all others are plain."""
 
 _Id = Annotated[int, msgspec.Meta(ge=0, lt=2**32)]
 
 
 class _Metadata(msgspec.Struct):
-    """Free as far as Nav2 goes: what is no text here is no label and no class."""
+    """Free in Nav2: a value that is not text is no label and no class."""
 
     name: Any = None
     class_: Any = msgspec.field(default=None, name="class")
@@ -62,7 +62,7 @@ class _Collection(msgspec.Struct):
 
 
 def load_floor_graph(floor: str, path: Path) -> FloorGraphLoaded:
-    """Load a floor's graph file; the event says what is wrong with it."""
+    """Load a floor's graph file; the event has its errors."""
     try:
         return _read(floor, path)
     except GraphError as problem:
@@ -133,7 +133,7 @@ def _feature(raw: msgspec.Raw) -> _Feature:
 
 
 def _vertices(points: Iterable[_Feature], faults: list[str]) -> tuple[dict[str, Vertex], dict[str, str]]:
-    """Return vertices by id, and the labels of those that have one. Of two with one id the later counts."""
+    """Return vertices by id, and the labels of those that have one. Of two with one id the later is used."""
     vertices, labels, read = dict[str, Vertex](), dict[str, str](), list(points)
     if len(read) > MOST_VERTICES:
         faults.append(too_many(len(read), MOST_VERTICES, "vertices"))
@@ -155,7 +155,7 @@ def _vertices(points: Iterable[_Feature], faults: list[str]) -> tuple[dict[str, 
 
 
 def _place(coordinates: msgspec.Raw) -> tuple[float, float]:
-    """Return x and y in metres; a height after them is not looked at. Raises WireError."""
+    """Return x and y in metres; a height after them is ignored. Raises WireError."""
     try:
         x, y, *_ = msgspec.json.decode(coordinates, type=list[float])
     except (msgspec.MsgspecError, ValueError) as problem:
@@ -166,16 +166,17 @@ def _place(coordinates: msgspec.Raw) -> tuple[float, float]:
 
 
 def _text(value: object) -> str:
-    """Return a label or class; a whole number is one, too."""
+    """Return a label or class; a whole number is valid, too."""
     if isinstance(value, int) and not isinstance(value, bool):
         value = str(value)
     return truncate(value.strip(), LONGEST_NAME) if isinstance(value, str) else ""
 
 
 def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: list[str]) -> RouteGraph:
-    """Join vertices. Edges go one way in such a file: only if each has its opposite they become one each.
+    """Join vertices. Edges go one way in such a file: only if each has its opposite, pairs are merged.
 
-    Ids of edges may repeat, as they do in files that come with Nav2: nothing here goes by them."""
+    Ids of edges may repeat, as in files that come with Nav2: they are not used here.
+    """
     ways, read = dict[tuple[str, str], Edge](), list(lines)
     if len(read) > MOST_EDGES:
         faults.append(too_many(len(read), MOST_EDGES, "edges"))
