@@ -1,7 +1,7 @@
 """Access to the server: only for its own pages, by a name of this machine.
 
-A browser lets any page open a websocket to 127.0.0.1, and a name that resolves to it makes any
-page count as ours (DNS rebinding). So the page must come from here, and by no foreign name.
+A browser lets any page open a websocket to 127.0.0.1, and a name that resolves to it makes any page look like
+ours (DNS rebinding). So the page must be from here, and under no foreign name.
 """
 
 import socket
@@ -23,7 +23,7 @@ POLICY = (
 
 
 def is_loopback(host: str) -> bool:
-    """Tell whether only this machine can reach it."""
+    """Tell whether an address can be reached from this machine only."""
     try:
         return ip_address(host).is_loopback
     except ValueError:
@@ -31,7 +31,7 @@ def is_loopback(host: str) -> bool:
 
 
 def is_ours(host: str, names: frozenset[str]) -> bool:
-    """Tell whether a Host header is a plain address, which nobody can rebind, or one of our names."""
+    """Tell whether a Host header is a plain address, which can't be rebound, or one of our names."""
     try:
         name = urlsplit(f"//{host}").hostname or ""
         if name in names:
@@ -43,19 +43,19 @@ def is_ours(host: str, names: frozenset[str]) -> bool:
 
 
 def is_same_origin(origin: str, host: str) -> bool:
-    """Tell whether a page comes from the very server that it speaks to."""
+    """Tell whether a page is from the same server that it connects to."""
     scheme, _, place = origin.partition("://")
     return scheme in ("http", "https") and place == host
 
 
 def names_of(host: str) -> frozenset[str]:
-    """Return what this server is called, listening on `host`."""
+    """Return the names of this server, listening on `host`."""
     own = socket.gethostname().lower()
     return frozenset({"localhost", host} | (set() if is_loopback(host) else {own, f"{own}.local"}))
 
 
 def guard(host: str) -> Middleware:
-    """The check of every request to a server that listens on `host`."""
+    """Return the check of every request to a server that listens on `host`."""
     names = names_of(host)
 
     @web.middleware
@@ -70,6 +70,6 @@ def guard(host: str) -> Middleware:
 
 
 async def say_policy(request: web.Request, response: web.StreamResponse) -> None:
-    """Nothing is fetched from elsewhere, nothing is shown inside another page."""
+    """Set headers: nothing is fetched from elsewhere, nothing is shown inside another page."""
     ours = f"ws://{request.host} wss://{request.host}"
     response.headers.update({**HEADERS, "Content-Security-Policy": f"{POLICY} {ours}"})

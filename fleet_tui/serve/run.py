@@ -1,4 +1,4 @@
-"""The web server: one page, and a console for each tab that shows it."""
+"""The web server: one page, and a console for each open tab."""
 
 import asyncio
 import logging
@@ -18,17 +18,17 @@ from fleet_tui.serve.tab import Tab
 from fleet_tui.stopping import stopped_by_signal
 
 MOST_TABS = 8
-"""Each is a process of some 90 MB."""
+"""Maximum number of consoles, each a process of some 90 MB."""
 WAIT_FOR_A_PLACE = 3.0
-"""Seconds: a page that is loaded again leaves its place and wants one."""
+"""Seconds to wait for a free console: a reloaded page releases one and requests one."""
 LONGEST_MESSAGE = 2**20
-"""Bytes from a page: a paste."""
+"""Maximum bytes from a page: a paste."""
 
 Say = Callable[[str], object]
 
 
 class Consoles:
-    """The page, its files, and the consoles behind it."""
+    """The page, its files, and their consoles."""
 
     def __init__(self, command: Sequence[str]) -> None:
         self._command = command
@@ -36,7 +36,7 @@ class Consoles:
         self._open: set[web.WebSocketResponse] = set()
 
     def application(self, host: str) -> web.Application:
-        """Return what is served."""
+        """Return the web application."""
         app = web.Application(middlewares=[guard(host)])
         files = resources.files(textual_serve) / "static"
         app.add_routes([web.get("/", _page), web.get("/ws", self._tab), web.static("/static", str(files))])
@@ -98,7 +98,7 @@ def run(command: Sequence[str], host: str, port: int, debug: bool, announce: Say
 
 
 async def _serve(command: Sequence[str], host: str, port: int, announce: Say, warn: Say) -> bool:
-    """Serve until something ends it, and say whether that was Ctrl-C."""
+    """Serve until the end, and tell whether that was Ctrl-C."""
     stopped = stopped_by_signal()
     runner = web.AppRunner(Consoles(command).application(host), access_log=None, shutdown_timeout=5.0)
     await runner.setup()
@@ -117,7 +117,7 @@ async def _listen(runner: web.AppRunner, host: str, port: int) -> None:
     try:
         await web.TCPSite(runner, host, port).start()
     except OSError as problem:
-        # asyncio's own words have the address once more; a name that is none has an errno below 0.
+        # asyncio's own text repeats the address; an invalid name has an errno below 0.
         number = problem.errno or 0
         why = os.strerror(number) if number > 0 else problem.strerror or problem
         raise FleetError(f"cannot serve on {host} port {port}: {why}; use --port 0 for a free one") from None

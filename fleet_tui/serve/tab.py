@@ -1,4 +1,4 @@
-"""A browser's tab: a console in a process of its own, spoken to in textual-serve's packets."""
+"""A browser's tab: a console in a process of its own, connected by textual-serve's packets."""
 
 import asyncio
 import os
@@ -14,7 +14,7 @@ from textual_serve.download_manager import DownloadManager
 PATIENCE = 1.5
 """Seconds for a console to end by itself once its tab is closed."""
 WIDEST, HIGHEST = 1000, 500
-"""Cells; a page may say any number."""
+"""Maximum cells; a page may send any number."""
 
 SETTINGS = {
     "TEXTUAL_DRIVER": "fleet_tui.terminal.browser_driver:BrowserDriver",
@@ -27,7 +27,7 @@ _OUR_TERMINAL = ("TMUX", "STY", "TERM_PROGRAM", "TERM_PROGRAM_VERSION", "LINES")
 
 
 class Tab(AppService):
-    """textual-serve's, but: no shell in between, it surely ends, and the page learns of that."""
+    """Like textual-serve's, but without a shell, with a guaranteed end that the page is notified of."""
 
     def __init__(self, command: Sequence[str], websocket: web.WebSocketResponse) -> None:
         super().__init__(
@@ -40,11 +40,12 @@ class Tab(AppService):
         self._arguments, self._websocket = command, websocket
 
     async def _close(self) -> None:
-        """Close the page's end, saying why."""
+        """Close the page's end, with the reason."""
         await self._websocket.close(message=b"The console has ended.")
 
     def _build_environment(self, width: int = 80, height: int = 24) -> dict[str, str]:
-        """Ours, secrets included: they are in no argument. What it says of our terminal is not true there."""
+        """Return our environment, secrets included: they are in no argument. Its terminal settings don't
+        apply there."""
         ours = {name: value for name, value in os.environ.items() if name not in _OUR_TERMINAL}
         return {**ours, **SETTINGS, "COLUMNS": str(width), "ROWS": str(height)}
 
@@ -62,13 +63,13 @@ class Tab(AppService):
         return self._process
 
     async def run(self) -> None:
-        """Hand on what the console sends. When it ends, however, the page must not stay as if it lived."""
+        """Forward the console's output. When it ends, for any reason, the page must not look live."""
         await super().run()
         with suppress(ConnectionError):
             await self._close()
 
     async def stop(self) -> None:
-        """End the process, by force if it doesn't."""
+        """Stop the process, by force if needed."""
         process = self._process
         if process is None:
             return
@@ -77,14 +78,14 @@ class Tab(AppService):
                 await self.send_meta({"type": "quit"})
                 await process.wait()
         with suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGKILL)  # also what it started
+            os.killpg(process.pid, signal.SIGKILL)  # also its child processes
         if self._task is not None:
             self._task.cancel()
         with suppress(TimeoutError):
             await asyncio.wait_for(process.wait(), PATIENCE)
 
     async def hear(self, message: object) -> None:
-        """Do what the page asks; what is none of these it need not have sent."""
+        """Handle a message of the page; others are ignored."""
         match message:
             case ["stdin", str(keys)]:
                 await self.send_bytes(keys.encode("utf-8", "replace"))
@@ -99,5 +100,5 @@ class Tab(AppService):
 
 
 def within(width: int, height: int) -> tuple[int, int]:
-    """A terminal's size that can be painted."""
+    """Return a terminal size limited to one that can be painted."""
     return max(1, min(WIDEST, width)), max(1, min(HIGHEST, height))
