@@ -25,7 +25,7 @@ PLAIN = str.maketrans({sign: plain for signs, plain in _SIGNS.items() for sign i
 
 
 def ascii_fallback(problem: UnicodeError) -> tuple[str, int]:
-    """Return what is written instead of signs that an encoding lacks: a handler of errors for `codecs`."""
+    """Return the replacement of glyphs that an encoding lacks: an error handler for `codecs`."""
     if not isinstance(problem, UnicodeEncodeError):
         raise problem
     missing = problem.object[problem.start : problem.end]

@@ -1,8 +1,9 @@
-"""Details of a command's outcome, as one line adds them."""
+"""Details of a command's outcome, as one line."""
 
 
 def detail_text(detail: str) -> str:
-    """Write a detail after an outcome: `confirmed by the robot`, `refused (no cargo)`; empty for none."""
+    """Return the text of a detail after an outcome: `confirmed by the robot`, `refused (no cargo)`; empty for
+    none."""
     if not detail:
         return ""
     return f" {detail}" if detail.startswith("by ") else f" ({detail})"

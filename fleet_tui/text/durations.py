@@ -1,10 +1,10 @@
-"""Spans of time as a person reads them: one format for the whole program."""
+"""Durations as text: one format for the whole program."""
 
 import math
 
 
 def age(seconds: float) -> str:
-    """Write a span of time in seconds: `4 s`, `3 min`, `2 h`; `never` for an infinite one."""
+    """Return the text of a duration in seconds: `4 s`, `3 min`, `2 h`; `never` for an infinite one."""
     if not math.isfinite(seconds):
         return "never"
     seconds = max(0.0, seconds)

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 _UNSEEN = frozenset({"Cf", "Zl", "Zp", "Cs", "Co", "Cn"})
-# Letters that fill a cell with nothing: Hangul fillers, the braille blank, variation selectors.
+# Letters that fill a cell without a mark: Hangul fillers, the braille blank, variation selectors.
 _BLANK = frozenset("\u115f\u1160\u3164\uffa0\u2800") | {chr(c) for c in range(0xFE00, 0xFE10)}
-MAX_MARKS = 2  # combining marks that one letter may carry; more of them climb into other rows
+MAX_MARKS = 2  # maximum combining marks of a letter; more of them extend into other rows
 
 
 def _safe(letter: str) -> str:
@@ -22,9 +22,9 @@ def _safe(letter: str) -> str:
 
 
 def sanitize(text: str) -> str:
-    """`text` without anything that moves the cursor, hides, or turns the reading direction.
+    """Return `text` without anything that moves the cursor, hides, or turns the reading direction.
 
-    Control characters become their pictures (ESC: ␛), everything else unseen U+FFFD.
+    Control characters become their pictures (ESC: ␛), all other invisible ones U+FFFD.
     """
     return text if text.isascii() and text.isprintable() else _made_visible(text)
 
@@ -45,14 +45,14 @@ def _made_visible(text: str) -> str:
 
 
 def letter_width(letter: str) -> int:
-    """Return how many terminal cells one character takes: 0, 1 or 2."""
+    """Return the width of one character in terminal cells: 0, 1 or 2."""
     if unicodedata.category(letter) in ("Mn", "Me"):
         return 0
     return 2 if unicodedata.east_asian_width(letter) in ("W", "F") else 1
 
 
 def cell_width(text: str) -> int:
-    """Return how many terminal cells `text` takes."""
+    """Return the width of `text` in terminal cells."""
     return len(text) if text.isascii() else _measured(text)
 
 
@@ -62,7 +62,7 @@ def _measured(text: str) -> int:
 
 
 def cells_of(text: str) -> Iterator[tuple[str, int]]:
-    """Each character with its width in cells; marks without a width of their own are left out."""
+    """Yield each character with its width in cells; marks without a width of their own are left out."""
     for letter in text:
         width = letter_width(letter)
         if width:
@@ -70,7 +70,8 @@ def cells_of(text: str) -> Iterator[tuple[str, int]]:
 
 
 def fit(text: str, cells: int, right: bool = False) -> str:
-    """`text`, made safe, in exactly `cells` cells: cut with `…`, or padded (at the left if `right`)."""
+    """Return `text`, sanitized, in exactly `cells` cells: cut with `…`, or padded (at the left if
+    `right`)."""
     text = sanitize(text)
     width = cell_width(text)
     if width > cells:
@@ -80,7 +81,7 @@ def fit(text: str, cells: int, right: bool = False) -> str:
 
 
 def _cut(text: str, cells: int) -> tuple[str, int]:
-    """The start of `text` with an ellipsis in at most `cells` cells, and how many it takes."""
+    """Return the start of `text` with an ellipsis in at most `cells` cells, and its width."""
     if cells < 1:
         return "", 0
     kept, width = [], 0

@@ -1,17 +1,17 @@
-"""Sizes, rates and ages as a person reads them."""
+"""Sizes, rates and ages as text."""
 
 from fleet_tui.text.durations import age
 
 
 def size_text(count: float) -> str:
-    """Bytes: `312 B`, `1.2 kB`, `3.4 MB`."""
+    """Return bytes as text: `312 B`, `1.2 kB`, `3.4 MB`."""
     if count < 1000:
         return f"{count:.0f} B"
     return f"{count / 1e3:.1f} kB" if count < 1e6 else f"{count / 1e6:.1f} MB"
 
 
 def ago(at: float | None, now: float) -> str:
-    """Return how long ago something was, `never` if it was not."""
+    """Return the age of an event, `never` if there was none."""
     if at is None:
         return "never"
     seconds = max(0.0, now - at)
@@ -19,6 +19,6 @@ def ago(at: float | None, now: float) -> str:
 
 
 def milliseconds(seconds: float) -> str:
-    """A short time span: `0.42 ms`, `12 ms`."""
+    """Return a short duration: `0.42 ms`, `12 ms`."""
     found = seconds * 1000
     return f"{found:.2f} ms" if found < 10 else f"{found:.0f} ms"
