@@ -1,4 +1,4 @@
-"""`python -m fleet_tui` and the `fleet-tui` command: every end of the command line has its exit code."""
+"""`python -m fleet_tui` and the `fleet-tui` command: every way to end has its exit code."""
 
 import codecs
 import errno
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
 MOST = 100
-"""Problems of a configuration that are listed at once."""
+"""Maximum number of configuration problems listed at once."""
 
 
 def _more(count: int) -> list[str]:
@@ -54,7 +54,8 @@ def _run_command() -> None:
 
 
 def _open_closed_streams() -> None:
-    """Cron jobs and services may close them: what is opened next would take their places."""
+    """Open closed standard streams, as in cron jobs and services: the next opened file would take their
+    number."""
     sys.stdin = sys.stdin or _nothing("r")
     sys.stdout = sys.stdout or _nothing("w")
     sys.stderr = sys.stderr or _nothing("w")
@@ -65,7 +66,8 @@ def _nothing(mode: str) -> IO[Any]:
 
 
 def _never_fail_to_encode() -> None:
-    """A locale of Latin-1 has no sign of ours, and not every letter of a site's names."""
+    """Replace unencodable characters: Latin-1 has none of our glyphs, and not every letter of a site's
+    names."""
     codecs.register_error("ascii_fallback", ascii_fallback)
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="ascii_fallback")
@@ -81,7 +83,7 @@ def _words(problem: Exception, log: "Path | None") -> str:
 
 def _run() -> None:
     """Run the command line."""
-    # Tracebacks are for --debug, wherever it stands.
+    # Tracebacks need --debug, in any position.
     debug = "--debug" in sys.argv
     try:
         _run_command()
@@ -94,7 +96,7 @@ def _run() -> None:
         _end_saying(problem)
     except Exception as problem:
         if debug:
-            # As Python would say it, but for what the words of an exception could do to a terminal.
+            # Like Python's message, without control characters that could affect a terminal.
             _end(1, *traceback.format_exc().splitlines())
         import logging
 
@@ -106,7 +108,7 @@ def _run() -> None:
 
 
 def main() -> None:
-    """Run the command line; every end has its exit code. What hangs in a thread then is not waited for."""
+    """Run the command line; every way to end has its exit code. Hanging threads are not waited for."""
     code: object = 1
     try:
         _open_closed_streams()
@@ -117,7 +119,7 @@ def main() -> None:
         code = end.code
         raise
     finally:
-        signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second Ctrl-C would only spoil the end of the first
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second Ctrl-C would only garble the end of the first
         end_within(PATIENCE, code if isinstance(code, int) else int(code is not None))
 
 

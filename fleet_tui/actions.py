@@ -1,4 +1,4 @@
-"""Everything that a key of the console can do, as types: the type checker names an action that is missing."""
+"""Every action of the console's keys, as types: the type checker names one that is missing."""
 
 from collections.abc import Callable
 from typing import Protocol
@@ -25,7 +25,7 @@ class MapActions(Protocol):
         """Zoom about the selected robot, or about the centre."""
 
     def follow(self) -> None:
-        """Follow the selected robot, or let it go."""
+        """Follow the selected robot, or stop following."""
 
     def centre(self) -> None:
         """Centre on the selected robot, once."""
@@ -52,7 +52,7 @@ class MapActions(Protocol):
         """Move by steps to the right and down."""
 
     def pick(self) -> None:
-        """Pick what is under the cursor."""
+        """Pick the object under the cursor."""
 
 
 class RowActions(Protocol):
@@ -78,10 +78,10 @@ class DiagnosticsActions(Protocol):
         """Show the next (1) or previous (-1) page."""
 
     def filter(self) -> None:
-        """Type what the rows must contain."""
+        """Filter the rows by typed text."""
 
     def freeze(self) -> None:
-        """Freeze what is shown, or go on."""
+        """Freeze the shown data, or resume."""
 
     def copy(self) -> None:
         """Copy the message or the row to the terminal's clipboard."""
@@ -90,7 +90,7 @@ class DiagnosticsActions(Protocol):
         """Show fewer levels of the robots' log, or all again."""
 
     def show_bad(self) -> None:
-        """Show the last bad message of the topic, or the last one."""
+        """Show the last bad message of the topic, or the newest one."""
 
     def leave(self) -> None:
         """Go one level back."""
@@ -103,26 +103,26 @@ class PlayerActions(Protocol):
         """Play, or stop."""
 
     def skip(self, seconds: float) -> None:
-        """Go on or back by seconds."""
+        """Skip forward or back by seconds."""
 
     def to_mark(self, step: int) -> str:
-        """Go to the next (1) or previous (-1) mark. Returns why it did nothing."""
+        """Go to the next (1) or previous (-1) mark. Returns a notice if there is none."""
 
     def step(self, ticks: int) -> None:
-        """Go one tick on (1) or back (-1), and stop there."""
+        """Move one tick forward (1) or back (-1), and stop there."""
 
     def step_record(self, records: int) -> None:
-        """Go one record on (1) or back (-1), and stop there."""
+        """Move one record forward (1) or back (-1), and stop there."""
 
     def change_speed(self, step: int) -> None:
-        """Play faster (1), slower (-1) or as it was (0)."""
+        """Play faster (1), slower (-1) or at the original speed (0)."""
 
     def to_end(self, step: int) -> None:
         """Go to the beginning (-1) or the end (1)."""
 
 
 Play = Callable[[Callable[[PlayerActions], object]], object]
-"""Has a player do something, and shows the text that it returns."""
+"""Runs an action of a player, and shows the text that it returns."""
 
 
 class AppActions(Struct, frozen=True):
@@ -137,7 +137,7 @@ class AppActions(Struct, frozen=True):
 
 
 class CommandActions(Struct, frozen=True):
-    """Actions from which commands come, or that let them leave."""
+    """Actions that create commands, or permit them."""
 
     order: Act
     cancel: Act
@@ -149,7 +149,7 @@ class CommandActions(Struct, frozen=True):
 
 
 class ViewActions(Struct, frozen=True):
-    """Actions that show something else."""
+    """Actions that change the view."""
 
     help: Act
     palette: Act
@@ -180,7 +180,7 @@ class FileActions(Struct, frozen=True):
 
 
 class Actions(Struct, frozen=True):
-    """All of them: bound methods of the controllers, the overlays and the app."""
+    """All actions: bound methods of the controllers, the overlays and the app."""
 
     app: AppActions
     commands: CommandActions

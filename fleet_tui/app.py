@@ -30,7 +30,7 @@ LOG = logging.getLogger(__name__)
 
 
 def clock(wall: float) -> str:
-    """Unix seconds as a local time of day; a recording may say what is none."""
+    """Return Unix seconds as a local time of day; a recording may contain invalid ones."""
     try:
         return time.strftime("%H:%M:%S", time.localtime(wall)) if wall else ""
     except (OverflowError, ValueError, OSError):
@@ -57,9 +57,9 @@ class FleetApp(LeanApp, inherit_bindings=False):
         terminal: str = "",
         message: str = "",
     ) -> None:
-        """Without a `backend` the console connects to the fleet of `config`. `terminal` is the text about it
-        in help, `message` the first text of the last line."""
-        # Without colour Textual must leave the terminal's own, or it sends greys.
+        """Without a `backend` the console connects to the fleet of `config`. `terminal` is its description in
+        help, `message` the first notice."""
+        # Without colour Textual must use the terminal's own, or it sends greys.
         super().__init__(ansi_color=not colour)
         theme = Theme(**themes[config.ui.theme].textual())
         self._start = self.startup = FirstPaint(self, theme, colour, self._mount_rest)
@@ -71,7 +71,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self.main = MainScreen(store, self.backend, settings, files or ConsoleFiles())
         self._guard = self.faults = FaultGuard(self.main.notices.note)
         self.main.set_inks(themes[config.ui.theme].styles(colour))
-        # Only what differs: Textual goes through the whole keymap at every key.
+        # Only the changes: Textual goes through the whole keymap at every key.
         usual, _ = keymap({})
         self.set_keymap(textual_keymap({id_: key for id_, key in keys.items() if key != usual[id_]}))
 
@@ -92,7 +92,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         )
 
     def get_default_screen(self) -> MainScreen:
-        """The one screen; everything else opens over its map."""
+        """Return the one screen; everything else opens over its map."""
         return self.main
 
     async def on_ready(self) -> None:
@@ -107,7 +107,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self.call_after_refresh(self._connect)
 
     async def _mount_rest(self) -> None:
-        """The map, and what opens over the panes."""
+        """Mount the map, and the overlays."""
         await self.main.mount_rest()
         self.use_theme(self._config.ui.theme)
         self.main.tick()

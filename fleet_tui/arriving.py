@@ -1,4 +1,4 @@
-"""Opens the console: on a configuration, on what is behind an address, or after asking where to go."""
+"""Opens the console: on a configuration, on the robots behind an address, or after asking for one."""
 
 import os
 from typing import TYPE_CHECKING
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 def open_with(
     config_file: str | None, url: str | None, read_only: bool, drawing: str | None, debug: bool
 ) -> None:
-    """Run the console until the operator leaves. Raises FleetError where it can't."""
+    """Run the console until the operator leaves. Raises FleetError if it can't start."""
     from fleet_tui.config.load import find, load
 
     if url and config_file:
@@ -33,21 +33,21 @@ def open_with(
 
 
 def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) -> "DiscoveredSite | None":
-    """Find out what is there, and ask a person about what is not certain; None where they leave."""
+    """Discover the site, and ask a person about uncertain settings; None if they leave."""
     from fleet_tui.discovery.address import bridge_at
     from fleet_tui.discovery.awaiting import Discovering
     from fleet_tui.log_file import log_to_file
 
-    log_to_file(debug)  # what the network's libraries say must not reach the terminal
+    log_to_file(debug)  # messages of the network libraries must not reach the terminal
     discovering = Discovering(bridge_at(url)) if url else None
-    from fleet_tui.console import ask_first  # takes long: discovery goes on
+    from fleet_tui.console import ask_first  # takes long: discovery continues
     from fleet_tui.terminal.detect import IN_BROWSER, need_terminal
 
     need_terminal()
     site = discovering.result() if discovering else None
     if site is not None:
         certain = bool(site.config.robots) and not (site.choices or site.lacks)
-        # A browser's tab takes the pictures of one app alone: nothing can be asked there.
+        # A browser's tab shows a single app: no question can be asked there.
         if IN_BROWSER in os.environ and site.unclear and not read_only:
             raise ConfigError(site.unclear)
         if certain or IN_BROWSER in os.environ:

@@ -1,4 +1,4 @@
-"""The backend: what the console talks to, a live fleet or a recording of one. Typing it costs no import."""
+"""The backend of the console: a live fleet or a recording of one. Typing it costs no import."""
 
 import threading
 from collections.abc import Callable, Mapping
@@ -17,64 +17,64 @@ if TYPE_CHECKING:
 
 
 class Backend(Protocol):
-    """Feeds the store, and takes what the operator wants. Any thread may call."""
+    """Feeds the store, and takes the operator's requests. Callable from any thread."""
 
     @property
     def player(self) -> "Player | None":
-        """The player of a recording, None for a live fleet."""
+        """Return the player of a recording, None for a live fleet."""
 
     @property
     def refusal(self) -> str:
-        """The reason why no command may ever leave, empty where some may."""
+        """Return the reason that no command may ever be sent, empty if some may."""
 
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
-        """Return what came over each link. It changes all the time."""
+        """Return the counters of each link. They change all the time."""
 
     def open(self) -> None:
-        """Begin to feed the store. May take long: called in a thread of its own."""
+        """Start to feed the store. May take long: called in a thread of its own."""
 
     def submit(self, command: Command) -> str:
-        """Send a command now or not at all. Returns why it can't even be tried."""
+        """Send a command now or not at all. Returns the reason that it can't be tried."""
 
     def tell(self, event: Event) -> str:
-        """Take a fact that came from elsewhere into the picture. Returns why it is not taken."""
+        """Apply an event from outside the link. Returns the reason that it is rejected."""
 
     def show_map(self, robot: str, floor: str) -> None:
-        """Ask for the live map of one robot's floor."""
+        """Subscribe to the live map of one robot's floor."""
 
     def subscribe_logs(self, on: bool) -> None:
-        """Listen to the log and diagnostics of all robots, or no longer."""
+        """Subscribe to or unsubscribe from the log and diagnostics of all robots."""
 
     def close(self) -> None:
-        """Let nothing more through."""
+        """Close permanently."""
 
 
 class OpenLinks(Protocol):
-    """All links of a live fleet. Any thread may call."""
+    """All links of a live fleet. Callable from any thread."""
 
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
-        """Return what came over each link. It changes all the time."""
+        """Return the counters of each link. They change all the time."""
 
     def submit(self, command: Command) -> object:
         """Send a command now or not at all."""
 
     def tell(self, event: Event) -> None:
-        """Take a fact that came from elsewhere into the picture."""
+        """Apply an event from outside the link."""
 
     def show_map(self, robot: str, floor: str) -> None:
-        """Ask for the live map of one robot's floor."""
+        """Subscribe to the live map of one robot's floor."""
 
     def subscribe_logs(self, on: bool) -> None:
-        """Listen to the log and diagnostics of all robots, or no longer."""
+        """Subscribe to or unsubscribe from the log and diagnostics of all robots."""
 
     def close(self) -> None:
-        """Let nothing more through."""
+        """Close permanently."""
 
 
 Connect = Callable[[Config, Store, Callable[[OpenLinks], None]], None]
-"""Opens the links, and hands them over as soon as commands can be given to them."""
+"""Opens the links, and passes them on as soon as they accept commands."""
 
 
 def connect_live(
@@ -85,9 +85,8 @@ def connect_live(
     folder: Path | None = None,
     owner: str = "",
 ) -> None:
-    """Connect to every bridge, then load the floors' files. `folder` is where orders are kept for robots that
-    have no queue; without one they are for as long as this process lives. Importing the link takes longer
-    than painting."""
+    """Connect to every bridge, then load the floors' files. `folder` keeps the orders of robots without a
+    queue; without it they last as long as this process. Importing the link takes longer than painting."""
     from fleet_tui.client.fleet_link import FleetLink
     from fleet_tui.client.queue_file import QueueFile
 
@@ -101,7 +100,7 @@ def connect_live(
 
 
 class LiveBackend:
-    """The fleet itself. Until its links are open nothing is sent; what is to be watched is asked for then."""
+    """The live fleet. Until its links are open nothing is sent; subscriptions are made then."""
 
     player = None
     refusal = ""
@@ -131,31 +130,31 @@ class LiveBackend:
 
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
-        """Return what came over each link, nothing before they are open."""
+        """Return the counters of each link, empty before they are open."""
         return self.links.counters if self.links is not None else {}
 
     def submit(self, command: Command) -> str:
-        """Send a command now, or say why not."""
+        """Send a command now, or return the reason not to."""
         if self.links is None:
             return "not sent: console starting"
         self.links.submit(command)
         return ""
 
     def tell(self, event: Event) -> str:
-        """Take a fact into the picture, none before the links are open."""
+        """Apply an event, none before the links are open."""
         if self.links is not None:
             self.links.tell(event)
         return ""
 
     def show_map(self, robot: str, floor: str) -> None:
-        """Ask for the live map of one robot's floor."""
+        """Subscribe to the live map of one robot's floor."""
         with self._changing:
             self._map = robot, floor
             if self.links is not None:
                 self.links.show_map(robot, floor)
 
     def subscribe_logs(self, on: bool) -> None:
-        """Listen to the log and diagnostics of all robots, or no longer."""
+        """Subscribe to or unsubscribe from the log and diagnostics of all robots."""
         with self._changing:
             self._overhears = on
             if self.links is not None:

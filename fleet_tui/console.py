@@ -1,4 +1,4 @@
-"""Opens the console: what the terminal can do, themes, log, then the app."""
+"""Opens the console: terminal capabilities, themes, log, then the app."""
 
 import logging
 import time
@@ -36,7 +36,7 @@ LOG = logging.getLogger(__name__)
 
 
 def _refuse(config: Config, themes: Mapping[str, FleetTheme]) -> None:
-    """Raise ConfigError for what would only show once the screen is open."""
+    """Raise ConfigError for problems that would only show on the open screen."""
     refused = access_problems(config)
     if config.ui.theme not in themes:
         near = did_you_mean(config.ui.theme, themes)
@@ -53,8 +53,8 @@ def open_console(
     demo: bool = False,
     site: "DiscoveredSite | None" = None,
 ) -> None:
-    """Run the console until the operator leaves. What a `demo` did is marked in the audit log; `site`: where
-    the configuration comes from that is in no file."""
+    """Run the console until the operator leaves. Actions in a `demo` are marked in the audit log; `site`: the
+    source of a configuration without a file."""
     saving = None if demo else Saving(config, site)
     if read_only:
         config = watching(config)
@@ -70,7 +70,7 @@ def open_console(
 def _files(
     config: Config, store: Store, demo: bool, saving: Saving | None, until_the_end: ExitStack
 ) -> ConsoleFiles:
-    """Those of a live console; they are closed by `until_the_end`."""
+    """Return the files of a live console; `until_the_end` closes them."""
 
     def open_them(files: ConsoleFiles) -> None:
         from fleet_tui.audit.log import auditing
@@ -103,8 +103,8 @@ def _connect(
 
 
 def ask_first(site: "DiscoveredSite | None", drawing: str | None) -> "DiscoveredSite | None":
-    """Run the screens before the console: what is not certain of a site, or where to go. Return what was
-    chosen, None where the operator left."""
+    """Run the screens before the console: uncertain settings of a site, or the choice of an address. Return
+    the result, None if the operator left."""
     from fleet_tui.config.load import looked_for
     from fleet_tui.entry import EntryApp
 
@@ -125,7 +125,7 @@ def recorded(
     store: Store,
     stands: Callable[[OpenLinks], None],
 ) -> None:
-    """Connect to the fleet; what goes through it is recorded. `folder` is where orders are kept."""
+    """Connect to the fleet and record its traffic. `folder` keeps the orders."""
 
     def keep(links: OpenLinks) -> None:
         stands(links)
@@ -137,7 +137,7 @@ def recorded(
 
 
 def open_replay(config: Config, player: "Player", drawing: str | None, debug: bool) -> None:
-    """Run the console on a recording. No link is made, no audit log kept, no bell rung."""
+    """Run the console on a recording, without a link, an audit log or a bell."""
     make = partial(replaying, config, player, Store(player.state))
     _to_the_end(_ready(config, drawing, debug, make))
 
@@ -152,7 +152,7 @@ def replaying(
     terminal: str = "",
     message: str = "",
 ) -> FleetApp:
-    """The app on a recording: nothing is sent, and nobody called."""
+    """Return the app on a recording: nothing is sent, and no alarm calls."""
     from fleet_tui.recording.play.backend import ReplayBackend
 
     replace = msgspec.structs.replace
@@ -178,8 +178,8 @@ def _ready(
     make: _Make,
     message: str = "",
 ) -> FleetApp:
-    """Return what `make` makes of themes, the way the map is drawn, and whether there is colour; fit for this
-    terminal. Raises FleetError where it can't run."""
+    """Return the result of `make` for the themes, the drawing of the map, and whether there is colour;
+    adapted to this terminal. Raises FleetError if it can't run."""
     need_terminal()
     themes, problems = load_themes(user_folder() / "themes")
     _refuse(config, themes)

@@ -1,4 +1,4 @@
-"""A simulated fleet in a process of its own, and the configuration that points at it."""
+"""A simulated fleet in a process of its own, and its configuration."""
 
 import importlib
 import subprocess
@@ -19,7 +19,7 @@ from fleet_tui.errors import FleetError
 if TYPE_CHECKING:
     from fleet_tui.simulator.site import SitedBridge
 
-# Seconds for the simulator to end by itself.
+# Maximum seconds for the simulator to end by itself.
 PATIENCE = 1.0
 
 
@@ -27,13 +27,14 @@ PATIENCE = 1.0
 def simulated(
     robots: int, floors: int, faults: str = "", speed: float = 1.0, ros: str = "", kind: str = DEFAULT_KIND
 ) -> Iterator[list[str]]:
-    """Start the simulator on free ports; the URLs of its bridges. It ends with us, even if we are killed."""
+    """Start the simulator on free ports; return the URLs of its bridges. It ends with us, even if we are
+    killed."""
     command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0", "--stop-with-stdin"]
     command += ["--robots", str(robots), "--floors", str(floors), "--fault", faults]
     command += ["--speed", str(speed), "--kind", kind, *(["--ros", ros] if ros else [])]
     pipe, nothing = subprocess.PIPE, subprocess.DEVNULL
     with subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=nothing, start_new_session=True) as child:
-        # While it starts, import what takes long.
+        # While it starts, import slow modules.
         importlib.import_module("fleet_tui.app")
         from fleet_tui.simulator.site import site_of
 
@@ -61,8 +62,8 @@ def demo_config(
     folder: Path = Path(),
     further: Sequence[str] = (),
 ) -> Config:
-    """Theme and keys of the config found; links, floors and robots of the simulator. The route graphs of
-    kinds that publish none are written to the folder. `further`: the URLs of all bridges but the first."""
+    """Return theme and keys of the user's config; links, floors and robots of the simulator. The route graphs
+    of kinds that publish none are written to the folder. `further`: the URLs of all bridges but the first."""
     from fleet_tui.simulator.site import site_of
 
     site = site_of(kind, robots, ros)
@@ -83,7 +84,7 @@ def demo_config(
 
 
 def _robots(links: "Mapping[str, SitedBridge]", alone: bool) -> list[RobotEntry]:
-    """The robots behind all links; `alone`: there is only one kind of them."""
+    """Return the robots behind all links; `alone`: all are of one kind."""
     entries = {
         number: RobotEntry(f"robot_{number}", link=link, profile="" if alone else crew.kind)
         for link, bridge in links.items()
@@ -94,7 +95,7 @@ def _robots(links: "Mapping[str, SitedBridge]", alone: bool) -> list[RobotEntry]
 
 
 def graphs_of(kind: str, folder: Path, floors: Sequence[str]) -> dict[str, str]:
-    """Write the route graph of each floor, and return the files by floor; none where every robot publishes
+    """Write the route graph of each floor, and return the files by floor; empty if every robot publishes
     it."""
     from fleet_tui.simulator.site import needs_graph_files
 
@@ -107,7 +108,7 @@ def graphs_of(kind: str, folder: Path, floors: Sequence[str]) -> dict[str, str]:
 
 
 def _profile(kind: str, floors: int, ros: str) -> Profile:
-    """Return how the simulated robots of a kind differ from the usual ones, which run on their usual ROS."""
+    """Return the profile of the simulated robots of a kind, which run on their usual ROS."""
     from fleet_tui.simulator.kinds import KINDS
     from fleet_tui.simulator.run import DIALECTS
 

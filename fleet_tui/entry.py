@@ -1,4 +1,4 @@
-"""The Textual app before the console: a person chooses what it is opened on. Nothing is commanded in it."""
+"""The Textual app before the console: a person chooses the fleet to open. It sends no commands."""
 
 from collections.abc import Sequence
 from typing import ClassVar
@@ -16,8 +16,8 @@ from fleet_tui.themes import FleetTheme
 
 
 class EntryApp(LeanApp, inherit_bindings=False):
-    """Begins with `site`, something of which is not certain, or where there is none with what is at an
-    address. `places`: where a configuration was looked for, each with what is there."""
+    """Begins with the uncertain settings of `site`, or without one with the robots at an address. `places`:
+    the searched paths of a configuration, each with its state."""
 
     TITLE = "fleet-tui"
     BINDINGS: ClassVar[list[BindingType]] = [("ctrl+c", "nothing", "")]
@@ -31,7 +31,7 @@ class EntryApp(LeanApp, inherit_bindings=False):
         places: Sequence[tuple[str, str]] = (),
         address: str = LOCAL,
     ) -> None:
-        # Without colour Textual must leave the terminal's own, or it sends greys.
+        # Without colour Textual must use the terminal's own, or it sends greys.
         super().__init__(ansi_color=not colour)
         self.register_theme(Theme(**theme.textual()))
         self.theme = f"fleet-{theme.name}"
@@ -41,13 +41,13 @@ class EntryApp(LeanApp, inherit_bindings=False):
         """What the console is to be opened on; None where the person left."""
 
     def get_default_screen(self) -> Screen[None]:
-        """Choices, where it is known what there is to choose."""
+        """Return the choices, if there are any."""
         if self._start is not None:
             return Arrival(self._inks, self._start, self._end)
         return FirstRun(self._inks, self._places, self._found, self._address)
 
     def on_ready(self) -> None:
-        """Leave the terminal as it was, however this ends."""
+        """Restore the terminal in any case at the end."""
         if not self.is_headless:
             leave_on_signals(self.exit, self._restore)
 
@@ -62,4 +62,4 @@ class EntryApp(LeanApp, inherit_bindings=False):
         self.exit()
 
     def action_nothing(self) -> None:
-        """Ctrl-C means nothing, as in the console."""
+        """Ignore Ctrl-C, as in the console."""

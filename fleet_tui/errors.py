@@ -1,4 +1,4 @@
-"""Errors in the words that an operator reads: each message names the thing and the remedy."""
+"""Errors for operators: each message names the object and the remedy."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -21,7 +21,7 @@ class NoConfigError(ConfigError):
 
 
 class WireError(FleetError):
-    """A message that is not as the profile says."""
+    """A message that does not match the profile."""
 
 
 class LinkError(FleetError):
@@ -29,26 +29,26 @@ class LinkError(FleetError):
 
 
 class CommandError(FleetError):
-    """A command that must not be sent, and why."""
+    """A command that must not be sent, and the reason."""
 
 
 class MapError(FleetError):
-    """A map that can't be drawn, and why."""
+    """A map that can't be drawn, and the reason."""
 
 
 class GraphError(FleetError):
-    """A graph file that can't be read, and why."""
+    """A graph file that can't be read, and the reason."""
 
 
 def is_address(word: str) -> bool:
-    """Tell whether a word can only be meant as an address: it has a scheme, or a host and a port."""
+    """Tell whether a word can only be an address: it has a scheme, or a host and a port."""
     host, colon, rest = word.rpartition(":")
     return "://" in word or bool(host and colon and rest.partition("/")[0].isdecimal())
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """`, did you mean NAME?` where a known name is near, whatever the case."""
+    """Return `, did you mean NAME?` if a known name is similar, in any case."""
     names = {name.casefold(): name for name in sorted(known)}
-    # Looking for what is near takes time with the square of the length.
+    # The search for similar names takes time with the square of the length.
     near = get_close_matches(word[:80].casefold(), names, n=1, cutoff=0.5)
     return f", did you mean {names[near[0]]}?" if near else ""

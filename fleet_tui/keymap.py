@@ -1,4 +1,4 @@
-"""Which keys an operator may give to what: checked before the screen opens, since Textual is silent."""
+"""The operator's key assignments, checked before the screen opens, since Textual reports no errors."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -6,13 +6,13 @@ from typing import Any
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keys import BY_ID, KEYS, Key, Pane
 
-# Textual's names of keys that print nothing.
+# Textual's names of non-printing keys.
 _NAMED = frozenset(
     [*("enter", "tab", "escape", "space", "backspace", "delete", "insert", "home", "end")]
     + [*("pageup", "pagedown", "up", "down", "left", "right")]
     + [f"f{n}" for n in range(1, 25)]
 )
-# Ctrl-C never commands a robot; these arrive from a terminal as other keys.
+# Ctrl-C never commands a robot; a terminal sends these as other keys.
 _FORBIDDEN = {
     "ctrl+c": "Ctrl-C is reserved",
     "ctrl+i": "a terminal sends it as tab",
@@ -22,7 +22,7 @@ _FORBIDDEN = {
 
 
 def _problem_of_key(key: str) -> str | None:
-    """Return why a key can't be bound, None where it can."""
+    """Return the reason that a key can't be bound, None if it can."""
     if key in _FORBIDDEN:
         return _FORBIDDEN[key]
     *modifiers, last = key.split("+") if len(key) > 1 else [key]
@@ -38,23 +38,23 @@ def _problem_of_key(key: str) -> str | None:
 
 
 def _types_nothing(key: str) -> bool:
-    """Tell whether a key means nothing to a text field: a space or an arrow would be taken from it."""
+    """Tell whether a key has no use in a text field: a space or an arrow would be taken from it."""
     *modifiers, last = key.split("+")
     return "ctrl" in modifiers or "alt" in modifiers or (len(last) > 1 and last[1:].isdigit())
 
 
 def _same_place(one: Key[Any], other: Key[Any]) -> bool:
-    """Tell whether two keys can be pressed at the same moment."""
+    """Tell whether two panes' keys can be pressed at the same moment."""
     panes = {one.pane, other.pane}
     if Pane.DIAGNOSTICS in panes:
-        # The console's keys don't reach in there; it is made of one table.
+        # The console's keys don't work in there; it is made of one table.
         return panes <= {Pane.DIAGNOSTICS, Pane.TABLE, Pane.ANYWHERE}
     return len(panes) == 1 or any(pane.is_everywhere for pane in panes)
 
 
 def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list[str]]:
-    """The keys of every id after the config's `changes` (id = "key" or "key,key"), and one line
-    for each problem: unknown id, impossible key, two ids on one key."""
+    """Return the keys of every id after the config's `changes` (id = "key" or "key,key"), and one line for
+    each problem: unknown id, impossible key, two ids on one key."""
     problems = []
     chosen = {key.id: key.keys for key in KEYS}
     for id_, text in changes.items():
@@ -75,7 +75,8 @@ def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list
 
 
 def _yielded(chosen: Mapping[str, tuple[str, ...]], changes: Mapping[str, str]) -> dict[str, tuple[str, ...]]:
-    """The keys of recordings without those that the config gives to something else: the fleet comes first."""
+    """Return the keys of recordings without those that the config assigns otherwise: the fleet's take
+    precedence."""
     given = {key for id_ in changes if id_ in chosen for key in chosen[id_]}
     return {
         key.id: tuple(one for one in key.keys if one not in given)

@@ -1,4 +1,4 @@
-"""The log file. Nothing may reach stderr while the screen is open: it would tear it."""
+"""The log file. No output may reach stderr while the screen is open: it would garble it."""
 
 import atexit
 import logging
@@ -17,29 +17,29 @@ from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
 MAX_BYTES, KEPT = 2 * 2**20, 3
-"""A file's size, and how many older ones are kept beside it."""
+"""A file's maximum size, and the number of older ones."""
 TAIL_LINES = 500
-"""Lines that are kept in memory, too."""
+"""Number of lines that are kept in memory, too."""
 LONGEST_LINE = 4000
-"""Characters of a message."""
+"""Maximum characters of a message."""
 WAITING = 10_000
-"""Messages that wait for a disk that hangs; more are lost, and counted."""
+"""Messages that wait for a hanging disk; more are dropped, and counted."""
 
 
 class _Visible(logging.Formatter):
     """A formatter that keeps a robot's control characters from the terminal that shows the log."""
 
     def formatMessage(self, record: logging.LogRecord) -> str:  # noqa: N802  # the base's name
-        """One line, whatever is in it."""
+        """Return one line, with any content."""
         return truncate(sanitize(super().formatMessage(record)), LONGEST_LINE)
 
     def formatException(self, ei: Any) -> str:  # noqa: N802  # the base's name
-        """A traceback ends with words that may come from anywhere."""
+        """Return a sanitized traceback: its last words may be from anywhere."""
         return "\n".join(map(sanitize, super().formatException(ei).split("\n")))
 
 
 class Tail(logging.Handler):
-    """The newest lines, for the diagnostics screen: they are there also where no file can be written."""
+    """The newest lines, for the diagnostics screen, also if no file can be written."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -56,7 +56,7 @@ TAIL = Tail()
 
 
 def _is_named(stream: IO[str], path: Path) -> bool:
-    """Tell whether the file that is written to is the one of this name."""
+    """Tell whether the open file is the one of this name."""
     try:
         return os.path.samestat(os.fstat(stream.fileno()), path.stat())
     except FileNotFoundError:
@@ -64,21 +64,21 @@ def _is_named(stream: IO[str], path: Path) -> bool:
 
 
 class _Private(logging.handlers.RotatingFileHandler):
-    """A rotating log that only its owner reads."""
+    """A rotating log of mode 600."""
 
     def _open(self):  # type: ignore[no-untyped-def]  # the base's own type is not public
         path = Path(self.baseFilename)
         if not path.exists():
-            path.touch(0o600)  # at no moment one that others read
+            path.touch(0o600)  # at no moment readable by others
         stream = super()._open()
         path.chmod(0o600)
         return stream
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Write it to the file that has the name now: somebody may have cleared the folder, or another
-        console begun a new file."""
+        """Write it to the file that has the name now: the folder may have been cleared, or another console
+        may have rotated the file."""
         path = Path(self.baseFilename)
-        with suppress(OSError):  # else this line is lost, and the next finds its way
+        with suppress(OSError):  # else this line is lost, and the next one recovers
             if self.stream is not None and not _is_named(self.stream, path):
                 self.stream.close()
                 self.stream = None
@@ -87,12 +87,12 @@ class _Private(logging.handlers.RotatingFileHandler):
 
 
 class _LogQueue(logging.handlers.QueueHandler):
-    """Messages on their way to the file; how many were lost is said as soon as there is room again."""
+    """Messages queued for the file; the number of dropped ones is logged as soon as there is space again."""
 
     lost = 0
 
     def enqueue(self, record: logging.LogRecord) -> None:
-        """Let it wait, if it can. Under the handler's lock."""
+        """Queue it, if possible. Under the handler's lock."""
         try:
             if self.lost:
                 words = f"{self.lost} messages before this one lost: disk not responding"
@@ -105,22 +105,22 @@ class _LogQueue(logging.handlers.QueueHandler):
 
 
 class _Writing(logging.handlers.QueueListener):
-    """Writes them, on a thread of its own."""
+    """Writes them, on its own thread."""
 
     def enqueue_sentinel(self) -> None:
-        """The last word waits until there is room for it; the process ends without it, in time."""
+        """Queue the end when there is space; the process exits in time without it."""
         self.queue.put(self._sentinel)  # type: ignore[attr-defined]  # public, and its documented use
 
 
 def state_folder() -> Path:
-    """Return where logs and records lie: $XDG_STATE_HOME/fleet-tui, else ~/.local/state/fleet-tui."""
+    """Return the folder of logs and records: $XDG_STATE_HOME/fleet-tui, else ~/.local/state/fleet-tui."""
     return platformdirs.user_state_path("fleet-tui")
 
 
 def log_to_file(debug: bool) -> Path | None:
     """Send logging and warnings to the log file, or nowhere if there can be none."""
     logging.captureWarnings(True)
-    # A full disk costs the line. Said on stderr it would cost the screen.
+    # A full disk costs the line. A message on stderr would cost the screen.
     logging.raiseExceptions = False
     root = logging.getLogger()
     root.setLevel(logging.DEBUG if debug else logging.INFO)
@@ -129,12 +129,12 @@ def log_to_file(debug: bool) -> Path | None:
     try:
         path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
         if path.exists() and not path.is_file():
-            raise FileExistsError(path)  # opening a pipe would wait for who reads it
+            raise FileExistsError(path)  # opening a pipe would block until it has a reader
         file = _Private(path, maxBytes=MAX_BYTES, backupCount=KEPT, encoding="utf-8")
     except OSError:
         root.handlers = [TAIL]
         return None
-    # A disk may hang, and neither the screen nor the network may with it: a thread of its own writes.
+    # A disk may hang, but must not block the screen or the network: a separate thread writes.
     lines: queue.Queue[logging.LogRecord] = queue.Queue(WAITING)
     handler = _LogQueue(lines)
     handler.setFormatter(_Visible(f"%(asctime)s {os.getpid()} %(levelname)s %(name)s: %(message)s"))

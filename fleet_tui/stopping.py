@@ -1,17 +1,17 @@
-"""Stopping a command that serves until it is told to end."""
+"""Stopping a command that serves until a signal."""
 
 import asyncio
 import signal
 
 
 def stop(stopped: asyncio.Future[bool], interrupted: bool) -> None:
-    """Set the future, whoever else did at the same moment. On its loop."""
+    """Set the future, unless it is set already. On its loop."""
     if not stopped.done():
         stopped.set_result(interrupted)
 
 
 def stopped_by_signal() -> asyncio.Future[bool]:
-    """A future of the running loop: True at Ctrl-C, False at SIGTERM."""
+    """Return a future of the running loop: True at Ctrl-C, False at SIGTERM."""
     loop = asyncio.get_running_loop()
     stopped: asyncio.Future[bool] = loop.create_future()
     loop.add_signal_handler(signal.SIGINT, stop, stopped, True)

@@ -38,7 +38,7 @@ class InkLook(Struct, frozen=True):
 
 
 class FleetTheme(Struct, frozen=True):
-    """A name, the screen's base colours, and a look per ink."""
+    """A name, the screen's base colours, and a style per ink."""
 
     name: str
     dark: bool
@@ -46,14 +46,15 @@ class FleetTheme(Struct, frozen=True):
     inks: Mapping[StyleRole, InkLook]
 
     def styles(self, colour: bool = True) -> dict[StyleRole, Style]:
-        """Every ink as a Rich style; without colour (NO_COLOR) only bold, reverse, underline, dim stay.
+        """Return every ink as a Rich style; without colour (NO_COLOR) only bold, reverse, underline, dim
+        stay.
 
-        Then what colours would keep in the background is dim: an edge is no wall.
+        Inks that colours would keep in the background are dim then: an edge is no wall.
         """
         return {ink: _style(ink, look, self.base["background"], colour) for ink, look in self.inks.items()}
 
     def textual(self) -> dict[str, Any]:
-        """The arguments of a `textual.theme.Theme`."""
+        """Return the arguments of a `textual.theme.Theme`."""
         colours = {name: self.inks[ink].color for name, ink in _TEXTUAL.items()}
         base = {name: self.base[name] for name in BASE}
         return {
@@ -87,7 +88,7 @@ def _style(ink: StyleRole, look: InkLook, background: str, colour: bool) -> Styl
 
 
 def shipped_folder() -> Path:
-    """Return where the themes that come with the program lie: in a wheel inside the package, else beside
+    """Return the folder of the themes shipped with the program: in a wheel inside the package, else beside
     it."""
     package = Path(__file__).parent
     inside = package / "themes_shipped"
@@ -95,9 +96,9 @@ def shipped_folder() -> Path:
 
 
 def load_themes(user_folder: Path | None = None) -> tuple[dict[str, FleetTheme], list[str]]:
-    """All themes by name (a user's replaces a shipped one of its name), and a line per broken file.
+    """Return all themes by name (a user's replaces a shipped one of its name), and a line per broken file.
 
-    A user's theme may be short: what it leaves out is as in the shipped dark or light one.
+    A user's theme may be short: missing parts are as in the shipped dark or light one.
     """
     themes: dict[str, FleetTheme] = {}
     problems: list[str] = []
@@ -113,7 +114,7 @@ def load_themes(user_folder: Path | None = None) -> tuple[dict[str, FleetTheme],
 
 
 def read_theme(path: Path, others: Mapping[str, FleetTheme]) -> FleetTheme:
-    """One theme from its file; ConfigError with all that is wrong in it."""
+    """Return one theme from its file; raises ConfigError with all its errors."""
     try:
         content = read_toml(path)
     except (OSError, ValueError, RecursionError) as error:
@@ -135,7 +136,7 @@ def _look(value: str | dict[str, Any]) -> InkLook:
 
 
 def _problems(content: dict[str, Any]) -> Iterator[str]:
-    """Everything in a theme that is not as it must be."""
+    """Return every error of a theme."""
     yield from _strangers("", content, ("dark", "base", "inks"))
     if not isinstance(content.get("dark", True), bool):
         yield "dark must be true or false"
@@ -170,7 +171,7 @@ def _strangers(
 
 
 def _gaps(content: dict[str, Any]) -> Iterator[str]:
-    """Return what a theme lacks that has none to fall back on."""
+    """Return the missing parts of a theme without a base theme."""
     for table, names in (("base", BASE), ("inks", tuple(ink.name.lower() for ink in StyleRole))):
         for name in names:
             if name not in content.get(table, {}):
