@@ -65,9 +65,7 @@ def _code(color: Color | None, colours: ColorSystem, foreground: bool) -> str:
     return ";".join(color.downgrade(colours).get_ansi_codes(foreground))
 
 
-_TINTED = (
-    42  # difference of the maximum and minimum of red, green and blue below which a colour reads as grey
-)
+_TINTED = 42  # difference between maximum and minimum of red, green and blue below which a colour is grey
 _COLOURED = 56  # the same with only six hues
 _GREYS = ((50, 0), (145, 8), (215, 7), (256, 15))
 _BRIGHT = 200
