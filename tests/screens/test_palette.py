@@ -50,7 +50,7 @@ async def test_a_command_in_one_packet_asks_once_and_only_y_does_it(server: Rosb
             await it.shows("y  Confirm")
             one_packet(it, "\r")
             await it.hides("y  Confirm")
-        assert len(server.calls) == 1
+        assert len(server.bridge.services.calls) == 1
         one_packet(it, ":cancel 1\ry")
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
         assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})
@@ -206,7 +206,7 @@ async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> N
         await place(it)
         await it.shows("robot_0 is paused: send anyway?")
         await it.press("y")
-        await it.until(lambda _: len(server.calls) == 2)
+        await it.until(lambda _: len(server.bridge.services.calls) == 2)
         assert not it.app.main.query_one(OrderForm).is_open
 
 

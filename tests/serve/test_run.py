@@ -68,7 +68,7 @@ async def test_a_browser_may_only_watch(server: RosbridgeServer, tmp_path: Path)
             await page.shows("Consumidores")
             await page.press("p")
             await page.shows("not sent (this console is read-only)")
-        assert not server.calls
+        assert not server.bridge.services.calls
         _, said = await it.stop()
     assert "read-only" in said
 
@@ -79,7 +79,11 @@ async def test_a_browser_commands_where_that_is_allowed(server: RosbridgeServer,
             await page.shows("Consumidores")
             assert "read-only" not in page.text()
             await page.press("p")
-            await until(lambda: [name for name, _ in server.calls if "pause" in name.lower()], 10, page.text)
+            await until(
+                lambda: [name for name, _ in server.bridge.services.calls if "pause" in name.lower()],
+                10,
+                page.text,
+            )
         _, said = await it.stop()
     assert "Commands allowed" in said
 
@@ -224,7 +228,7 @@ async def test_a_browser_on_what_is_behind_an_address(server: RosbridgeServer, t
     async with serving(tmp_path, "ws://127.0.0.1:9", "--url", server.url) as it, it.tab() as page:
         await page.shows("2 robots (oh_ressources), 2 floors. :save keeps it")
         await page.shows("2 of 2 online")
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 async def test_what_is_wrong_with_an_address_is_said_before_a_tab_is_open(tmp_path: Path) -> None:

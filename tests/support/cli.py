@@ -59,7 +59,7 @@ async def run(folder: Path, *args: str, stdin: str | None = None) -> Ended:
 
 def asked(server: RosbridgeServer) -> list[str]:
     """The calls that reached the wire: the robot and the service."""
-    return [service.replace("/Application_layout/", " ")[1:] for service, _ in server.calls]
+    return [service.replace("/Application_layout/", " ")[1:] for service, _ in server.bridge.services.calls]
 
 
 def audited(folder: Path) -> list[str]:

@@ -55,7 +55,7 @@ async def test_two_bridges_and_a_large_map(tmp_path: Path, server: RosbridgeServ
         await store.until(lambda state: all(robot.pose for robot in state.robots.values()))
         link.show_map("robot_0", "floor_0")
         await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
-        server.publish_raw(TOPIC, large_map().frame("cbor"))
+        server.bridge.publish_raw(TOPIC, large_map().frame("cbor"))
         await store.until(lambda state: _width(state) == SIDE)
         await other.stop()
         down = store.state.now + 3.0
