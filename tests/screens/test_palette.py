@@ -15,9 +15,9 @@ from tests.support.ordering import one_packet, place, sent, vertex
 from tests.support.watched_store import config_of
 
 
-def wish(it: Console) -> str:
+def request(it: Console) -> str:
     """The line of the palette as it is typed so far."""
-    return it.app.main.query_one("#wish", Input).value
+    return it.app.main.query_one("#request", Input).value
 
 
 def trips(server: RosbridgeServer, it: Console) -> list[str]:
@@ -94,14 +94,14 @@ async def test_what_means_nothing_is_said_to(server: RosbridgeServer) -> None:
 async def test_tab_completes_what_is_typed(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, ":ro\tbas\t\tcons\t")
-        await it.until(lambda _: wish(it) == "robot_0 Base > Consumidores ")
+        await it.until(lambda _: request(it) == "robot_0 Base > Consumidores ")
         one_packet(it, "\r")
         await it.until(lambda _: trips(server, it) == ["Base -> Consumidores"])
 
 
 async def test_tab_goes_through_what_a_word_can_become(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
-        field = it.app.main.query_one("#wish", Input)
+        field = it.app.main.query_one("#request", Input)
         for keys, line in ((":pause \t", "pause all"), ("\t", "pause robot_0"), ("\t\t", "pause all")):
             one_packet(it, keys)
             await it.until(lambda _, line=line: field.value == line)  # type: ignore[misc]  # bound now
@@ -111,7 +111,7 @@ async def test_tab_goes_through_what_a_word_can_become(server: RosbridgeServer) 
 async def test_a_line_of_the_list_goes_on_typing(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, ":robot_0 Base > Cons\r")
-        await it.until(lambda _: wish(it) == "robot_0 Base > Consumidores ")
+        await it.until(lambda _: request(it) == "robot_0 Base > Consumidores ")
         assert it.app.main.query_one(Palette).is_open
         one_packet(it, "\r")
         await it.until(lambda _: trips(server, it) == ["Base -> Consumidores"])

@@ -13,7 +13,7 @@ from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import RecordingCursor
+from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Told

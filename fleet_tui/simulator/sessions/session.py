@@ -180,7 +180,7 @@ class Session:
         self.bridge.join(self, operation)
         subscription = self.subscriptions.setdefault(topic, ClientSubscription())
         asked = operation.get("compression")
-        subscription.wishes[operation.get("id")] = SubscribeRequest(
+        subscription.requests[operation.get("id")] = SubscribeRequest(
             (operation.get("throttle_rate") or 0) / 1000.0,
             operation.get("queue_length") or 0,
             next((one for one in COMPRESSIONS if one == asked), "none"),
@@ -195,8 +195,8 @@ class Session:
         if subscription is None:
             return
         if id_ is not None:
-            subscription.wishes.pop(id_, None)
-        if id_ is None or not subscription.wishes:
+            subscription.requests.pop(id_, None)
+        if id_ is None or not subscription.requests:
             subscription.waiting.clear()
             del self.subscriptions[topic]
             self.bridge.leave(self, topic)

@@ -17,7 +17,7 @@ from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import Phase
 from fleet_tui.recording import recorder
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import RecordingCursor
+from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Told

@@ -12,7 +12,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import RecordingCursor
+from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.records import Heard, Told
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
