@@ -46,7 +46,7 @@ class MainScreen(Screen[None]):
     BLANK = True  # nothing is to be seen of the screen itself
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
-    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall")]  # noqa: RUF012  # as Textual declares it
+    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall"), (36, "-taller"), (52, "-high")]  # noqa: RUF012  # as Textual declares it
 
     rest: "Rest"
 
