@@ -65,7 +65,7 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
         server.master_alive = True
         state = await store.until(path(CommandPath.UNREGISTERED))
         assert state.links["rosbridge"].command_reason == (
-            "the robots' nodes are not registered: restart them"
+            "robot nodes not registered: restart them"
         )
         server.services.update({name: one for name, one in there.items() if "robot_0" in name})
         server.rosapi_alive = True
