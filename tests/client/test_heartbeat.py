@@ -64,9 +64,7 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
         server.rosapi_alive = rosapi_returns
         server.master_alive = True
         state = await store.until(path(CommandPath.UNREGISTERED))
-        assert state.links["rosbridge"].command_reason == (
-            "robot nodes not registered: restart them"
-        )
+        assert state.links["rosbridge"].command_reason == ("robot nodes not registered: restart them")
         server.services.update({name: one for name, one in there.items() if "robot_0" in name})
         server.rosapi_alive = True
         state = await store.until(
