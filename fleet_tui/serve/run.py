@@ -21,6 +21,9 @@ MOST_TABS = 8
 """Each is a process of some 90 MB."""
 WAIT_FOR_A_PLACE = 3.0
 """Seconds: a page that is loaded again leaves its place and wants one."""
+HEARTBEAT = 30.0
+"""Seconds between two pings. A page that does not answer for half as long is gone; a busy machine or a slow
+tunnel keeps one silent for seconds."""
 LONGEST_MESSAGE = 2**20
 """Bytes from a page: a paste."""
 
@@ -45,7 +48,7 @@ class Consoles:
         return app
 
     async def _tab(self, request: web.Request) -> web.WebSocketResponse:
-        websocket = web.WebSocketResponse(timeout=1.0, heartbeat=5.0, max_msg_size=LONGEST_MESSAGE)
+        websocket = web.WebSocketResponse(timeout=1.0, heartbeat=HEARTBEAT, max_msg_size=LONGEST_MESSAGE)
         try:
             await asyncio.wait_for(self._places.acquire(), WAIT_FOR_A_PLACE)
         except TimeoutError:

@@ -66,9 +66,7 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
         server.bridge.services.rosapi_alive = rosapi_returns
         server.bridge.services.master_alive = True
         state = await store.until(path(CommandPath.UNREGISTERED))
-        assert state.links["rosbridge"].command_reason == (
-            "the robots' nodes are not registered: restart them"
-        )
+        assert state.links["rosbridge"].command_reason == "robot nodes not registered: restart them"
         server.bridge.services.offered.update({name: one for name, one in there.items() if "robot_0" in name})
         server.bridge.services.rosapi_alive = True
         state = await store.until(

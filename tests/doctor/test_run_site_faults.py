@@ -33,7 +33,8 @@ from tests.support.site_faults import (
 )
 from tests.support.watched_store import config_of
 
-TIMEOUT = 9.0
+TIMEOUT = 25.0  # 9 are enough, but not on a busy machine
+FALLS_BEHIND = "on ROS 2 a bridge that falls behind"
 IS_ACTIVE = "/robot_0/lifecycle_manager_navigation/is_active"
 TAKEN_TOO_EARLY = "on ROS 2 a floor's topic that another client took too early"
 OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
@@ -60,10 +61,10 @@ def promised() -> dict[str, tuple[str, str]]:
     return {plant: (line, code) for plant, line, code in rows}
 
 
-async def complaint(config: Config) -> tuple[str, int]:
+async def complaint(config: Config, within: float = TIMEOUT) -> tuple[str, int]:
     """What the doctor says first that is not ok, and its exit code."""
     said = list[str]()
-    code = await asyncio.to_thread(doctor, config, TIMEOUT, True, said.append)
+    code = await asyncio.to_thread(doctor, config, within, True, said.append)
     report: dict[str, Any] = json.loads("".join(said))
     assert report["exit_code"] == code
     wrong = [one for one in report["findings"] if one["verdict"] in ("warn", "fail")]
@@ -99,7 +100,8 @@ async def test_the_first_complaint_is_the_cause(server: RosbridgeServer, plant: 
 async def test_the_first_complaint_is_the_cause_on_ros_2(ros_2: RosbridgeServer, plant: str) -> None:
     config = ROS_2_PLANTS[plant](ros_2, demo_config(Config(), ros_2.url, 2, 2, "2"))
     has_rosapi = ros_2.bridge.services.rosapi_alive
-    assert_as_promised(plant, *await complaint(config))
+    within = 9.0 if plant == FALLS_BEHIND else TIMEOUT  # its fault is that the time runs out
+    assert_as_promised(plant, *await complaint(config, within))
     if has_rosapi:
         assert_harmless(ros_2)
 

@@ -43,7 +43,7 @@ async def test_a_person_looks_around_in_a_browser(server: RosbridgeServer, tmp_p
         assert [error for error in tab.errors if "WebGL" not in error] == []
 
         await tab.call("Page.navigate", url="about:blank")
-        await until(lambda: not it.consoles(), 3)
+        await until(lambda: not it.consoles())
 
 
 async def test_an_order_to_pause_from_a_browser_reaches_the_robot(
@@ -53,7 +53,7 @@ async def test_an_order_to_pause_from_a_browser_reaches_the_robot(
         await tab.go(it.url)
         await tab.shows("Consumidores")
         await tab.press("p")
-        await until(lambda: [name for name, _ in server.bridge.services.calls if "pause" in name.lower()], 10)
+        await until(lambda: [name for name, _ in server.bridge.services.calls if "pause" in name.lower()])
 
 
 async def test_a_browser_says_that_its_picture_is_old(server: RosbridgeServer, tmp_path: Path) -> None:
