@@ -12,7 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from fleet_tui.app import FleetApp
-from fleet_tui.backend import connect_live
+from fleet_tui.backend import LiveBackend, connect_live
 from fleet_tui.config.load import load, shipped
 from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config, simulated
@@ -64,8 +64,8 @@ async def take(name: str, picture: Picture) -> None:
         found = load(shipped())
         config = demo_config(found, url, 3, picture.floors, kind=picture.kind, folder=Path(folder))
         store = Store(initial_state(config, time.monotonic()))
-        opening = partial(connect_live, owner="ana")
-        app = FleetApp(config, store, load_themes(None)[0], picture.drawing, opening=opening)
+        backend = LiveBackend(config, store, partial(connect_live, owner="ana"))
+        app = FleetApp(config, store, load_themes(None)[0], picture.drawing, backend=backend)
         async with app.run_test(size=picture.size) as pilot:
             app.use_theme(picture.theme)
             await asyncio.sleep(SECONDS)

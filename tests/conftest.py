@@ -68,7 +68,7 @@ async def nav2() -> AsyncIterator[RosbridgeServer]:
     """A quiet simulated robot with Nav2 behind a bridge that has been up for long."""
     running = RosbridgeServer(Nav2Fleet(1, 1, seed=1, quiet=True), dialect=ROS2)
     await running.start()
-    running.started -= 10.0
+    running.bridge.started -= 10.0
     yield running
     await running.stop()
 

@@ -25,7 +25,7 @@ class Palette(Overlay):
         self._entries, self._typed_as = entries, typed
         self._found: list[Entry] = []
         self._turn: list[str] = []
-        self._matches = Matches(id="wishes")
+        self._matches = Matches(id="requests")
 
     def compose(self) -> ComposeResult:
         """Compose a field above the matches."""
@@ -37,7 +37,7 @@ class Palette(Overlay):
             "down": partial(self._matches.step, 1),
             "ctrl+p": self.action_close,
         }
-        yield Field(keys, id="wish", placeholder="action, robot, place or order: robot_0 Base > Store")
+        yield Field(keys, id="request", placeholder="action, robot, place or order: robot_0 Base > Store")
         yield self._matches
 
     def show(self, line: str = "") -> None:
@@ -57,7 +57,7 @@ class Palette(Overlay):
         field.cursor_position = len(line)
         self._list()
 
-    @on(Input.Changed, "#wish")
+    @on(Input.Changed, "#request")
     def _typed(self, event: Input.Changed) -> None:
         event.stop()
         self._list()
@@ -110,7 +110,7 @@ class Palette(Overlay):
         self.action_close()
         self._found[index][1]()
 
-    @on(Matches.OptionSelected, "#wishes")
+    @on(Matches.OptionSelected, "#requests")
     def _clicked(self, event: Matches.OptionSelected) -> None:
         event.stop()
         if self.is_open:

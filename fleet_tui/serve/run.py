@@ -21,6 +21,9 @@ MOST_TABS = 8
 """Maximum number of consoles, each a process of some 90 MB."""
 WAIT_FOR_A_PLACE = 3.0
 """Seconds to wait for a free console: a reloaded page releases one and requests one."""
+HEARTBEAT = 30.0
+"""Seconds between two pings. A page without an answer for half that time is gone; a busy machine or a slow
+tunnel may delay one for seconds."""
 LONGEST_MESSAGE = 2**20
 """Maximum bytes from a page: a paste."""
 
@@ -45,7 +48,7 @@ class Consoles:
         return app
 
     async def _tab(self, request: web.Request) -> web.WebSocketResponse:
-        websocket = web.WebSocketResponse(timeout=1.0, heartbeat=5.0, max_msg_size=LONGEST_MESSAGE)
+        websocket = web.WebSocketResponse(timeout=1.0, heartbeat=HEARTBEAT, max_msg_size=LONGEST_MESSAGE)
         try:
             await asyncio.wait_for(self._places.acquire(), WAIT_FOR_A_PLACE)
         except TimeoutError:

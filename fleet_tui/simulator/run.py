@@ -45,7 +45,7 @@ def run(
     for at, bridge in enumerate(site, port):
         fleets, dialect = _fleets(bridge, floors, seed), DIALECTS[bridge.ros]
         server = RosbridgeServer(fleets, port=port and at, rate=rate, speed=speed, dialect=dialect)
-        play(server, [one for one in wanted if one[1] in server.robots])
+        play(server, [one for one in wanted if one[1] in server.bridge.services.robots])
         servers.append(server)
     if asyncio.run(_serve(servers, announce, stop_with_stdin)):
         raise SystemExit(130)

@@ -4,7 +4,6 @@ import asyncio
 import errno
 import logging
 import time
-from collections import deque
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from typing import Any
@@ -20,8 +19,6 @@ from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
-from fleet_tui.simulator.services import REMEMBERED
-from fleet_tui.simulator.sessions.operations import Operation
 from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
 from fleet_tui.simulator.words import DIAGNOSTICS, ROSOUT, Talk, word_topics
@@ -36,7 +33,7 @@ _LOG = logging.getLogger(__name__)
 _LOG.addHandler(logging.NullHandler())
 
 
-class RosbridgeServer(TopicDesk):
+class RosbridgeServer:
     """A rosbridge server in front of one or more fleets, which it steps `rate` times a second.
 
     A World alone stands for the fleet of its robots. `speed`: seconds of world time in a second; the rates
@@ -62,10 +59,9 @@ class RosbridgeServer(TopicDesk):
         now = time.time()
         topics = [topic for fleet in fleets for topic in fleet.topics(now, dialect)]
         words = word_topics(fleets, dialect, self._talk)
-        super().__init__(fleets, dialect, (*topics, *words, *self._own_topics(dialect)))
-        self.subscribe_delay, self.speed = subscribe_delay, speed
-        self.received: deque[Operation] = deque(maxlen=REMEMBERED)
-        """Every operation that arrived; the newest last."""
+        own = self._own_topics(dialect)
+        self.bridge = TopicDesk(fleets, dialect, (*topics, *words, *own), self._talk, subscribe_delay)
+        self.fleets, self.speed = fleets, speed
         self._host, self._port, self._rate = host, port, rate
         self._slow_ticks = max(1, round(rate / SLOW_RATE))
         self.report_period = self._slow_ticks / rate  # seconds between two reports of a queue
@@ -99,7 +95,7 @@ class RosbridgeServer(TopicDesk):
         except OSError as error:
             raise FleetError(_refusal(self._host, self._port, error)) from error
         self._port = next(iter(self._server.sockets)).getsockname()[1]
-        self.started = time.monotonic()
+        self.bridge.started = time.monotonic()
 
     async def stop(self) -> None:
         """Close every connection and stop the world."""
@@ -123,7 +119,7 @@ class RosbridgeServer(TopicDesk):
         self._server.close()
         await self.drop_clients()
         await self._server.wait_closed()
-        self.forget_subscriptions()
+        self.bridge.forget_subscriptions()
         await asyncio.sleep(down)
         await self._listen()
 
@@ -138,27 +134,23 @@ class RosbridgeServer(TopicDesk):
         for session in self._sessions:
             session.connection.transport.abort()
 
-    def note(self, operation: Operation) -> None:
-        """Take note of an operation that arrived."""
-        self.received.append(operation)
-
     async def _attend(self, connection: ServerConnection) -> None:
-        session = Session(connection, self)
+        session = Session(connection, self.bridge)
         self._sessions[session] = time.time()
         self._announce()
         try:
             await session.run()
         finally:
             del self._sessions[session]
-            self.guests.gone(session)
-            self.actions.gone(session)
+            self.bridge.services.guests.gone(session)
+            self.bridge.services.actions.gone(session)
             for topic in session.subscriptions:
-                self.leave(session, topic)
+                self.bridge.leave(session, topic)
             self._announce()
 
     def _announce(self) -> None:
         for name in (COUNT, CLIENTS):
-            self.publish(name)
+            self.bridge.publish(name)
 
     async def _live(self) -> None:
         clock = asyncio.get_running_loop().time
@@ -175,19 +167,19 @@ class RosbridgeServer(TopicDesk):
     def _publish_telemetry(self, tick: int) -> None:
         for fleet in self.fleets:
             for line in self._talk.tell(fleet.lines(), time.time()):
-                self.publish(ROSOUT, Payload(line))
-        self.spread()
-        self.actions.tell_feedback()
+                self.bridge.publish(ROSOUT, Payload(line))
+        self.bridge.spread()
+        self.bridge.services.actions.tell_feedback()
         if tick % max(1, round(self._rate)) == 0:
-            self.publish(DIAGNOSTICS)
-        for name in dict.fromkeys(map(resolve, self.channels)):
-            topic = self.topics.get(name)
+            self.bridge.publish(DIAGNOSTICS)
+        for name in dict.fromkeys(map(resolve, self.bridge.channels)):
+            topic = self.bridge.topics.get(name)
             if topic is None or topic.robot is None or topic.robot.silence > 0.0:
                 continue
             # Robots take turns, so that their slow topics do not all fall into one tick.
             turn = (tick + topic.robot.index) % (self._slow_ticks * topic.turns) == 0
             if (topic.fast or turn) and (topic.due is None or topic.due()):
-                self.publish(name)
+                self.bridge.publish(name)
 
     def _own_topics(self, dialect: Dialect) -> Iterator[Topic]:
         """Return what the bridge itself publishes."""
@@ -197,7 +189,7 @@ class RosbridgeServer(TopicDesk):
 
     def _clients(self) -> list[dict[str, Any]]:
         return [
-            {"ip_address": session.address, "connection_time": self.dialect.time(since)}
+            {"ip_address": session.address, "connection_time": self.bridge.dialect.time(since)}
             for session, since in self._sessions.items()
         ]
 

@@ -61,7 +61,7 @@ class ServiceDesk:
         """How the answers of a service are brought to the client, where not at once."""
         self.unsourced: set[str] = set()
         """Packages that the bridge doesn't have: it can handle none of their messages and services."""
-        self.services = {name: type_ for fleet in fleets for name, type_ in fleet.services(dialect).items()}
+        self.offered = {name: type_ for fleet in fleets for name, type_ in fleet.services(dialect).items()}
         self.call_timeout = dialect.call_timeout
         """Seconds after which a call is given up that names no limit, None = never."""
         self.actions = ActionDesk(fleets, dialect, self.unsourced)
@@ -73,12 +73,12 @@ class ServiceDesk:
         self.heard = {name: take for name, (_, take) in heard.items()}
         """The listeners to messages that clients publish to robots, by topic."""
         listened = {name: dialect.message_type(type_) for name, (type_, _) in heard.items()}
-        self.guests = Guests(dialect, self.topics, self.types, self.services, listened, self.unsourced)
+        self.guests = Guests(dialect, self.topics, self.types, self.offered, listened, self.unsourced)
 
         def action_servers() -> list[str]:
             return [*self.actions.names, *servers_among({**listened, **self.types})]
 
-        graph = RosGraph(self.types, listened, self.services, subscribed, action_servers)
+        graph = RosGraph(self.types, listened, self.offered, subscribed, action_servers)
         self.rosapi = RosapiServer(dialect, graph, time.time, self.guests.owns)
 
     def fleet_of(self, robot: str) -> Fleet:
@@ -128,7 +128,7 @@ class ServiceDesk:
 
     def carry_out(self, service: str, args: object) -> Values:
         """Let a robot's service do what it is there for, and return its answer. Raises ServiceError."""
-        type_ = self.services[service]
+        type_ = self.offered[service]
         package = type_.name.partition("/")[0]
         if package in self.unsourced:
             raise ServiceError(self.dialect.unknown_package(package, "srv"))
@@ -165,7 +165,7 @@ class ServiceDesk:
             raise ServiceError("Unable to communicate with master!")
         if service in self.answers:
             return self.answers[service](args if isinstance(args, dict) else {})
-        if service in self.services:
+        if service in self.offered:
             return self.carry_out(service, args)
         if service in self.rosapi.services and self.rosapi_alive:
             return self.rosapi.answer(service, args)

@@ -2,6 +2,7 @@
 
 import asyncio
 import time
+from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
@@ -11,21 +12,33 @@ from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.services import ServiceDesk
+from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
 from fleet_tui.simulator.sessions.operations import Operation
 from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.words import ERROR, INFO, ROSOUT, Talk
 
 
-class TopicDesk(ServiceDesk):
-    """The topics of a bridge, beside its services. Its attributes are for tests to read and change."""
+class TopicDesk:
+    """The topics of a bridge, beside its `services`. Its attributes are for tests to read and change."""
 
-    _talk: Talk
     one_by_one = False
     """True: a client's call or goal must be over before its next operation is looked at."""
 
-    def __init__(self, fleets: Sequence[Fleet], dialect: Dialect, topics: Iterable[Topic]) -> None:
-        super().__init__(fleets, dialect, {topic.name: topic for topic in topics}, self._asked)
+    def __init__(
+        self,
+        fleets: Sequence[Fleet],
+        dialect: Dialect,
+        topics: Iterable[Topic],
+        talk: Talk,
+        subscribe_delay: float = 0.0,
+    ) -> None:
+        """`subscribe_delay`: seconds every subscribe takes (the real bridge needs 0.02)."""
+        self.fleets, self.dialect, self._talk = fleets, dialect, talk
+        self.subscribe_delay = subscribe_delay
+        self.topics = {topic.name: topic for topic in topics}
+        self.services = ServiceDesk(fleets, dialect, self.topics, self._asked)
+        self.received: deque[Operation] = deque(maxlen=REMEMBERED)
+        """Every operation that arrived; the newest last."""
         self.max_message_size = dialect.max_message_size
         """Bytes of a message to a client, None = any number."""
         self.muted: set[str] = set()
@@ -36,9 +49,13 @@ class TopicDesk(ServiceDesk):
         """When the bridge was started."""
         self.forget_subscriptions()
 
+    def note(self, operation: Operation) -> None:
+        """Take note of an operation that arrived."""
+        self.received.append(operation)
+
     def forget_subscriptions(self) -> None:
         """Begin as a bridge to which nobody has subscribed yet."""
-        self.channels = Channels(self.dialect, self.topics, self.unsourced)
+        self.channels = Channels(self.dialect, self.topics, self.services.unsourced)
 
     def subscribed(self) -> set[str]:
         """The topics that somebody is subscribed to."""
@@ -63,16 +80,16 @@ class TopicDesk(ServiceDesk):
         for asked in _spellings(name):
             if self.channels.sessions(asked) and self._flows(asked, topic):
                 payload = payload or topic.payload(time.time())
-                self.in_turn(partial(self._send, asked, topic, OutgoingFrame(asked, payload)))
+                self.services.in_turn(partial(self._send, asked, topic, OutgoingFrame(asked, payload)))
 
     def publish_for(self, session: Session, operation: Operation) -> None:
         """Publish a client's message, to robots too. Raises BridgeError."""
-        name, payload = self.guests.published(session, operation)
-        if not self.guests.connected(session, name):
+        name, payload = self.services.guests.published(session, operation)
+        if not self.services.guests.connected(session, name):
             return
         self.publish(name, payload)
-        if name in self.heard:
-            self.heard[name](payload.msg)
+        if name in self.services.heard:
+            self.services.heard[name](payload.msg)
             self.spread()
 
     def spread(self) -> None:
@@ -80,7 +97,7 @@ class TopicDesk(ServiceDesk):
         for fleet in self.fleets:
             for name, payload in fleet.news(self.dialect):
                 self.publish(name, payload)
-        self.actions.tell_results()
+        self.services.actions.tell_results()
 
     def complain(self, session: Session, operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""

@@ -23,7 +23,7 @@ from textual.strip import Strip
 
 if TYPE_CHECKING:
     from fleet_tui.terminal.budget import Budget
-    from fleet_tui.terminal.glass import ScreenBuffer
+    from fleet_tui.terminal.screen_buffer import ScreenBuffer
 
 MADE_FOR = "8.2.8"
 RETRY, RETRY_LONGEST = 0.001, 0.016
@@ -86,7 +86,7 @@ class DisplayDriver:
         """Tell whether it paints; if not, Textual does."""
         app = self._app
         if self.buffer is None and self._wanted and self.ready:
-            from fleet_tui.terminal.glass import ScreenBuffer
+            from fleet_tui.terminal.screen_buffer import ScreenBuffer
 
             self._wanted = textual_fits()
             colours = None if app.no_color else _COLOURS.get(app.console.color_system or "")

@@ -40,7 +40,7 @@ async def pausing(robots: int, folder: Path) -> float:
         call.reply(frame)
 
     for robot in server.world.robots:
-        server.deliveries[f"/{robot}/Application_layout/Pause"] = deliver
+        server.bridge.services.deliveries[f"/{robot}/Application_layout/Pause"] = deliver
     await server.start()
     config_file(folder, server.url, robots, 2)
     begun = time.monotonic()

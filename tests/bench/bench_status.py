@@ -31,7 +31,7 @@ async def asking(folder: Path) -> tuple[float, float]:
         asked.append(time.monotonic())
         call.reply(frame)
 
-    server.deliveries["/rosapi/topics"] = deliver
+    server.bridge.services.deliveries["/rosapi/topics"] = deliver
     await server.start()
     config_file(folder, server.url, ROBOTS, 2)
     begun = time.monotonic()

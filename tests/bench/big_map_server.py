@@ -42,7 +42,7 @@ async def serve(robots: int) -> None:
     print(server.url, flush=True)
     loop = asyncio.get_running_loop()
     while line := await loop.run_in_executor(None, sys.stdin.readline):
-        server.publish_raw(TOPIC, frames[line.strip()])
+        server.bridge.publish_raw(TOPIC, frames[line.strip()])
         print(line.strip(), flush=True)
     await server.stop()
 

@@ -20,7 +20,7 @@ def packed(folder: Path) -> dict[str, str]:
 
 
 async def test_the_report_is_in_the_archive(server: RosbridgeServer, tmp_path: Path) -> None:
-    server.muted.add("/robot_0/battery")
+    server.bridge.muted.add("/robot_0/battery")
     config_file(tmp_path, server.url, 1)
     done = await run(tmp_path, "doctor", "--bundle")
     *found, last = done.out.splitlines()

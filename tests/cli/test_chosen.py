@@ -38,7 +38,7 @@ async def test_status_of_a_site_never_seen(server: RosbridgeServer, tmp_path: Pa
     report = json.loads(done.out)
     assert (done.code, done.err, report["attention"]) == (0, "", [])
     assert [robot["name"] for robot in report["robots"]] == ["robot_0", "robot_1"]
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 async def test_status_of_robots_with_nav2(nav2: RosbridgeServer, tmp_path: Path) -> None:
@@ -70,7 +70,7 @@ async def test_a_config_and_an_address_are_two_fleets(server: RosbridgeServer, t
     ):
         done = await run(tmp_path, *line)
         assert (done.code, done.out) == (2, "") and "--config and --url exclude each other" in done.err, line
-    assert not server.received
+    assert not server.bridge.received
 
 
 @pytest.mark.parametrize(
@@ -130,8 +130,8 @@ async def test_a_bridge_that_does_not_tell(
 
 
 async def test_a_bridge_on_which_no_robot_is(server: RosbridgeServer, tmp_path: Path) -> None:
-    for name in [name for name in server.types if name.startswith("/robot_")]:
-        del server.types[name]
+    for name in [name for name in server.bridge.services.types if name.startswith("/robot_")]:
+        del server.bridge.services.types[name]
     done = await run(tmp_path, "status", "--url", server.url)
     assert (done.code, done.out) == (1, "") and "no robot found among" in done.err
     assert "start the robot nodes" in done.err
@@ -163,7 +163,7 @@ async def test_robots_of_no_certain_kind_are_not_commanded_unseen(
     monkeypatch.setenv(IN_BROWSER, "textual.drivers.web_driver:WebDriver")
     tab = await run(tmp_path, server.url)
     assert tab.code == 2 and "kind of robot_0: oh_ressources, possibly nav2" in tab.err
-    assert not server.calls
+    assert not server.bridge.services.calls
     await server.stop()
 
 

@@ -17,7 +17,7 @@ def test_each_unit(typed: str, seconds: float) -> None:
 
 @pytest.mark.parametrize("typed", ["", "0", "-1s", "1w", "1 h", "inf", "1e3", "367d", "9" * 10])
 def test_what_is_none_is_answered_with_the_forms(typed: str) -> None:
-    with pytest.raises(click.BadParameter, match="write 45s, 30m, 8h or 1d"):
+    with pytest.raises(click.BadParameter, match="use 45s, 30m, 8h or 1d"):
         DurationParam().convert(typed, None, None)
 
 

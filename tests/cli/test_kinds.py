@@ -63,7 +63,7 @@ async def test_what_a_kind_lacks_is_1_and_nothing_leaves(
 ) -> None:
     code, (line,) = await given(config, *words)
     assert code == 1 and "not sent" in line and f"this kind has no {words[0]})" in line
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 @pytest.mark.parametrize("verb", ["pause", "resume"])

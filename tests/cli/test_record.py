@@ -37,7 +37,7 @@ async def test_for_a_while(server: RosbridgeServer, folder: Path) -> None:
     assert recording.note == "" and 2.0 < recording.end.at - recording.begin.at < 4.0
     records = list(recording.records())
     assert {type(record) for record in records} >= {Keyframe, Heard, Sent, Told}
-    assert server.calls == []
+    assert server.bridge.services.calls == []
     assert recording.config.operator.read_only
 
 

@@ -32,7 +32,7 @@ async def test_a_cancel_that_would_mean_all_never_leaves(server: RosbridgeServer
         await store.until(ready)
         record = await finished(link, store, CancelOrder("robot_0", str(order_id)))
     assert record.stage is Stage.NOT_SENT
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 async def test_a_command_without_a_link_is_refused_at_once_and_never_sent_later() -> None:
@@ -50,15 +50,15 @@ async def test_a_command_without_a_link_is_refused_at_once_and_never_sent_later(
         await store.until(ready)
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.CONFIRMED
         await late.stop()
-    assert [service.rpartition("/")[2] for service, _ in late.calls] == ["Resume"]
+    assert [service.rpartition("/")[2] for service, _ in late.bridge.services.calls] == ["Resume"]
 
 
 async def test_a_command_under_way_ends_when_the_link_goes(server: RosbridgeServer) -> None:
-    server.silent_services.add("/robot_0/Application_layout/Pause")
+    server.bridge.services.silent_services.add("/robot_0/Application_layout/Pause")
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         command_id = link.submit(PauseRobot("robot_0"))
-        await store.until(lambda _: server.calls)
+        await store.until(lambda _: server.bridge.services.calls)
         await server.drop_clients()
         await store.until(lambda state: state.commands[-1].stage is Stage.UNKNOWN)
         # What became of it is seen after the return of the link, in the telemetry: it was not carried out.
@@ -68,11 +68,11 @@ async def test_a_command_under_way_ends_when_the_link_goes(server: RosbridgeServ
     assert (record.id, record.stage) == (command_id, Stage.NOT_CONFIRMED)
     assert "outcome unknown" in record.words and "the robot reported no pause" in record.words
     assert [step.stage for step in steps] == [Stage.SENT, Stage.UNKNOWN]
-    assert len(server.calls) == 1
+    assert len(server.bridge.services.calls) == 1
 
 
 async def test_a_call_never_answered_is_no_answer_and_then_not_confirmed(server: RosbridgeServer) -> None:
-    server.silent_services.add("/robot_0/Application_layout/Pause")
+    server.bridge.services.silent_services.add("/robot_0/Application_layout/Pause")
     config = config_of(server.url, 1)
     alarms = msgspec.structs.replace(config.alarms, no_answer_after=0.3, not_confirmed_after=0.5)
     async with linked(msgspec.structs.replace(config, alarms=alarms)) as (link, store):
@@ -90,6 +90,6 @@ async def test_commands_do_not_wait_behind_subscriptions() -> None:
         await store.until(path(CommandPath.ALIVE))
         link.submit(PauseRobot("robot_0"))
         await store.until(lambda state: any(one.time_of(Stage.ACCEPTED) for one in state.commands))
-        asked = [operation for operation in server.received if operation["op"] == "subscribe"]
+        asked = [operation for operation in server.bridge.received if operation["op"] == "subscribe"]
     await server.stop()
     assert len(asked) < 20 * 12

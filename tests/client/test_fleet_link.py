@@ -69,7 +69,7 @@ async def test_an_order_is_accepted_cancelled_and_cleared(server: RosbridgeServe
         await finished(link, store, order)
         assert (await finished(link, store, ClearOrders("robot_0"))).stage is Stage.CONFIRMED
         assert not store.state.robots["robot_0"].orders.orders
-        _, args = server.calls[0]
+        _, args = server.bridge.services.calls[0]
         assert set(args) == {"request_id", "initial_point", "end_point"}
         assert all(type(value) is int for value in args.values())
 
@@ -84,7 +84,7 @@ async def test_pause_and_resume_are_told_by_the_robot(server: RosbridgeServer) -
 
 
 async def test_telemetry_alive_and_commands_dead_is_a_state_of_its_own(server: RosbridgeServer) -> None:
-    server.master_alive = False
+    server.bridge.services.master_alive = False
     async with linked(config_of(server.url, 1)) as (link, store):
         state = await store.until(path(CommandPath.DEAD))
         assert state.links["rosbridge"].command_reason == "no ROS master"
@@ -96,7 +96,7 @@ async def test_telemetry_alive_and_commands_dead_is_a_state_of_its_own(server: R
 
 
 async def test_a_bridge_without_rosapi_is_alive(server: RosbridgeServer) -> None:
-    server.rosapi_alive = False
+    server.bridge.services.rosapi_alive = False
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
@@ -105,8 +105,8 @@ async def test_a_bridge_without_rosapi_is_alive(server: RosbridgeServer) -> None
 async def test_bad_data_is_counted_on_the_robot_and_the_rest_goes_on(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (_, store):
         await store.until(ready)
-        server.publish_raw("/robot_0/pose", BAD_POSE)
-        server.publish_raw("/robot_0/pose", '{"op":"publish","topic":')
+        server.bridge.publish_raw("/robot_0/pose", BAD_POSE)
+        server.bridge.publish_raw("/robot_0/pose", '{"op":"publish","topic":')
         state = await store.until(
             lambda state: state.robots["robot_0"].faults and state.links["rosbridge"].faults
         )
@@ -122,7 +122,7 @@ async def test_read_only_lets_nothing_leave_but_subscriptions_and_rosapi(server:
     async with linked(msgspec.structs.replace(config, operator=operator)) as (link, store):
         await store.until(ready)
         record = await finished(link, store, PauseRobot("robot_0"))
-        operations = list(server.received)
+        operations = list(server.bridge.received)
     assert record.stage is Stage.NOT_SENT
     assert "read-only" in record.words
     assert {operation["op"] for operation in operations} == {"subscribe", "call_service"}
@@ -144,7 +144,7 @@ async def test_closing_leaves_no_task_behind(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (_, store):
         await store.until(ready)
     async with asyncio.timeout(5):
-        while server.subscribers("/robot_0/pose"):  # noqa: ASYNC110  # nobody tells that a client left
+        while server.bridge.subscribers("/robot_0/pose"):  # noqa: ASYNC110  # nobody tells that a client left
             await asyncio.sleep(0)
 
 
@@ -152,7 +152,7 @@ async def test_nothing_is_put_into_a_connection_that_fell_silent(server: Rosbrid
     """What a frozen bridge takes in it may obey much later."""
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
-        server.muted.update(topic for topic in store_topics(server))
+        server.bridge.muted.update(topic for topic in store_topics(server))
         heard = store.state.links["rosbridge"].heard or 0.0
         await store.until(lambda state: state.now - max(heard, state.links["rosbridge"].heard or 0.0) > 2.5)
         record = await finished(link, store, ResumeRobot("robot_0"))
@@ -164,4 +164,4 @@ async def test_nothing_is_put_into_a_connection_that_fell_silent(server: Rosbrid
 
 
 def store_topics(server: RosbridgeServer) -> set[str]:
-    return {operation["topic"] for operation in server.received if operation["op"] == "subscribe"}
+    return {operation["topic"] for operation in server.bridge.received if operation["op"] == "subscribe"}

@@ -176,7 +176,7 @@ async def test_a_first_message_that_is_lost_is_repeated(
         assert (await finished(link, store, site.to("Base"))).stage is Stage.CONFIRMED
     sent = site.published("/goal")
     assert len(sent) == 2 and sent[0] == sent[1] and len(site.navigation().received) == 1
-    assert site.server.guests.connects_in < publishing.KNOWN_AFTER
+    assert site.server.bridge.services.guests.connects_in < publishing.KNOWN_AFTER
 
 
 async def test_a_goal_that_waits_for_a_new_connection_is_overtaken_by_a_pause(

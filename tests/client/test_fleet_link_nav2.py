@@ -208,7 +208,9 @@ async def test_an_order_that_ends_while_the_link_is_lost_is_known_afterwards(sit
         await site.server.stop()
         await store.until(phase(Phase.WAITING))
         site.fleet.step(60.0)
-        again = type(site.server)(site.fleet, rate=50.0, speed=20.0, dialect=site.server.dialect, port=port)
+        again = type(site.server)(
+            site.fleet, rate=50.0, speed=20.0, dialect=site.server.bridge.dialect, port=port
+        )
         await again.start()
         try:
             ended = await reached(store, order.id, Stage.DONE, Stage.FAILED, Stage.LOST)

@@ -28,7 +28,7 @@ def soon(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def plant(site: Site, text: str) -> None:
     """Play faults on the server."""
-    play(site.server, parse_faults(text, site.server.robots, site.fleet.faults))
+    play(site.server, parse_faults(text, site.server.bridge.services.robots, site.fleet.faults))
 
 
 def quick(site: Site, **limits: float) -> Config:
@@ -168,7 +168,9 @@ async def test_goals_that_nothing_lists_after_a_lost_link_are_gone(
         for server in site.navigation().servers.values():
             server.die()
             server.alive = True
-        again = type(site.server)(site.fleet, rate=50.0, speed=20.0, dialect=site.server.dialect, port=port)
+        again = type(site.server)(
+            site.fleet, rate=50.0, speed=20.0, dialect=site.server.bridge.dialect, port=port
+        )
         await again.start()
         try:
             ended = await reached(store, order.id, Stage.DONE, Stage.FAILED, Stage.LOST)

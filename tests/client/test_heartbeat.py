@@ -14,7 +14,9 @@ PAUSE, RESUME = "/robot_0/Application_layout/Pause", "/robot_0/Application_layou
 
 
 async def test_a_frozen_rosapi_locks_nobody_out(server: RosbridgeServer) -> None:
-    server.silent_services.update(f"/rosapi/{name}" for name in ("topics", "services", "get_time"))
+    server.bridge.services.silent_services.update(
+        f"/rosapi/{name}" for name in ("topics", "services", "get_time")
+    )
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(path(CommandPath.ALIVE))
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
@@ -25,7 +27,7 @@ async def test_a_probe_that_runs_out_after_an_answer_came_raises_nothing(
 ) -> None:
     monkeypatch.setattr(heartbeat, "TIMEOUT", 1.0)
     monkeypatch.setattr(heartbeat, "EVERY", 60.0)
-    server.silent_services.add(heartbeat.SERVICE)
+    server.bridge.services.silent_services.add(heartbeat.SERVICE)
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(lambda state: state.links["rosbridge"].commands_connected)
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
@@ -42,7 +44,7 @@ async def test_an_answer_to_a_command_is_life_at_once(
 ) -> None:
     monkeypatch.setattr(heartbeat, "TIMEOUT", 0.2)
     monkeypatch.setattr(heartbeat, "EVERY", 60.0)
-    server.silent_services.add(heartbeat.SERVICE)
+    server.bridge.services.silent_services.add(heartbeat.SERVICE)
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(path(CommandPath.DEAD))
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
@@ -57,22 +59,20 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
     monkeypatch.setattr(heartbeat, "EVERY", 0.1)
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(ready)
-        server.master_alive = False
+        server.bridge.services.master_alive = False
         await store.until(path(CommandPath.DEAD))
-        there = dict(server.services)
-        server.services.clear()
-        server.rosapi_alive = rosapi_returns
-        server.master_alive = True
+        there = dict(server.bridge.services.offered)
+        server.bridge.services.offered.clear()
+        server.bridge.services.rosapi_alive = rosapi_returns
+        server.bridge.services.master_alive = True
         state = await store.until(path(CommandPath.UNREGISTERED))
-        assert state.links["rosbridge"].command_reason == (
-            "the robots' nodes are not registered: restart them"
-        )
-        server.services.update({name: one for name, one in there.items() if "robot_0" in name})
-        server.rosapi_alive = True
+        assert state.links["rosbridge"].command_reason == "robot nodes not registered: restart them"
+        server.bridge.services.offered.update({name: one for name, one in there.items() if "robot_0" in name})
+        server.bridge.services.rosapi_alive = True
         state = await store.until(
             lambda state: (
                 state.links["rosbridge"].command_reason == "nodes of robot_1 not registered: restart them"
             )
         )
-        server.services.update(there)
+        server.bridge.services.offered.update(there)
         await store.until(path(CommandPath.ALIVE))

@@ -90,26 +90,28 @@ async def test_what_has_come_is_left_alone_when_a_map_is_shown(
         link.show_map("robot_0", "floor_0")
         await store.until(lambda _: counts(link)[3])
         link.show_map("robot_0", "")
-        server.muted.add("/robot_0/floor_0/map")
+        server.bridge.muted.add("/robot_0/floor_0/map")
         link.show_map("robot_0", "floor_0")
         await store.until(lambda _: asked_for(server, "unsubscribe", "floor_0/map") > 1)
         assert not asked_for(server, "unsubscribe", "graph") and asked_with_qos(server) == [True]
 
 
 def asked_for(server: RosbridgeServer, op: str, topic: str) -> int:
-    return sum(one["op"] == op and topic in one["topic"] for one in server.received if "topic" in one)
+    return sum(one["op"] == op and topic in one["topic"] for one in server.bridge.received if "topic" in one)
 
 
 def asked_with_qos(server: RosbridgeServer) -> list[bool]:
     """Whether each subscription of a graph, one after the other, asked for a QoS."""
-    return ["qos" in one for one in server.received if one["op"] == "subscribe" and "graph" in one["topic"]]
+    return [
+        "qos" in one for one in server.bridge.received if one["op"] == "subscribe" and "graph" in one["topic"]
+    ]
 
 
 async def test_telemetry_is_asked_for_without_qos_and_commands_work(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
-        asked = {one["topic"]: "qos" in one for one in server.received if one["op"] == "subscribe"}
+        asked = {one["topic"]: "qos" in one for one in server.bridge.received if one["op"] == "subscribe"}
     assert not asked["/robot_0/pose"] and not asked["/robot_0/queue"] and asked["/robot_0/floor_0/graph"]
 
 
@@ -117,14 +119,14 @@ async def test_a_map_larger_than_the_bridge_sends_at_once_comes_as_json_in_piece
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(subscriber, "CBOR_PATIENCE_ROS2", 1.0)
-    server.max_message_size = 60_000
+    server.bridge.max_message_size = 60_000
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         link.show_map("robot_0", "floor_0")
         state = await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
         asked = [
             one["compression"]
-            for one in server.received
+            for one in server.bridge.received
             if one.get("topic") == "/robot_0/floor_0/map" and one["op"] == "subscribe"
         ]
     assert asked[0] == "cbor" and asked[-1] == "none"

@@ -8,7 +8,7 @@ from tests.support.watched_store import config_of
 
 
 def asked(server: RosbridgeServer, op: str) -> list[str]:
-    return [one["topic"] for one in server.received if one["op"] == op and one["topic"] in OVERHEARD]
+    return [one["topic"] for one in server.bridge.received if one["op"] == op and one["topic"] in OVERHEARD]
 
 
 OVERHEARD = (reading.ROSOUT, reading.DIAGNOSTICS)
@@ -21,8 +21,8 @@ async def test_log_and_health_are_asked_for_only_while_somebody_listens(server: 
         link.subscribe_logs(True)
         link.subscribe_logs(True)
         await until(store, lambda: asked(server, "subscribe") == list(OVERHEARD))
-        server.publish_raw("/rosout", {"level": 8, "name": "/base", "msg": "motor hot"})
-        server.publish_raw("/rosout", {"level": 8, "name": "/base"})
+        server.bridge.publish_raw("/rosout", {"level": 8, "name": "/base", "msg": "motor hot"})
+        server.bridge.publish_raw("/rosout", {"level": 8, "name": "/base"})
         await until(store, lambda: counter(link).topics["/rosout"].errors)
         assert [line.text for line in counter(link).log if line.node == "/base"] == ["motor hot"]
         await server.drop_clients()

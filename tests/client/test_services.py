@@ -19,9 +19,9 @@ async def test_a_robot_whose_services_have_gone_is_named_when_it_is_called(serve
     async with linked(config_of(server.url, 2)) as (link, store):
         await store.until(ready)
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
-        for name in list(server.services):
+        for name in list(server.bridge.services.offered):
             if "robot_0" in name:
-                del server.services[name]
+                del server.bridge.services.offered[name]
         record = await finished(link, store, PauseRobot("robot_0"))
         assert record.stage is Stage.REFUSED and record.words.endswith("does not exist")
         state = await store.until(path(CommandPath.UNREGISTERED))
@@ -30,14 +30,14 @@ async def test_a_robot_whose_services_have_gone_is_named_when_it_is_called(serve
 
 async def test_a_service_of_another_type_is_not_called(server: RosbridgeServer) -> None:
     """`{}` is a command to some servers: to a lifecycle manager it is STARTUP."""
-    manager = replace(server.services[RESUME], name="nav2_msgs/srv/ManageLifecycleNodes")
-    server.services[RESUME] = manager
+    manager = replace(server.bridge.services.offered[RESUME], name="nav2_msgs/srv/ManageLifecycleNodes")
+    server.bridge.services.offered[RESUME] = manager
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         types_asked = [{"service": RESUME}, {"service": PAUSE}]
         await store.until(
             lambda _: all(
-                any(one.get("args") == args for one in server.received if one["op"] == "call_service")
+                any(one.get("args") == args for one in server.bridge.received if one["op"] == "call_service")
                 for args in types_asked
             )
         )
@@ -45,12 +45,12 @@ async def test_a_service_of_another_type_is_not_called(server: RosbridgeServer) 
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
         assert f"{RESUME} has type nav2_msgs/srv/ManageLifecycleNodes, not std_srvs/Trigger" in record.words
-        server.silent_services.add("/rosapi/service_type")
+        server.bridge.services.silent_services.add("/rosapi/service_type")
         await server.restart_bridge()
         await store.until(lambda state: not phase(Phase.UP)(state))
         await store.until(ready)
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
-    assert [service for service, _ in server.calls] == [PAUSE]
+    assert [service for service, _ in server.bridge.services.calls] == [PAUSE]
 
 
 async def test_services_that_go_unnoticed_are_missed_by_the_next_look(
@@ -59,7 +59,7 @@ async def test_services_that_go_unnoticed_are_missed_by_the_next_look(
     monkeypatch.setattr(heartbeat, "EVERY", 0.1)
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(ready)
-        server.services.clear()
+        server.bridge.services.offered.clear()
         state = await store.until(path(CommandPath.UNREGISTERED))
         reason = state.links["rosbridge"].command_reason
         assert reason == "robot nodes not registered: restart them"
@@ -68,9 +68,9 @@ async def test_services_that_go_unnoticed_are_missed_by_the_next_look(
 async def test_a_robot_that_speaks_and_has_no_services_is_told_from_the_start(
     server: RosbridgeServer,
 ) -> None:
-    for name in list(server.services):
+    for name in list(server.bridge.services.offered):
         if "robot_1" in name:
-            del server.services[name]
+            del server.bridge.services.offered[name]
     async with linked(config_of(server.url, 3)) as (_, store):  # nothing is ever heard of robot_2
         state = await store.until(path(CommandPath.UNREGISTERED))
         reason = state.links["rosbridge"].command_reason
@@ -83,18 +83,18 @@ async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(
     """Behind the subscriptions of a large fleet the question runs out: the call must not leave for that."""
     monkeypatch.setattr(services, "ROSAPI_TIMEOUT", 0.2)
     monkeypatch.setattr(services, "AGAIN", 0.1)
-    right = server.services[RESUME]
-    server.services[RESUME] = replace(right, name="nav2_msgs/srv/ManageLifecycleNodes")
-    server.silent_services.add("/rosapi/service_type")
+    right = server.bridge.services.offered[RESUME]
+    server.bridge.services.offered[RESUME] = replace(right, name="nav2_msgs/srv/ManageLifecycleNodes")
+    server.bridge.services.silent_services.add("/rosapi/service_type")
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         await store.until(lambda _: asked_for_type(server) > 1)
-        server.silent_services.clear()
+        server.bridge.services.silent_services.clear()
         before = asked_for_type(server)
         await store.until(lambda _: asked_for_type(server) > before + len(VOCABULARY.services) - 1)
         await finished(link, store, PauseRobot("robot_0"))
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
-        server.services[RESUME] = right
+        server.bridge.services.offered[RESUME] = right
         # A refusal asks again: the next one goes by what is there now.
         before = asked_for_type(server)
         await finished(link, store, ResumeRobot("robot_0"))
@@ -105,4 +105,4 @@ async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(
 
 def asked_for_type(server: RosbridgeServer) -> int:
     """How often the type of a service was asked for."""
-    return sum(one.get("service") == "/rosapi/service_type" for one in server.received)
+    return sum(one.get("service") == "/rosapi/service_type" for one in server.bridge.received)

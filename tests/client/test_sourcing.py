@@ -39,7 +39,7 @@ async def test_a_bridge_that_has_them_is_not_suspected(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
-    server.muted.update(["/robot_0/queue", "/robot_0/floor_0/graph"])
+    server.bridge.muted.update(["/robot_0/queue", "/robot_0/floor_0/graph"])
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(lambda _: store.told(MessagesUnsourced))
         assert not store.state.links["rosbridge"].unsourced
@@ -50,10 +50,12 @@ async def test_a_node_that_was_only_slow_is_no_longer_suspected_when_it_speaks(
 ) -> None:
     monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
     monkeypatch.setattr(sourcing, "AGAIN", 0.1)
-    server.muted.update(f"/robot_0/{name}" for name in ("queue", "floor_0/graph", "floor_0/labeled_vertices"))
+    server.bridge.muted.update(
+        f"/robot_0/{name}" for name in ("queue", "floor_0/graph", "floor_0/labeled_vertices")
+    )
     async with linked(config_of(server.url, 1)) as (_, store):
         await store.until(lambda state: state.links["rosbridge"].unsourced)
-        server.muted.clear()
+        server.bridge.muted.clear()
         await store.until(lambda state: not state.links["rosbridge"].unsourced)
 
 

@@ -13,7 +13,7 @@ async def test_poses_are_subscribed_first_and_always_with_a_queue(server: Rosbri
         await store.until(ready)
         link.show_map("robot_0", "floor_0")
         await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
-        asked = [operation for operation in server.received if operation["op"] == "subscribe"]
+        asked = [operation for operation in server.bridge.received if operation["op"] == "subscribe"]
     assert [operation["topic"] for operation in asked[:2]] == ["/robot_0/pose", "/robot_1/pose"]
     assert all(operation["queue_length"] >= 1 for operation in asked)
     assert all(type(operation["throttle_rate"]) is int for operation in asked)
@@ -26,16 +26,18 @@ async def test_a_drop_is_shown_and_heals_with_every_subscription(server: Rosbrid
         await store.until(ready)
         link.show_map("robot_0", "floor_0")
         await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
-        topics = {operation["topic"] for operation in server.received if operation["op"] == "subscribe"}
+        topics = {
+            operation["topic"] for operation in server.bridge.received if operation["op"] == "subscribe"
+        }
         await server.drop_clients()
         await store.until(phase(Phase.WAITING))
-        server.received.clear()
+        server.bridge.received.clear()
         heard = store.state.robots["robot_0"].heard or 0.0
         await store.until(
             lambda state: phase(Phase.UP)(state) and (state.robots["robot_0"].heard or 0) > heard
         )
-        await store.until(lambda _: server.subscribers("/robot_0/floor_0/map") == 1)
-        again = {operation["topic"] for operation in server.received if operation["op"] == "subscribe"}
+        await store.until(lambda _: server.bridge.subscribers("/robot_0/floor_0/map") == 1)
+        again = {operation["topic"] for operation in server.bridge.received if operation["op"] == "subscribe"}
     assert again == topics
 
 
@@ -45,7 +47,7 @@ async def test_a_topic_of_another_type_is_not_subscribed_and_said(server: Rosbri
     async with linked(msgspec.structs.replace(config, profile=profile)) as (_, store):
         state = await store.until(lambda state: state.robots["robot_0"].faults)
         await store.until(lambda state: state.robots["robot_0"].cargo)
-        asked = [operation["topic"] for operation in server.received if operation["op"] == "subscribe"]
+        asked = [operation["topic"] for operation in server.bridge.received if operation["op"] == "subscribe"]
     assert (
         "/robot_0/battery has type std_msgs/Float32, not std_msgs/Int8" in state.robots["robot_0"].last_fault
     )

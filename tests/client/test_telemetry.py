@@ -26,12 +26,12 @@ async def test_topics_are_counted_with_their_rates_and_last_messages(server: Ros
 async def test_bad_messages_are_kept_as_they_came(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url)) as (link, store):
         await store.until(ready)
-        server.muted.add("/robot_0/battery")
-        server.publish_raw("/robot_0/battery", {"percent": 40})
+        server.bridge.muted.add("/robot_0/battery")
+        server.bridge.publish_raw("/robot_0/battery", {"percent": 40})
         it = counter(link).topics["/robot_0/battery"]
         await until(store, lambda: it.errors)
         assert it.bad is not None and "data" in it.bad.text and b'"percent":40' in it.bad.raw.payload
-        server.publish_raw("/robot_0/battery", '{"op":"publish","topic"')
+        server.bridge.publish_raw("/robot_0/battery", '{"op":"publish","topic"')
         await until(store, lambda: counter(link).unreadable)
         bad = counter(link).bad
         assert bad is not None and bad.raw.payload == b'{"op":"publish","topic"'
@@ -40,7 +40,7 @@ async def test_bad_messages_are_kept_as_they_came(server: RosbridgeServer) -> No
 async def test_a_queue_with_a_part_that_is_left_out_is_an_error(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url)) as (link, store):
         await store.until(ready)
-        server.publish_raw("/robot_0/floor_0/graph", {"vertices": [{"id": "x"}], "edges": []})
+        server.bridge.publish_raw("/robot_0/floor_0/graph", {"vertices": [{"id": "x"}], "edges": []})
         it = counter(link).topics["/robot_0/floor_0/graph"]
         await until(store, lambda: it.errors)
         assert it.bad is not None and "vertices[0]" in it.bad.text
@@ -66,7 +66,7 @@ async def test_a_message_over_the_limit_is_dropped_and_counted(server: Rosbridge
     bridge = msgspec.structs.replace(config.rosbridge, max_message_mb=0.5)
     async with linked(msgspec.structs.replace(config, rosbridge=bridge)) as (link, store):
         await store.until(ready)
-        server.publish_raw(POSE, {"pad": "x" * 600_000})
+        server.bridge.publish_raw(POSE, {"pad": "x" * 600_000})
         await until(store, lambda: counter(link).dropped)
         bad = counter(link).topics[POSE].bad
         assert bad is not None and "0.6 MB" in bad.text

@@ -49,7 +49,7 @@ async def store(server: RosbridgeServer) -> AsyncIterator[WatchedStore]:
 async def test_a_large_json_map_arrives(server: RosbridgeServer, store: WatchedStore) -> None:
     text = frame().decode()
     assert len(text) > WORTH_A_PROCESS
-    server.publish_raw("/robot_0/floor_0/map", text)
+    server.bridge.publish_raw("/robot_0/floor_0/map", text)
 
     def has_come(_: object) -> bool:
         grid = store.state.robots["robot_0"].charts["floor_0"].grid
@@ -69,7 +69,7 @@ MAP = Feed("map", ("robot_0",), "floor_0", "/robot_0/floor_0/map", "nav_msgs/Occ
 
 
 async def test_a_large_map_whose_size_lies_is_named(server: RosbridgeServer, store: WatchedStore) -> None:
-    server.publish_raw("/robot_0/floor_0/map", frame(info={**INFO, "height": 7}).decode())
+    server.bridge.publish_raw("/robot_0/floor_0/map", frame(info={**INFO, "height": 7}).decode())
     state = await store.until(lambda state: state.robots["robot_0"].faults)
     assert "1500 x 7 px has" in state.robots["robot_0"].last_fault
 
@@ -101,7 +101,7 @@ async def test_what_comes_faster_than_it_can_be_read_is_passed_over_and_that_is_
     monkeypatch.setattr("fleet_tui.client.telemetry.MOST_WAITING", 0)
     text = frame().decode()
     for _ in range(3):
-        server.publish_raw("/robot_0/floor_0/map", text)
+        server.bridge.publish_raw("/robot_0/floor_0/map", text)
     state = await store.until(lambda state: state.links["rosbridge"].faults >= 2)
     size = f"{len(text) / 1e6:.0f} MB"
     assert state.links["rosbridge"].last_fault.endswith(f"dropped: {size} still being decoded")
@@ -111,5 +111,5 @@ async def test_what_comes_faster_than_it_can_be_read_is_passed_over_and_that_is_
         return grid is not None and (grid.frame.width, grid.frame.resolution) == (width, resolution)
 
     await store.until(lambda _: shows(WIDTH, 0.05))
-    server.publish_raw("/robot_0/floor_0/map", frame(info={**INFO, "resolution": 0.1}).decode())
+    server.bridge.publish_raw("/robot_0/floor_0/map", frame(info={**INFO, "resolution": 0.1}).decode())
     await store.until(lambda _: shows(WIDTH, 0.1))

@@ -26,7 +26,7 @@ class Given:
     def __init__(self) -> None:
         self.commands: list[Command] = []
         self.said: list[str] = []
-        self.held = Held(lambda wish: self.commands.extend(wish.commands), self.said.append)
+        self.held = Held(lambda request: self.commands.extend(request.commands), self.said.append)
 
 
 def test_a_pause_of_all_does_not_wait_for_the_slowest_link() -> None:

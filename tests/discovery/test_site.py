@@ -33,8 +33,8 @@ async def serving(kind: str, robots: int, floors: int) -> AsyncIterator[Rosbridg
 
 def only_asked(server: RosbridgeServer) -> bool:
     """Whether nothing came but subscriptions and questions."""
-    calls = [one["service"] for one in server.received if one["op"] == "call_service"]
-    return {one["op"] for one in server.received} <= HARMLESS and all(
+    calls = [one["service"] for one in server.bridge.received if one["op"] == "call_service"]
+    return {one["op"] for one in server.bridge.received} <= HARMLESS and all(
         service.startswith("/rosapi/") for service in calls
     )
 
@@ -43,8 +43,8 @@ def only_asked(server: RosbridgeServer) -> bool:
 async def test_it_listens_and_asks_rosapi_and_nothing_else(kind: str) -> None:
     async with serving(kind, 3, 2) as server:
         found = await discovered(server.url)
-        assert server.received and only_asked(server)
-        assert not server.calls
+        assert server.bridge.received and only_asked(server)
+        assert not server.bridge.services.calls
     assert [robot.name for robot in found.config.robots] == ["robot_0", "robot_1", "robot_2"]
     assert found.summary == f"3 robots ({kind}), 2 floors"
     assert found.choices == [] and found.lacks == []
@@ -68,7 +68,7 @@ async def test_two_kinds_behind_one_bridge() -> None:
 async def test_a_hundred_robots_cost_few_questions(kind: str) -> None:
     async with serving(kind, 100, 2) as server:
         found = await discovered(server.url)
-        asked = Counter(one.get("service") for one in server.received)
+        asked = Counter(one.get("service") for one in server.bridge.received)
     assert len(found.config.robots) == 100
     assert asked["/rosapi/publishers"] <= 200 and asked["/rosapi/service_type"] <= 50
 
@@ -76,7 +76,7 @@ async def test_a_hundred_robots_cost_few_questions(kind: str) -> None:
 async def test_a_bridge_with_two_thousand_topics_is_neither_flooded_nor_asked_for_minutes(
     server: RosbridgeServer,
 ) -> None:
-    server.types |= {f"/thing_{n % 37}/part_{n}": "std_msgs/String" for n in range(2000)}
+    server.bridge.services.types |= {f"/thing_{n % 37}/part_{n}": "std_msgs/String" for n in range(2000)}
     under_way, most = 0, 0
 
     def answer(call: Call, frame: Frame) -> None:
@@ -90,10 +90,10 @@ async def test_a_bridge_with_two_thousand_topics_is_neither_flooded_nor_asked_fo
         most = max(most, under_way)
         asyncio.get_running_loop().call_later(0.002, answer, call, frame)
 
-    server.deliveries |= {"/rosapi/publishers": deliver, "/rosapi/service_type": deliver}
+    server.bridge.services.deliveries |= {"/rosapi/publishers": deliver, "/rosapi/service_type": deliver}
     progress: list[tuple[int, int, str]] = []
     found = await discovered(server.url, progress)
-    asked = Counter(one.get("service") for one in server.received)
+    asked = Counter(one.get("service") for one in server.bridge.received)
     assert asked["/rosapi/publishers"] <= 300 and asked["/rosapi/service_type"] <= 100
     assert most <= AT_ONCE
     assert found.summary == "2 robots (oh_ressources), 2 floors"
@@ -135,12 +135,12 @@ async def _serve_a_page(reader: asyncio.StreamReader, writer: asyncio.StreamWrit
 
 def _remove(server: RosbridgeServer, names: Iterable[str]) -> None:
     for name in names:
-        server.topics.pop(name, None)
-        server.types.pop(name, None)
+        server.bridge.topics.pop(name, None)
+        server.bridge.services.types.pop(name, None)
 
 
 async def test_a_bridge_without_a_robot_invents_none(server: RosbridgeServer) -> None:
-    _remove(server, [name for name in server.types if name.startswith("/robot_")])
+    _remove(server, [name for name in server.bridge.services.types if name.startswith("/robot_")])
     found = await discovered(server.url)
     with pytest.raises(FleetError, match=r"no robot found among \d+ topics: start the robot nodes, or name"):
         _ = found.config

@@ -33,7 +33,8 @@ from tests.support.site_faults import (
 )
 from tests.support.watched_store import config_of
 
-TIMEOUT = 9.0
+TIMEOUT = 25.0  # 9 are enough, but not on a busy machine
+FALLS_BEHIND = "on ROS 2 a bridge that falls behind"
 IS_ACTIVE = "/robot_0/lifecycle_manager_navigation/is_active"
 TAKEN_TOO_EARLY = "on ROS 2 a floor's topic that another client took too early"
 OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
@@ -60,10 +61,10 @@ def promised() -> dict[str, tuple[str, str]]:
     return {plant: (line, code) for plant, line, code in rows}
 
 
-async def complaint(config: Config) -> tuple[str, int]:
+async def complaint(config: Config, within: float = TIMEOUT) -> tuple[str, int]:
     """What the doctor says first that is not ok, and its exit code."""
     said = list[str]()
-    code = await asyncio.to_thread(doctor, config, TIMEOUT, True, said.append)
+    code = await asyncio.to_thread(doctor, config, within, True, said.append)
     report: dict[str, Any] = json.loads("".join(said))
     assert report["exit_code"] == code
     wrong = [one for one in report["findings"] if one["verdict"] in ("warn", "fail")]
@@ -86,20 +87,21 @@ async def test_the_first_complaint_is_the_cause(server: RosbridgeServer, plant: 
     config = PLANTS[plant](server, config_of(server.url, 2, 2))
     assert_as_promised(plant, *await complaint(config))
     # Nothing of it commands a robot.
-    assert not server.calls
-    called = {operation.get("service", "/rosapi/") for operation in server.received}
+    assert not server.bridge.services.calls
+    called = {operation.get("service", "/rosapi/") for operation in server.bridge.received}
     assert all(service.startswith("/rosapi/") for service in called)
-    assert {operation["op"] for operation in server.received} <= {"subscribe", "call_service"}
+    assert {operation["op"] for operation in server.bridge.received} <= {"subscribe", "call_service"}
     # Nor spoils it a topic for others.
-    asked = [operation for operation in server.received if operation["op"] == "subscribe"]
-    assert all(server.types.get(one["topic"]) == one["type"] for one in asked)
+    asked = [operation for operation in server.bridge.received if operation["op"] == "subscribe"]
+    assert all(server.bridge.services.types.get(one["topic"]) == one["type"] for one in asked)
 
 
 @pytest.mark.parametrize("plant", ROS_2_PLANTS)
 async def test_the_first_complaint_is_the_cause_on_ros_2(ros_2: RosbridgeServer, plant: str) -> None:
     config = ROS_2_PLANTS[plant](ros_2, demo_config(Config(), ros_2.url, 2, 2, "2"))
-    has_rosapi = ros_2.rosapi_alive
-    assert_as_promised(plant, *await complaint(config))
+    has_rosapi = ros_2.bridge.services.rosapi_alive
+    within = 9.0 if plant == FALLS_BEHIND else TIMEOUT  # its fault is that the time runs out
+    assert_as_promised(plant, *await complaint(config, within))
     if has_rosapi:
         assert_harmless(ros_2)
 
@@ -119,8 +121,8 @@ async def test_the_first_complaint_is_the_cause_with_nav2(
     config = NAV2_PLANTS[plant](nav2, nav2_config(nav2.url, tmp_path))
     assert_as_promised(plant, *await complaint(config))
     assert_harmless(nav2, IS_ACTIVE)
-    is_query = nav2.services.get(IS_ACTIVE, ServiceType("", {})).name == "std_srvs/srv/Trigger"
-    assert is_query or not nav2.calls
+    is_query = nav2.bridge.services.offered.get(IS_ACTIVE, ServiceType("", {})).name == "std_srvs/srv/Trigger"
+    assert is_query or not nav2.bridge.services.calls
 
 
 async def test_nothing_is_wrong_with_a_fleet_with_nav2(nav2: RosbridgeServer, tmp_path: Path) -> None:
@@ -129,7 +131,7 @@ async def test_nothing_is_wrong_with_a_fleet_with_nav2(nav2: RosbridgeServer, tm
     code = await asyncio.to_thread(doctor, config, TIMEOUT, False, said.append)
     assert (code, said[-1]) == (0, f"{len(said) - 1} ok")
     assert_harmless(nav2, IS_ACTIVE)
-    assert nav2.calls == [(IS_ACTIVE, {})]
+    assert nav2.bridge.services.calls == [(IS_ACTIVE, {})]
 
 
 async def test_a_remedy_names_the_table_of_the_robots_profile(nav2: RosbridgeServer, tmp_path: Path) -> None:
@@ -156,7 +158,7 @@ async def test_a_topic_of_an_action_is_in_no_list_and_not_missing(ros_2: Rosbrid
 
 async def test_a_topic_that_another_client_took_too_early(ros_2: RosbridgeServer) -> None:
     graph = "/robot_0/floor_0/graph"
-    asked = {"op": "subscribe", "topic": graph, "type": ros_2.types[graph]}
+    asked = {"op": "subscribe", "topic": graph, "type": ros_2.bridge.services.types[graph]}
     async with connect(ros_2.url) as early:
         await early.send(json.dumps(asked))
         line, code = await complaint(demo_config(Config(), ros_2.url, 2, 2, "2"))
@@ -165,17 +167,19 @@ async def test_a_topic_that_another_client_took_too_early(ros_2: RosbridgeServer
 
 def assert_harmless(server: RosbridgeServer, *queries: str) -> None:
     """No robot was commanded, no topic spoiled for others, and rosapi not asked what kills it."""
-    assert {service for service, _ in server.calls} <= {*queries} and server.rosapi_alive
-    asked = [one["service"] for one in server.received if one["op"] == "call_service"]
+    assert {service for service, _ in server.bridge.services.calls} <= {
+        *queries
+    } and server.bridge.services.rosapi_alive
+    asked = [one["service"] for one in server.bridge.received if one["op"] == "call_service"]
     lists = ("topics", "services", "nodes", "action_servers", "get_ros_version", "get_time")
     of_names = ("publishers", "subscribers", "service_type", "service_node", "fleet_tui_heartbeat")
     assert set(asked) - {*queries} <= {f"/rosapi/{verb}" for verb in (*lists, *of_names)}
-    subscribed = [one for one in server.received if one["op"] == "subscribe"]
+    subscribed = [one for one in server.bridge.received if one["op"] == "subscribe"]
     # Of those of actions nobody tells how the bridge spells their types.
     hidden = [one for one in subscribed if "/_action/" in one["topic"]]
-    assert all(same_type(server.topics[one["topic"]].type, one["type"]) for one in hidden)
+    assert all(same_type(server.bridge.topics[one["topic"]].type, one["type"]) for one in hidden)
     told = [one for one in subscribed if one not in hidden]
-    assert all(server.types.get(one["topic"]) == one["type"] for one in told)
+    assert all(server.bridge.services.types.get(one["topic"]) == one["type"] for one in told)
 
 
 @pytest.mark.parametrize("plant", OTHER_SERVERS)

@@ -51,16 +51,16 @@ async def test_rosapi_is_frozen_or_dead(server: RosbridgeServer, fault: str, mad
 async def test_the_master_is_back_and_the_nodes_are_not(server: RosbridgeServer) -> None:
     async with linked(usual(server.url, 2)) as (link, store):
         await store.until(ready)
-        server.master_alive = False
+        server.bridge.services.master_alive = False
         await store.until(path(CommandPath.DEAD))
-        services = dict(server.services)
-        server.services.clear()
-        server.master_alive = True
+        services = dict(server.bridge.services.offered)
+        server.bridge.services.offered.clear()
+        server.bridge.services.master_alive = True
         watch = Stopwatch(store)
         noticed = await watch.until(lambda state: UNREGISTERED in shown(state))
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.REFUSED and record.words.endswith("does not exist")
-        server.services.update(services)
+        server.bridge.services.offered.update(services)
         watch.start()
         healed = await watch.until(path(CommandPath.ALIVE))
         await store.until(lambda state: not raised("commands")(state))
@@ -77,7 +77,7 @@ async def test_a_bridge_without_the_robots_messages(server: RosbridgeServer) -> 
         assert remedy in shown(store.state)
         asked = problems(store.state, Request((place_order("robot_0", 19, 0),)), Permissions())
         assert "queue unheard" in [problem.check for problem in asked]
-        server.unsourced.clear()
+        server.bridge.services.unsourced.clear()
         await server.restart_bridge()
         watch.start()
         healed = await watch.until(lambda state: ready(state) and remedy not in shown(state))

@@ -60,7 +60,7 @@ async def test_a_dead_bridge_hurts_no_other(server: RosbridgeServer, other: Rosb
         watch.start()
         healed = await watch.until(both_up)
         assert store.state.links["rosbridge"].since == up_since
-    services = [service for service, _ in other.calls]
+    services = [service for service, _ in other.bridge.services.calls]
     assert not any(service.endswith("Pause") for service in services)
     report("one of two bridges dead", "it takes connections and says nothing", "its alarm", noticed, healed)
 
@@ -69,7 +69,7 @@ async def test_commands_go_to_the_robots_own_bridge(server: RosbridgeServer, oth
     async with linked(two_sites(server.url, other.url)) as (link, store):
         await store.until(both_up)
         assert (await finished(link, store, PauseRobot("robot_1"))).stage is Stage.CONFIRMED
-    assert [service.split("/")[1] for service, _ in other.calls] == ["robot_1"]
-    assert not server.calls
-    topics = {operation["topic"] for operation in server.received if operation["op"] == "subscribe"}
+    assert [service.split("/")[1] for service, _ in other.bridge.services.calls] == ["robot_1"]
+    assert not server.bridge.services.calls
+    topics = {operation["topic"] for operation in server.bridge.received if operation["op"] == "subscribe"}
     assert all(topic.startswith("/robot_0/") for topic in topics)

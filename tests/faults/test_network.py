@@ -102,9 +102,9 @@ async def test_another_server(server: RosbridgeServer, name: str, attend: Attend
 
 async def test_killed_inside_a_frame(server: RosbridgeServer) -> None:
     async with through(server) as (proxy, link, store, watch):
-        server.silent_services.add("/robot_0/Application_layout/Pause")
+        server.bridge.services.silent_services.add("/robot_0/Application_layout/Pause")
         command = link.submit(PauseRobot("robot_0"))
-        await store.until(lambda _: server.calls)
+        await store.until(lambda _: server.bridge.services.calls)
         faults = store.state.links["rosbridge"].faults
         watch.start()
         proxy.cut_after = 301
@@ -114,7 +114,7 @@ async def test_killed_inside_a_frame(server: RosbridgeServer) -> None:
         healed = await watch.until(fresh())
         assert store.state.links["rosbridge"].faults == faults
         assert store.state.commands[-1].id == command
-    assert len(server.calls) == 1
+    assert len(server.bridge.services.calls) == 1
     report("killed inside a frame", "301 bytes more, then reset", "connection lost", noticed, healed)
     assert noticed < 2 and healed < 4
 
@@ -155,7 +155,7 @@ async def test_a_half_open_connection(server: RosbridgeServer) -> None:
     assert noticed < 10 and healed < 12
     seen = "age of the last message grows, then: server not responding"
     report("half-open connection", "packets vanish both ways", seen, noticed, healed)
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 async def test_a_slow_server(server: RosbridgeServer) -> None:
@@ -189,7 +189,7 @@ async def test_a_long_message_is_no_dead_server(server: RosbridgeServer) -> None
             frame = '{"op":"publish","topic":"/robot_0/cargo","msg":{"data":true,"x":"%s"}}' % (
                 "x" * int(60_000 * (transport.PING_INTERVAL + transport.PING_TIMEOUT + 1))
             )
-            server.publish_raw("/robot_0/cargo", frame)
+            server.bridge.publish_raw("/robot_0/cargo", frame)
             await store.until(lambda state: state.robots["robot_0"].has_cargo, within=60)
             assert store.state.links["rosbridge"].phase is Phase.UP
             assert [change.phase for change in _changes(store.events)] == [Phase.CONNECTING, Phase.UP]
@@ -243,12 +243,12 @@ async def test_a_message_over_the_limit_costs_only_itself(server: RosbridgeServe
         await store.until(fresh())
         watch = Stopwatch(store)
         for _ in range(3):
-            server.publish_raw(
+            server.bridge.publish_raw(
                 "/robot_1/cargo", '{"op":"publish","topic":"/robot_1/cargo"%s}' % (" " * 60_000)
             )
         noticed = await watch.until(lambda state: state.robots["robot_1"].faults == 3)
         link.show_map("robot_0", "floor_0")
-        server.publish_raw(
+        server.bridge.publish_raw(
             "/robot_0/pose", b"\xa2\x62op\x67publish\x65topic\x6d/robot_0/pose" + bytes(70_000)
         )
         await store.until(lambda state: state.robots["robot_0"].faults >= 2)
@@ -273,13 +273,13 @@ async def test_a_message_over_the_limit_costs_only_itself(server: RosbridgeServe
 async def test_a_command_path_of_its_own_fault(server: RosbridgeServer) -> None:
     """Telemetry flows while calls are not answered: said at once, commands are held back, a pause is not."""
     async with through(server) as (_, link, store, watch):
-        server.silent_services.add("/rosapi/fleet_tui_heartbeat")
+        server.bridge.services.silent_services.add("/rosapi/fleet_tui_heartbeat")
         watch.start()
         noticed = await watch.until(
             lambda state: state.links["rosbridge"].command_path is CommandPath.DEAD, within=15
         )
         assert "no reply from the bridge" in (await finished(link, store, ResumeRobot("robot_0"))).words
-        server.silent_services.clear()
+        server.bridge.services.silent_services.clear()
         watch.start()
         healed = await watch.until(fresh(), within=15)
     report(

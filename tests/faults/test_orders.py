@@ -63,7 +63,7 @@ async def test_an_order_is_taken_long_after_it_was_accepted(server: RosbridgeSer
         (text,) = alarms(state)
         assert text.startswith("carried out late: order Consumidores -> Base (order 1, ")
         assert "not confirmed" not in shown(state)
-        assert len(server.calls) == 1
+        assert len(server.bridge.services.calls) == 1
     seen = "not confirmed; then, in its place, carried out late"
     report("an order is taken late", "12 s after it was accepted", seen, noticed, None)
 

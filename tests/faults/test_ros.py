@@ -58,7 +58,9 @@ async def test_roscore_restarted_behind_a_living_rosbridge(server: RosbridgeServ
     """Two consoles: the bridge asks ROS anew only when both have let go."""
     async with through(server) as (_, _, store, watch), linked(config_of(server.url, 2)) as (_, theirs):
         await theirs.until(ready)
-        server.orphaned.update(name for name in server.subscribed() if name.startswith("/robot_"))
+        server.bridge.orphaned.update(
+            name for name in server.bridge.subscribed() if name.startswith("/robot_")
+        )
         watch.start()
         noticed = await watch.until(online(0))
         assert store.state.links["rosbridge"].phase is Phase.UP
@@ -75,18 +77,22 @@ async def test_a_robot_that_is_off_is_asked_for_ever_more_seldom(
     monkeypatch.setattr(subscriber, "FOR_EACH_TOPIC", 0.0)
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(ready)
-        server.muted.update(name for name in server.subscribed() if name.startswith("/robot_1/"))
+        server.bridge.muted.update(
+            name for name in server.bridge.subscribed() if name.startswith("/robot_1/")
+        )
         begun = time.monotonic()
 
         def asked(state: FleetState) -> list[object]:
-            names = [op["topic"] for op in server.received if op["op"] == "subscribe"]
+            names = [op["topic"] for op in server.bridge.received if op["op"] == "subscribe"]
             return [name for name in names if name == "/robot_1/pose"]
 
         await store.until(lambda state: len(asked(state)) == 4, within=30)
         assert time.monotonic() - begun > 0.5 + 0.9 + 1.6
-        polite = [op["topic"] for op in server.received if op["op"] == "subscribe"].count("/robot_0/pose")
+        polite = [op["topic"] for op in server.bridge.received if op["op"] == "subscribe"].count(
+            "/robot_0/pose"
+        )
         assert polite == 1
-        server.muted.clear()
+        server.bridge.muted.clear()
         await store.until(online(2))
 
 
@@ -95,7 +101,7 @@ async def test_a_robots_node_restarted(server: RosbridgeServer) -> None:
     async with through(server) as (_, _, _, watch):
         labels = {"vertices": [{"label": "New gate", "vertex_id": 0}]}
         watch.start()
-        server.publish_raw("/robot_0/floor_0/labeled_vertices", labels)
+        server.bridge.publish_raw("/robot_0/floor_0/labeled_vertices", labels)
         healed = await watch.until(
             lambda state: state.robots["robot_0"].charts["floor_0"].labels == {"0": "New gate"}
         )
@@ -134,7 +140,7 @@ async def test_the_systems_clock_jumps(
 
 
 async def test_a_service_that_never_answers(server: RosbridgeServer) -> None:
-    server.silent_services.add("/robot_0/Application_layout/Pause")
+    server.bridge.services.silent_services.add("/robot_0/Application_layout/Pause")
     async with linked(quick(server.url, 2)) as (link, store):
         await store.until(ready)
         watch = Stopwatch(store)
@@ -151,11 +157,11 @@ async def test_a_service_that_never_answers(server: RosbridgeServer) -> None:
 
 async def test_the_master_is_gone(server: RosbridgeServer) -> None:
     async with through(server) as (_, link, store, watch):
-        server.master_alive = False
+        server.bridge.services.master_alive = False
         watch.start()
         noticed = await watch.until(path(CommandPath.DEAD))
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
-        server.master_alive = True
+        server.bridge.services.master_alive = True
         watch.start()
         healed = await watch.until(path(CommandPath.ALIVE))
     report("no ROS master", "calls fail, topics flow", "commands dead: ...", noticed, healed)
@@ -166,11 +172,11 @@ async def test_a_hundred_robots_fall_silent_at_once() -> None:
     await server.start()
     async with linked(config_of(server.url, 100)) as (_, store):
         await store.until(lambda state: online(100)(state) and ready(state), within=90)
-        server.muted.update(name for name in server.subscribed() if name.startswith("/robot_"))
+        server.bridge.muted.update(name for name in server.bridge.subscribed() if name.startswith("/robot_"))
         watch = Stopwatch(store)
         noticed = await watch.until(online(0), within=60)
         await store.until(lambda state: len(state.alarms) > 0, within=60)
-        server.muted.clear()
+        server.bridge.muted.clear()
         watch.start()
         healed = await watch.until(online(100), within=60)
     await server.stop()

@@ -69,7 +69,9 @@ async def test_the_bridge_is_restarted_with_latched_topics(
                 ready(state) and all(topic.count > then for topic, then in zip(topics, before, strict=True))
             )
         )
-        asked = [one for one in server.received if one["op"] == "subscribe" and one["topic"] == names[0]]
+        asked = [
+            one for one in server.bridge.received if one["op"] == "subscribe" and one["topic"] == names[0]
+        ]
         assert len(asked) == 2, "it came only when it was asked for once more"
         record = await finished(link, store, place_order("robot_0", 19, 0))
         assert record.stage is Stage.CONFIRMED
@@ -88,7 +90,7 @@ async def test_maps_and_graphs_are_published_volatile(server: RosbridgeServer) -
 
 
 async def test_a_map_is_larger_than_the_bridges_messages(server: RosbridgeServer) -> None:
-    server.max_message_size = 60_000
+    server.bridge.max_message_size = 60_000
     async with linked(usual(server.url, 2)) as (link, store):
         await store.until(ready)
         watch = Stopwatch(store)
@@ -106,12 +108,12 @@ async def test_the_bridge_is_overloaded(server: RosbridgeServer) -> None:
 
     async with linked(usual(server.url, 2)) as (_, store):
         await store.until(ready)
-        server.capacity = 20.0
+        server.bridge.services.capacity = 20.0
         watch = Stopwatch(store)
         noticed = await watch.until(raised("late"), within=60)
         assert "late: bridge overloaded: use fewer topics" in shown(store.state)
         assert not raised("behind")(store.state) and all_online(store.state)
-        server.capacity = None
+        server.bridge.services.capacity = None
         watch.start()
         healed = await watch.until(in_time)
     seen = "messages N s late: bridge overloaded: ..., one alarm; no robot is blamed"

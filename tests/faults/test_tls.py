@@ -39,7 +39,7 @@ async def seen(server: RosbridgeServer, tls: ssl.SSLContext, words: str, name: s
     async with before(server.url, tls) as proxy, linked(secured(proxy.url, **how)) as (_, store):
         noticed = await Stopwatch(store).until(lost(words))
     report(f"TLS: {name}", "the server shows it", words, noticed, None)
-    assert not server.received
+    assert not server.bridge.received
 
 
 async def test_a_certificate_of_a_known_authority(

@@ -121,7 +121,7 @@ async def test_a_replay_is_at_every_instant_what_the_run_was(
     await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
     await finished(link, store, PauseRobot("robot_0"))
     link.tell(events.FloorMapLoaded("floor_1", None, "no such file"))
-    server.publish_raw("/robot_0/battery", {"data": 5.0})
+    server.bridge.publish_raw("/robot_0/battery", {"data": 5.0})
     await store.until(lambda state: state.alarms and len(running.paths) > 1)
     later = time.monotonic() + 1.0
     await store.until(lambda state: state.now > later)

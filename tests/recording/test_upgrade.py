@@ -32,7 +32,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.recording import upgrade
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import RecordingCursor
+from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.records import RecordingError, Told, decode
 from fleet_tui.rules.language.grammar import written
 from fleet_tui.view.tables.audit import line_text

@@ -36,7 +36,7 @@ async def test_neither_carried_out_nor_answered(server: RosbridgeServer) -> None
     plant(server, "never")
     async with console(hasty(server.url, 1.5)) as it:
         await place(it)
-        await it.until(lambda _: server.calls)
+        await it.until(lambda _: server.bridge.services.calls)
         await server.drop_clients()
         await it.shows("outcome unknown", "message")
         record = await ended(it)
@@ -65,7 +65,7 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
     plant(first, "never")
     async with console(hasty(first.url, 1.5)) as it:
         await place(it)
-        await it.until(lambda _: first.calls)
+        await it.until(lambda _: first.bridge.services.calls)
         await first.stop()
         await it.shows("outcome unknown", "message")
         await it.shows("no link")
@@ -86,7 +86,7 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
         await heard_anew(it)
         await it.shows("no orders", "queue")
         assert calls(first) == ["Execute_order"]
-        assert second.calls == []
+        assert second.bridge.services.calls == []
         await second.stop()
 
 

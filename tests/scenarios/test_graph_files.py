@@ -51,7 +51,7 @@ async def test_an_order_by_the_labels_of_a_file(server: RosbridgeServer, site: P
     assert (done.code, done.err) == (0, "")
     assert done.out.startswith("robot_0 order Base -> Consumidores: confirmed")
     assert asked(server) == ["robot_0 Execute_order"]
-    topics = [one["topic"] for one in server.received if one["op"] == "subscribe"]
+    topics = [one["topic"] for one in server.bridge.received if one["op"] == "subscribe"]
     assert topics and not any("graph" in topic or "labeled" in topic for topic in topics)
 
 

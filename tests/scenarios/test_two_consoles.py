@@ -78,7 +78,7 @@ async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:
         await it.press("x")
         await it.shows("Cancel order 1 of robot_0?")
         other.link.submit(CancelOrder(R0, "1"))
-        await it.until(lambda _: len(server.calls) == 2)
+        await it.until(lambda _: len(server.bridge.services.calls) == 2)
         await it.press("y")
         record, first = await ended(it, 2), await other.ended()
         assert stages(first) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]

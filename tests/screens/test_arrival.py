@@ -80,7 +80,10 @@ async def test_it_names_the_places_the_robots_and_the_keys(
         )
         await it.shows("fleet-tui demo", "fleet-tui config init", "fleet-tui doctor --url URL")
         await it.shows("enter open", "a other address", "r retry", "q quit", "Enter opens the console")
-        assert not server.calls and {one["op"] for one in server.received} <= {"call_service", "subscribe"}
+        assert not server.bridge.services.calls and {one["op"] for one in server.bridge.received} <= {
+            "call_service",
+            "subscribe",
+        }
         await it.pilot.press("enter")
         await it.ended()
         assert it.app.chosen is not None and len(it.app.chosen.config.robots) == 2
@@ -118,10 +121,10 @@ async def test_an_address_that_is_none() -> None:
 
 
 async def test_asked_again_it_finds_what_is_there_now(server: RosbridgeServer) -> None:
-    server.rosapi_alive = False
+    server.bridge.services.rosapi_alive = False
     async with entry(address=server.url) as it:
         await it.shows("start rosapi beside rosbridge")
-        server.rosapi_alive = True
+        server.bridge.services.rosapi_alive = True
         await it.pilot.press("r")
         await it.shows("2 robots (oh_ressources), 2 floors")
 

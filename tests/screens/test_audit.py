@@ -75,7 +75,7 @@ async def test_what_is_typed_right_after_the_key_belongs_to_the_field(
     async with audited(server, tmp_path) as it:
         await it.press("L", "p", "x", "P")
         await it.shows("no matching record")
-        assert field(it) == "pxP" and server.calls == []
+        assert field(it) == "pxP" and server.bridge.services.calls == []
 
 
 async def test_from_the_palette_at_80_by_24_with_the_marked_record_in_full(

@@ -15,7 +15,9 @@ async def test_pause_all_reaches_who_can_be_paused_and_names_who_can_not(
         await it.press("P")
         await it.shows("robot_1: this kind has no pause", "message")
         await it.until(lambda state: state.robots["robot_0"].paused and state.robots["robot_0"].paused.value)
-        assert [service for service, _ in server.calls] == ["/robot_0/Application_layout/Pause"]
+        assert [service for service, _ in server.bridge.services.calls] == [
+            "/robot_0/Application_layout/Pause"
+        ]
 
 
 async def test_a_key_that_the_kind_has_nothing_for_says_so_and_is_not_hinted(
@@ -30,7 +32,7 @@ async def test_a_key_that_the_kind_has_nothing_for_says_so_and_is_not_hinted(
         await it.shows("not sent: robot_0: this kind has no clear", "message")
         await it.press("right_square_bracket")
         await it.shows(" p pause", "hints")
-        assert not server.calls
+        assert not server.bridge.services.calls
 
 
 async def test_the_palette_offers_what_can_be_done_and_answers_what_is_typed(
@@ -44,7 +46,7 @@ async def test_the_palette_offers_what_can_be_done_and_answers_what_is_typed(
         await it.press("escape", "colon")
         await it.type("pause robot_0")
         await it.shows("robot_0: this kind has no pause")
-        assert not server.calls
+        assert not server.bridge.services.calls
 
 
 async def test_the_menu_of_a_robot_has_what_it_accepts(

@@ -14,10 +14,10 @@ from tests.support.watched_store import config_of
 @asynccontextmanager
 async def in_the_way(server: RosbridgeServer, *names: str) -> AsyncIterator[Console]:
     """A console with robots that touch something for 4.2 s."""
-    server.muted.update(f"/{name}/obstacle" for name in names)
+    server.bridge.muted.update(f"/{name}/obstacle" for name in names)
     async with console(config_of(server.url, 2, 2)) as it:
         for name in names:
-            server.publish_raw(f"/{name}/obstacle", {"data": 44.2})
+            server.bridge.publish_raw(f"/{name}/obstacle", {"data": 44.2})
         await it.shows(f"Alarms {len(names)} new", "alarms")
         yield it
 
@@ -71,13 +71,13 @@ async def test_shelved_and_taken_off_the_shelf(server: RosbridgeServer) -> None:
 
 
 async def test_a_shelf_ends_by_itself(server: RosbridgeServer) -> None:
-    server.muted.add("/robot_0/obstacle")
+    server.bridge.muted.add("/robot_0/obstacle")
     config = config_of(server.url, 1)
     config = msgspec.structs.replace(
         config, alarms=msgspec.structs.replace(config.alarms, shelve_for=0.5, offline_after=60.0)
     )
     async with console(config) as it:
-        server.publish_raw("/robot_0/obstacle", {"data": 44.2})
+        server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
         await it.shows("robot_0", "alarms")
         it.app.main.alarms.focus()
         await it.press("enter", "4")
@@ -98,13 +98,13 @@ async def test_a_and_a_again_go_through_the_list(server: RosbridgeServer) -> Non
 
 async def test_the_cursor_goes_to_what_nobody_has_seen(server: RosbridgeServer) -> None:
     """From any pane, `a` means it; while the list itself is read, the cursor stays."""
-    server.muted.update(("/robot_0/obstacle", "/robot_1/obstacle"))
+    server.bridge.muted.update(("/robot_0/obstacle", "/robot_1/obstacle"))
     async with console(config_of(server.url, 2, 2)) as it:
-        server.publish_raw("/robot_0/obstacle", {"data": 44.2})
+        server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
         await it.shows("robot_0", "alarms")
         await it.press("a")
         await it.shows("▸△ seen high robot_0", "alarms")
-        server.publish_raw("/robot_1/obstacle", {"data": 44.2})
+        server.bridge.publish_raw("/robot_1/obstacle", {"data": 44.2})
         await it.shows("▸▲ new  high robot_1", "alarms")
         it.app.main.alarms.focus()
         await it.press("j", "a")

@@ -38,11 +38,11 @@ async def test_a_key_pressed_before_the_link_is_there_is_sent_when_it_is(
     async with console(config_of(server.url, 1), wait=False) as it:
         await it.press(key)
         await it.shows("waiting for the link")
-        assert not server.calls
+        assert not server.bridge.services.calls
         gate.set()
-        await it.until(lambda _: server.calls)
+        await it.until(lambda _: server.bridge.services.calls)
         await it.shows(f"{service.lower()}: confirmed" if key != "P" else "confirmed")
-    assert [name.rpartition("/")[2] for name, _ in server.calls] == [service]
+    assert [name.rpartition("/")[2] for name, _ in server.bridge.services.calls] == [service]
 
 
 @pytest.mark.parametrize("key", ["r", "p"])
@@ -58,7 +58,7 @@ async def test_it_does_not_wait_for_ever(
             await it.pilot.pause()
         gate.set()
         await it.until(lambda state: state.robots["robot_0"].queue)
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 async def test_a_disarmed_console_holds_nothing(server: RosbridgeServer, gate: threading.Event) -> None:
@@ -68,4 +68,4 @@ async def test_a_disarmed_console_holds_nothing(server: RosbridgeServer, gate: t
         assert "not armed" in it.app.main.notices.text
         gate.set()
         await it.until(lambda state: state.robots["robot_0"].queue)
-    assert not server.calls
+    assert not server.bridge.services.calls

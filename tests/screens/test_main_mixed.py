@@ -108,11 +108,11 @@ async def test_one_pause_reaches_all_over_both_bridges(site: MixedSite) -> None:
         await it.press("P")
         await it.shows("pause all: 3 confirmed", "message")
     ros1, ros2 = site.servers
-    assert "/robot_0/Application_layout/Pause" in [service for service, _ in ros1.calls]
-    assert [one["topic"] for one in ros1.received if one["op"] == "publish"][
+    assert "/robot_0/Application_layout/Pause" in [service for service, _ in ros1.bridge.services.calls]
+    assert [one["topic"] for one in ros1.bridge.received if one["op"] == "publish"][
         -1
     ] == "/robot_1/move_base/cancel"
-    assert any(service.startswith("/robot_2/follow_waypoints/") for service, _ in ros2.calls)
+    assert any(service.startswith("/robot_2/follow_waypoints/") for service, _ in ros2.bridge.services.calls)
 
 
 async def test_all_are_on_one_map_and_in_one_queue(site: MixedSite) -> None:

@@ -28,7 +28,7 @@ async def test_what_is_passed_over_is_said(server: RosbridgeServer, monkeypatch:
     async with console(config_of(server.url, 2), size=(200, 50)) as it:
         reads.clear()
         for _ in range(5):
-            server.publish_raw("/robot_1/cargo", LARGE)
+            server.bridge.publish_raw("/robot_1/cargo", LARGE)
         await it.shows("3 bad frames")
         await it.shows("bad data x3: 150,061 bytes dropped", "alarms")
         await it.press("p")

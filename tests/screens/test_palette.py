@@ -15,9 +15,9 @@ from tests.support.ordering import one_packet, place, sent, vertex
 from tests.support.watched_store import config_of
 
 
-def wish(it: Console) -> str:
+def request(it: Console) -> str:
     """The line of the palette as it is typed so far."""
-    return it.app.main.query_one("#wish", Input).value
+    return it.app.main.query_one("#request", Input).value
 
 
 def trips(server: RosbridgeServer, it: Console) -> list[str]:
@@ -50,7 +50,7 @@ async def test_a_command_in_one_packet_asks_once_and_only_y_does_it(server: Rosb
             await it.shows("y  Confirm")
             one_packet(it, "\r")
             await it.hides("y  Confirm")
-        assert len(server.calls) == 1
+        assert len(server.bridge.services.calls) == 1
         one_packet(it, ":cancel 1\ry")
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
         assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})
@@ -94,14 +94,14 @@ async def test_what_means_nothing_is_said_to(server: RosbridgeServer) -> None:
 async def test_tab_completes_what_is_typed(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, ":ro\tbas\t\tcons\t")
-        await it.until(lambda _: wish(it) == "robot_0 Base > Consumidores ")
+        await it.until(lambda _: request(it) == "robot_0 Base > Consumidores ")
         one_packet(it, "\r")
         await it.until(lambda _: trips(server, it) == ["Base -> Consumidores"])
 
 
 async def test_tab_goes_through_what_a_word_can_become(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
-        field = it.app.main.query_one("#wish", Input)
+        field = it.app.main.query_one("#request", Input)
         for keys, line in ((":pause \t", "pause all"), ("\t", "pause robot_0"), ("\t\t", "pause all")):
             one_packet(it, keys)
             await it.until(lambda _, line=line: field.value == line)  # type: ignore[misc]  # bound now
@@ -111,7 +111,7 @@ async def test_tab_goes_through_what_a_word_can_become(server: RosbridgeServer) 
 async def test_a_line_of_the_list_goes_on_typing(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, ":robot_0 Base > Cons\r")
-        await it.until(lambda _: wish(it) == "robot_0 Base > Consumidores ")
+        await it.until(lambda _: request(it) == "robot_0 Base > Consumidores ")
         assert it.app.main.query_one(Palette).is_open
         one_packet(it, "\r")
         await it.until(lambda _: trips(server, it) == ["Base -> Consumidores"])
@@ -206,7 +206,7 @@ async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> N
         await place(it)
         await it.shows("robot_0 is paused: send anyway?")
         await it.press("y")
-        await it.until(lambda _: len(server.calls) == 2)
+        await it.until(lambda _: len(server.bridge.services.calls) == 2)
         assert not it.app.main.query_one(OrderForm).is_open
 
 

@@ -45,7 +45,7 @@ async def test_an_order_with_arrows_and_enter_alone(server: RosbridgeServer, siz
         wanted = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Consumidores")}
         ((service, args),) = sent(server)
         assert service == "Execute_order" and wanted.items() <= args.items()
-        assert server.calls[0][0].startswith("/robot_1/")
+        assert server.bridge.services.calls[0][0].startswith("/robot_1/")
         await it.shows("Base -> Consumidores", "queue")
         await it.shows("From: choose")
 
@@ -76,7 +76,7 @@ async def test_what_is_missing_is_named_and_nothing_leaves(server: RosbridgeServ
         await pick_by_arrows(it, "Base")
         await it.press("enter")
         await it.shows("same place")
-        assert not server.calls
+        assert not server.bridge.services.calls
 
 
 async def test_with_cargo_on_board_there_is_only_a_destination(

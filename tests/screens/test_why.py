@@ -28,7 +28,9 @@ async def test_it_names_the_cause_and_its_key_does_the_fix(
         await it.shows("r  Resume the selected robot immediately")
         await it.press("r")
         await it.shows("▶ 1. no orders")
-        assert [service for service, _ in server.calls] == ["/robot_0/Application_layout/Resume"]
+        assert [service for service, _ in server.bridge.services.calls] == [
+            "/robot_0/Application_layout/Resume"
+        ]
         await it.press("escape")
         await it.hides("Stop reasons: robot_0")
 
@@ -62,15 +64,15 @@ async def test_order_and_clear_open_what_they_open_elsewhere(server: RosbridgeSe
         await it.shows("Clear all 1 order of robot_0?")
         assert it.app.main.query_one(Confirm).is_open and not is_open(it)
         await it.press("n")
-        assert len(server.calls) == 1
+        assert len(server.bridge.services.calls) == 1
 
 
 async def test_a_pause_reaches_through_it(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("w", "f12")
-        await it.until(lambda _: len(server.calls) == 2)
+        await it.until(lambda _: len(server.bridge.services.calls) == 2)
         await it.press("P")
-        await it.until(lambda _: len(server.calls) == 4)
+        await it.until(lambda _: len(server.bridge.services.calls) == 4)
         await it.shows("reported by the robot, sent by this console")
         assert is_open(it)
 
@@ -79,7 +81,7 @@ async def test_other_keys_do_nothing_in_it(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("w", "s", "m", "*", "A", "}")
         assert is_open(it)
-        assert server.calls == []
+        assert server.bridge.services.calls == []
 
 
 async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:

@@ -31,7 +31,7 @@ async def test_a_person_looks_around_in_a_browser(server: RosbridgeServer, tmp_p
         await tab.shows_no_longer("type to search")
         await tab.press("p")
         await tab.shows("not sent (this console is read-only)")
-        assert not server.calls
+        assert not server.bridge.services.calls
 
         await tab.resize(800, 500)
         rows = await tab.has_rows(20, 30)
@@ -43,7 +43,7 @@ async def test_a_person_looks_around_in_a_browser(server: RosbridgeServer, tmp_p
         assert [error for error in tab.errors if "WebGL" not in error] == []
 
         await tab.call("Page.navigate", url="about:blank")
-        await until(lambda: not it.consoles(), 3)
+        await until(lambda: not it.consoles())
 
 
 async def test_an_order_to_pause_from_a_browser_reaches_the_robot(
@@ -53,7 +53,7 @@ async def test_an_order_to_pause_from_a_browser_reaches_the_robot(
         await tab.go(it.url)
         await tab.shows("Consumidores")
         await tab.press("p")
-        await until(lambda: [name for name, _ in server.calls if "pause" in name.lower()], 10)
+        await until(lambda: [name for name, _ in server.bridge.services.calls if "pause" in name.lower()])
 
 
 async def test_a_browser_says_that_its_picture_is_old(server: RosbridgeServer, tmp_path: Path) -> None:

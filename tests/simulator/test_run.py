@@ -62,9 +62,9 @@ def test_the_demos_configuration_names_the_types_of_ros_2() -> None:
     server = RosbridgeServer(World(1, 1), dialect=ROS2)
     names = names_of(demo_config(Config(path=Path("c.toml")), server.url, 1, 1, "2").profile)
     for key in VOCABULARY.topics:
-        assert names.type(key) == server.types[names.topic(key, "robot_0", "floor_0")]
+        assert names.type(key) == server.bridge.services.types[names.topic(key, "robot_0", "floor_0")]
     for key in VOCABULARY.services:
-        assert names.service_type(key) == server.services[names.service(key, "robot_0")].name
+        assert names.service_type(key) == server.bridge.services.offered[names.service(key, "robot_0")].name
 
 
 @pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, 0), (signal.SIGINT, 130)])

@@ -63,7 +63,7 @@ async def test_an_order_shows_in_the_queue_and_moves_the_robot(
     await read_until(
         client, lambda frame: frame["topic"] == POSE and frame["msg"]["pose"] != first["msg"]["pose"]
     )
-    assert server.calls == [(ORDER, ARGS)]
+    assert server.bridge.services.calls == [(ORDER, ARGS)]
 
 
 @pytest.mark.parametrize("args", [None, {}, [], "nonsense", 7])
@@ -172,7 +172,7 @@ async def test_unsubscribing_ends_it_but_for_what_others_asked(
     assert (await read(client))["topic"] == POSE
     await send(client, "unsubscribe", topic=POSE)
     await frames_before_an_answer(client)
-    assert server.subscribers(POSE) == 0
+    assert server.bridge.subscribers(POSE) == 0
 
 
 async def test_a_topic_that_is_to_come_flows_when_it_is_there(
@@ -180,12 +180,12 @@ async def test_a_topic_that_is_to_come_flows_when_it_is_there(
 ) -> None:
     await subscribe(client, "/later", "std_msgs/Bool")
     assert await frames_before_an_answer(client) == []
-    assert server.publish_raw("/later", {"data": True}) == 1
+    assert server.bridge.publish_raw("/later", {"data": True}) == 1
     assert await read(client) == {"op": "publish", "topic": "/later", "msg": {"data": True}}
 
 
 async def test_calls_wait_behind_subscribes(server: RosbridgeServer, client: ClientConnection) -> None:
-    server.subscribe_delay = 0.1
+    server.bridge.subscribe_delay = 0.1
     for floor in ("floor_0", "floor_1"):
         await subscribe(client, f"/robot_0/{floor}/graph", GRAPH_TYPE)
     clock = asyncio.get_running_loop().time
@@ -219,9 +219,9 @@ async def test_no_number_is_null_in_json_and_itself_in_cbor(
     async with connect(server.url) as other:
         await subscribe(other, topic, None, compression="cbor")
         await frames_before_an_answer(client)
-        while server.subscribers(topic) < 2:
+        while server.bridge.subscribers(topic) < 2:
             await read(client)
-        server.publish_raw(topic, msg)
+        server.bridge.publish_raw(topic, msg)
         injected = await read_until(client, lambda frame: "ranges" in frame["msg"])
         real = cbor2.loads(bytes(await other.recv(decode=False)))
         while "ranges" not in real["msg"]:
@@ -235,9 +235,9 @@ async def test_strings_pass_unharmed(server: RosbridgeServer, client: ClientConn
     await subscribe(client, "/later", "std_msgs/String")
     await frames_before_an_answer(client)
     text = "\x1b[31m \n ñ 🤖 \ufffd / \\"
-    server.publish_raw("/later", {"data": text})
+    server.bridge.publish_raw("/later", {"data": text})
     assert (await read(client))["msg"]["data"] == text
-    server.publish_raw("/later", "no { json")
+    server.bridge.publish_raw("/later", "no { json")
     assert await client.recv() == "no { json"
 
 
@@ -248,7 +248,7 @@ async def test_a_client_that_does_not_read_holds_up_nobody(
         await subscribe(slow, POSE, POSE_TYPE)
         await read(slow)
         slow.transport.pause_reading()
-        server.publish_raw(POSE, "x" * 20_000_000)
+        server.bridge.publish_raw(POSE, "x" * 20_000_000)
         await subscribe(client, POSE, POSE_TYPE)
         for _ in range(25):
             last = await read(client)
@@ -304,21 +304,21 @@ class TestDoors:
     async def test_a_silent_service_is_called_and_never_answers(
         self, server: RosbridgeServer, client: ClientConnection
     ) -> None:
-        server.silent_services.add(PAUSE)
+        server.bridge.services.silent_services.add(PAUSE)
         await send(client, "call_service", service=PAUSE, id="p")
         assert await frames_before_an_answer(client) == []
-        assert server.calls == [(PAUSE, {})]
+        assert server.bridge.services.calls == [(PAUSE, {})]
         assert not server.world.robots["robot_0"].paused
 
     async def test_answers_are_overridden(self, server: RosbridgeServer, client: ClientConnection) -> None:
         def broken(args: Json) -> Json:
             raise ServiceError(f"service [{PAUSE}] responded with an error: {args}")
 
-        server.answers[ORDER] = lambda args: {
+        server.bridge.services.answers[ORDER] = lambda args: {
             "request_id": args["request_id"],
             "status": "REJECTED: too tired",
         }
-        server.answers[PAUSE] = broken
+        server.bridge.services.answers[PAUSE] = broken
         answer = await call(client, ORDER, {"request_id": 3})
         assert answer["values"] == {"request_id": 3, "status": "REJECTED: too tired"}
         answer = await call(client, PAUSE)
@@ -330,7 +330,7 @@ class TestDoors:
     async def test_without_a_master_calls_fail_and_topics_go_on(
         self, server: RosbridgeServer, client: ClientConnection
     ) -> None:
-        server.master_alive = False
+        server.bridge.services.master_alive = False
         for service in (PAUSE, "/rosapi/topics"):
             answer = await call(client, service)
             assert (answer["values"], answer["result"]) == ("Unable to communicate with master!", False)
@@ -340,7 +340,7 @@ class TestDoors:
     async def test_without_rosapi_its_services_do_not_exist(
         self, server: RosbridgeServer, client: ClientConnection
     ) -> None:
-        server.rosapi_alive = False
+        server.bridge.services.rosapi_alive = False
         answer = await call(client, "/rosapi/topics")
         assert (answer["values"], answer["result"]) == ("Service /rosapi/topics does not exist", False)
         assert (await call(client, PAUSE))["result"]
@@ -348,12 +348,12 @@ class TestDoors:
     async def test_a_muted_topic_is_not_published(
         self, server: RosbridgeServer, client: ClientConnection
     ) -> None:
-        server.muted |= {POSE, GRAPH}
+        server.bridge.muted |= {POSE, GRAPH}
         await subscribe(client, POSE, POSE_TYPE)
         await subscribe(client, GRAPH, GRAPH_TYPE)
         await subscribe(client, "/robot_1/pose", POSE_TYPE)
         assert {(await read(client))["topic"] for _ in range(20)} == {"/robot_1/pose"}
-        server.muted.clear()
+        server.bridge.muted.clear()
         await read_until(client, lambda frame: frame["topic"] == POSE)
 
     async def test_dropped_clients_may_come_back(
@@ -365,7 +365,7 @@ class TestDoors:
         with pytest.raises(ConnectionClosed):
             while True:
                 await client.recv()
-        assert server.subscribers(POSE) == 0
+        assert server.bridge.subscribers(POSE) == 0
         async with connect(server.url) as again:
             await subscribe(again, POSE, POSE_TYPE)
             assert (await read(again))["topic"] == POSE
@@ -373,11 +373,11 @@ class TestDoors:
     async def test_every_operation_is_kept(self, server: RosbridgeServer, client: ClientConnection) -> None:
         await send(client, "nonsense", x=1)
         await frames_before_an_answer(client)
-        assert list(server.received) == [
+        assert list(server.bridge.received) == [
             {"op": "nonsense", "x": 1},
             {"op": "call_service", "service": "/rosapi/get_time", "id": "last"},
         ]
-        assert server.calls == []
+        assert server.bridge.services.calls == []
 
 
 async def test_a_taken_port_is_named_with_a_remedy(server: RosbridgeServer) -> None:

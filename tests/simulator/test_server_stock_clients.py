@@ -64,7 +64,7 @@ async def asked_by(client: list[str], dialect: Dialect) -> Json:
     """What a stock client got, as its program prints it."""
     server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0, dialect=dialect)
     await server.start()
-    server.started -= 10.0
+    server.bridge.started -= 10.0
     message, service = dialect.message_type, dialect.service_type
     asked = {
         "url": server.url,

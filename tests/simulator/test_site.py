@@ -88,7 +88,7 @@ def test_fleets_behind_one_bridge_share_no_topic_service_or_listener(floors: int
     services = Counter(name for fleet in both for name in fleet.services(ROS1))
     heard = Counter(name for fleet in both for name in fleet.heard())
     assert {count for names in (topics, services, heard) for count in names.values()} == {1}
-    assert len(RosbridgeServer(both).robots) == 6
+    assert len(RosbridgeServer(both).bridge.services.robots) == 6
 
 
 def labels(message: Json) -> dict[int, str]:
@@ -100,7 +100,7 @@ def test_the_graphs_topic_and_file_agree(tmp_path: Path) -> None:
     config = demo_config(Config(), URLS[0], 3, 2, kind=MIXED, folder=tmp_path, further=URLS[1:])
     for floor in config.floors:
         told = {
-            name: json.loads(server.topics[f"/robot_0/{floor.name}/{name}"].payload(0.0).json)
+            name: json.loads(server.bridge.topics[f"/robot_0/{floor.name}/{name}"].payload(0.0).json)
             for name in ("graph", "labeled_vertices")
         }
         nodes = [
@@ -113,7 +113,7 @@ def test_the_graphs_topic_and_file_agree(tmp_path: Path) -> None:
         assert {one["id"]: [one["x"], one["y"]] for one in told["graph"]["vertices"]} == spots
         assert labels(told["labeled_vertices"]) == {id_: name for id_, name in named.items() if name}
         maps = [
-            json.loads(server.topics[name].payload(0.0).json)
+            json.loads(server.bridge.topics[name].payload(0.0).json)
             for name in (f"/robot_0/{floor.name}/map", f"/{floor.name}/map")
         ]
         assert maps[0]["data"] == maps[1]["data"] and maps[0]["info"] == maps[1]["info"]

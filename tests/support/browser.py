@@ -159,7 +159,7 @@ async def browser(folder: Path) -> AsyncIterator[Browser]:
     )
     try:
         port_file = profile / "DevToolsActivePort"
-        await until(lambda: port_file.exists() and port_file.read_text().count("\n"), 30)
+        await until(lambda: port_file.exists() and port_file.read_text().count("\n"))
         port = port_file.read_text().splitlines()[0]
         async with _tab(port) as tab:
             yield tab

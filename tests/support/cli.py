@@ -49,17 +49,17 @@ async def started(
     )
 
 
-async def run(folder: Path, *args: str, stdin: str | None = None) -> Ended:
+async def run(folder: Path, *args: str, stdin: str | None = None, within: float = 30.0) -> Ended:
     """Run `fleet-tui` with the config of a folder to its end, while this loop goes on serving."""
     way = asyncio.subprocess.DEVNULL if stdin is None else asyncio.subprocess.PIPE
     process = await started(folder, *args, stdin=way)
-    out, err = await asyncio.wait_for(process.communicate(None if stdin is None else stdin.encode()), 30)
+    out, err = await asyncio.wait_for(process.communicate(None if stdin is None else stdin.encode()), within)
     return Ended(process.returncode or 0, out.decode(), err.decode())
 
 
 def asked(server: RosbridgeServer) -> list[str]:
     """The calls that reached the wire: the robot and the service."""
-    return [service.replace("/Application_layout/", " ")[1:] for service, _ in server.calls]
+    return [service.replace("/Application_layout/", " ")[1:] for service, _ in server.bridge.services.calls]
 
 
 def audited(folder: Path) -> list[str]:

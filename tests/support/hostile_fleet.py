@@ -87,7 +87,7 @@ def _fails(_args: dict[str, Any]) -> dict[str, Any]:
 
 def spoil(server: RosbridgeServer) -> None:
     """Robot 0 is well but for its labels and orders; robot 1 is nowhere; robot 2 sends no numbers."""
-    topics = server.topics
+    topics = server.bridge.topics
     for name in list(topics):
         if name.endswith("labeled_vertices"):
             topics[name] = _spoilt(topics[name], _labels)
@@ -99,8 +99,10 @@ def spoil(server: RosbridgeServer) -> None:
     topics["/robot_1/pose"] = _spoilt(topics["/robot_1/pose"], _pose)
     topics["/robot_2/battery"] = _spoilt(topics["/robot_2/battery"], _data)
     topics["/diagnostics"] = _spoilt(topics["/diagnostics"], _health)
-    for number, service in enumerate(server.services):
-        server.answers[service] = _fails if "Pause" in service else _evil(EVIL[number % len(EVIL)])
+    for number, service in enumerate(server.bridge.services.offered):
+        server.bridge.services.answers[service] = (
+            _fails if "Pause" in service else _evil(EVIL[number % len(EVIL)])
+        )
 
 
 def _frames(text: str) -> list[str | bytes]:
@@ -124,12 +126,12 @@ async def _serve() -> None:
     ended = asyncio.get_running_loop().run_in_executor(None, os.read, sys.stdin.fileno(), 1)
     for text in cycle(EVIL):
         for evil in EVIL:
-            server.publish_raw("/rosout", {"level": 2, "name": evil, "msg": evil})
+            server.bridge.publish_raw("/rosout", {"level": 2, "name": evil, "msg": evil})
         for frame in _frames(text):
             await asyncio.wait([ended], timeout=EVERY)
             if ended.done():
                 return
-            server.publish_raw("/robot_0/pose", frame)
+            server.bridge.publish_raw("/robot_0/pose", frame)
 
 
 if __name__ == "__main__":

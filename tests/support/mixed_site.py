@@ -45,7 +45,7 @@ async def mixed_site(folder: Path) -> AsyncIterator[MixedSite]:
         for server in servers:
             await server.start()
             stack.push_async_callback(server.stop)
-            server.started -= 10.0  # such a bridge has discovered every publisher
+            server.bridge.started -= 10.0  # such a bridge has discovered every publisher
         first, *others = [server.url for server in servers]
         config = demo_config(Config(), first, len(KINDS), 1, "", MIXED, folder, others)
         yield MixedSite(servers, fleets, config)

@@ -39,13 +39,13 @@ class MoveBaseSite:
         """The messages that arrived on topics with this end."""
         return [
             dict(one["msg"])
-            for one in self.server.received
+            for one in self.server.bridge.received
             if one["op"] == "publish" and str(one["topic"]).endswith(end)
         ]
 
     def advertised(self) -> list[str]:
         """The topics that were advertised."""
-        return [str(one["topic"]) for one in self.server.received if one["op"] == "advertise"]
+        return [str(one["topic"]) for one in self.server.bridge.received if one["op"] == "advertise"]
 
 
 @asynccontextmanager

@@ -47,7 +47,7 @@ class Site:
         """The cancellations that arrived: the action and the id."""
         return [
             (service.removesuffix("/_action/cancel_goal"), args["goal_info"]["goal_id"]["uuid"])
-            for service, args in self.server.calls
+            for service, args in self.server.bridge.services.calls
             if service.endswith("cancel_goal")
         ]
 
@@ -60,7 +60,7 @@ async def nav2_site(
     fleet = Nav2Fleet(robots, floors, seed=1, quiet=True)
     server = RosbridgeServer(fleet, rate=rate, speed=speed, dialect=ROS2)
     await server.start()
-    server.started -= LONG_AGO
+    server.bridge.started -= LONG_AGO
     try:
         yield Site(fleet, server, demo_config(Config(), server.url, robots, floors, "2", "nav2", folder))
     finally:

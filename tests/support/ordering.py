@@ -14,7 +14,7 @@ def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:
     """The calls that arrived, services by their last name, without request ids."""
     return [
         (service.rpartition("/")[2], {key: value for key, value in args.items() if key != "request_id"})
-        for service, args in server.calls
+        for service, args in server.bridge.services.calls
     ]
 
 

@@ -69,7 +69,9 @@ class Planted:
             for topic in self._topics:
                 robot = topic.robot
                 silent = (
-                    self.deaf or topic.name in self.server.muted or (robot is not None and robot.silence > 0)
+                    self.deaf
+                    or topic.name in self.server.bridge.muted
+                    or (robot is not None and robot.silence > 0)
                 )
                 if not topic.latched and not silent and (topic.fast or n % 5 == 0):
                     self._hear(topic.name, topic.payload(WALL + self.now).json)
@@ -85,7 +87,9 @@ class Planted:
         adapter = self._adapters[command.robot]
         (call,) = adapter.outgoing(command, id_, self.state.robots[command.robot])
         assert isinstance(call, ServiceCall)
-        frame = self.server.answer({"service": call.address, "args": dict(call.args), "id": "1"})
+        frame = self.server.bridge.services.answer(
+            {"service": call.address, "args": dict(call.args), "id": "1"}
+        )
         if frame is not None:
             answer = json.loads(frame)
             stage, words = adapter.outcome(command, answer["values"], answer["result"])

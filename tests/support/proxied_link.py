@@ -54,12 +54,12 @@ async def through(
     async with before(server.url) as proxy, linked(config_of(proxy.url, robots)) as (link, store):
         await store.until(ready)
         server.world.robots["robot_1"].battery = 5.0
-        server.silent_services.add("/robot_1/Application_layout/Pause")
+        server.bridge.services.silent_services.add("/robot_1/Application_layout/Pause")
         link.submit(PauseRobot("robot_1"))
-        await store.until(lambda state: state.alarms and server.calls)
-        call = server.calls.pop()
+        await store.until(lambda state: state.alarms and server.bridge.services.calls)
+        call = server.bridge.services.calls.pop()
         yield proxy, link, store, Stopwatch(store)
-        assert call not in server.calls, "it was sent again"
+        assert call not in server.bridge.services.calls, "it was sent again"
 
 
 def lost(reason: str = "") -> Holds:

@@ -37,12 +37,12 @@ def plant(server: RosbridgeServer, faults: str) -> None:
 
 def calls(server: RosbridgeServer) -> list[str]:
     """The services that were called, by their last name."""
-    return [service.rpartition("/")[2] for service, _ in server.calls]
+    return [service.rpartition("/")[2] for service, _ in server.bridge.services.calls]
 
 
 def requests(server: RosbridgeServer) -> list[Any]:
     """The request ids of the orders that reached the wire."""
-    return [args["request_id"] for _, args in server.calls if "request_id" in args]
+    return [args["request_id"] for _, args in server.bridge.services.calls if "request_id" in args]
 
 
 async def ended(it: Console, count: int = 1) -> CommandRecord:

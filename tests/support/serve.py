@@ -17,6 +17,8 @@ from websockets.typing import Origin
 from tests.support.cli import config_file, started
 
 WIDTH, HEIGHT = 120, 40
+WITHIN = 40.0
+"""Seconds for anything: each console takes a second of a processor to start, and others want it too."""
 
 
 class Serving:
@@ -32,21 +34,22 @@ class Serving:
         pid = self.process.pid
         return [int(one) for one in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
 
-    async def ended(self, *pids: int, within: float) -> None:
+    async def ended(self, *pids: int) -> None:
         """Wait until none of these processes is left."""
-        await until(lambda: not any(map(_lives, pids)), within)
+        await until(lambda: not any(map(_lives, pids)))
 
     async def stop(self, number: int = signal.SIGTERM) -> tuple[int, str]:
         """Ask it to end; its exit code, and what it said on stderr."""
         self.process.send_signal(number)
-        _, err = await asyncio.wait_for(self.process.communicate(), 10)
+        _, err = await asyncio.wait_for(self.process.communicate(), WITHIN)
         return self.process.returncode or 0, err.decode()
 
     @asynccontextmanager
     async def tab(self, origin: str | None = None) -> AsyncIterator["Page"]:
         """A page of its own, unless another origin is named."""
         address = f"ws://{self.place}/ws?width={WIDTH}&height={HEIGHT}"
-        async with connect(address, origin=Origin(origin or f"http://{self.place}")) as socket:
+        ours = Origin(origin or f"http://{self.place}")
+        async with connect(address, origin=ours, open_timeout=WITHIN) as socket:
             page = Page(socket)
             reading = asyncio.create_task(page.read())
             yield page
@@ -72,8 +75,13 @@ class Page:
     def text(self) -> str:
         return "\n".join(self.screen.display)
 
-    async def shows(self, words: str, within: float = 20.0) -> None:
-        await until(lambda: words in self.text(), within, lambda: f"{words!r} in\n{self.text()}")
+    async def shows(self, words: str) -> None:
+        await until(lambda: words in self.text(), lambda: f"{words!r} in\n{self.text()}")
+
+    async def closed(self) -> str:
+        """Wait until the server has closed it; the reason."""
+        await asyncio.wait_for(self.socket.wait_closed(), WITHIN)
+        return self.socket.close_reason or ""
 
     async def say(self, *message: object) -> None:
         await self.socket.send(json.dumps(message))
@@ -99,9 +107,9 @@ def about(process: int, what: str) -> bytes:
     return Path(f"/proc/{process}/{what}").read_bytes()
 
 
-async def until(holds: Callable[[], object], within: float, what: Callable[[], str] = lambda: "") -> None:
+async def until(holds: Callable[[], object], what: Callable[[], str] = lambda: "") -> None:
     """Wait until it holds."""
-    end = time.monotonic() + within
+    end = time.monotonic() + WITHIN
     while not holds():
         assert time.monotonic() < end, what()
         await asyncio.sleep(0.01)
@@ -113,7 +121,7 @@ async def serving(folder: Path, url: str, *args: str) -> AsyncIterator[Serving]:
     config_file(folder, url, robots=2, floors=2)
     process = await started(folder, "serve", "--port", "0", *args)
     assert process.stdout is not None
-    line = await asyncio.wait_for(process.stdout.readline(), 20)
+    line = await asyncio.wait_for(process.stdout.readline(), WITHIN)
     running = Serving(process, line.decode().strip())
     try:
         yield running

@@ -26,34 +26,38 @@ Message = dict[str, Any]
 
 def says(server: RosbridgeServer, topic: str, change: Callable[[Message], Message]) -> None:
     """A topic says something else from now on."""
-    said = server.topics[topic].payload
+    said = server.bridge.topics[topic].payload
 
     def payload(now: float) -> Payload:
         return Payload(change(msgspec.json.decode(said(now).json)))
 
-    server.topics[topic] = replace(server.topics[topic], payload=payload)
+    server.bridge.topics[topic] = replace(server.bridge.topics[topic], payload=payload)
 
 
 def renamed(server: RosbridgeServer, old: str, new: str) -> None:
-    server.topics[new] = replace(server.topics.pop(old), name=new)
-    server.types[new] = server.types.pop(old)
+    server.bridge.topics[new] = replace(server.bridge.topics.pop(old), name=new)
+    server.bridge.services.types[new] = server.bridge.services.types.pop(old)
 
 
 def only_listened_to(server: RosbridgeServer, *topics: str) -> None:
     """As the master lists topics that an open console asks for and nobody publishes."""
-    types = {name.rpartition("/")[2]: type_ for name, type_ in server.types.items()}
-    server.types |= {topic: types[topic.rpartition("/")[2]] for topic in topics if topic not in server.types}
+    types = {name.rpartition("/")[2]: type_ for name, type_ in server.bridge.services.types.items()}
+    server.bridge.services.types |= {
+        topic: types[topic.rpartition("/")[2]]
+        for topic in topics
+        if topic not in server.bridge.services.types
+    }
 
     def publishers(args: dict[str, Any]) -> dict[str, Any]:
-        there = args["topic"] in server.types and args["topic"] not in topics
+        there = args["topic"] in server.bridge.services.types and args["topic"] not in topics
         return {"publishers": ["/fleet"] if there else []}
 
-    server.answers["/rosapi/publishers"] = publishers
+    server.bridge.services.answers["/rosapi/publishers"] = publishers
 
 
 def retyped(server: RosbridgeServer, topic: str, type_: str) -> None:
-    server.topics[topic] = replace(server.topics[topic], type=type_)
-    server.types[topic] = type_
+    server.bridge.topics[topic] = replace(server.bridge.topics[topic], type=type_)
+    server.bridge.services.types[topic] = type_
 
 
 def on_the_server(change: Callable[[RosbridgeServer], object]) -> Plant:
@@ -69,17 +73,17 @@ def in_the_config(**changes: Any) -> Plant:
 
 
 def _remove(topic: str, server: RosbridgeServer) -> None:
-    del server.topics[topic], server.types[topic]
+    del server.bridge.topics[topic], server.bridge.services.types[topic]
 
 
 def _service(old: str, new: str, server: RosbridgeServer) -> None:
-    server.services[f"/robot_0/Application_layout/{new}"] = server.services.pop(
+    server.bridge.services.offered[f"/robot_0/Application_layout/{new}"] = server.bridge.services.offered.pop(
         f"/robot_0/Application_layout/{old}"
     )
 
 
 def _service_type(server: RosbridgeServer) -> None:
-    server.services["/robot_1/Application_layout/Pause"] = ServiceType("std_srvs/Empty", {})
+    server.bridge.services.offered["/robot_1/Application_layout/Pause"] = ServiceType("std_srvs/Empty", {})
 
 
 def _silent(server: RosbridgeServer) -> None:
@@ -126,11 +130,11 @@ def _tasks(queue: Message) -> Message:
 
 
 def _no_rosapi(server: RosbridgeServer) -> None:
-    server.rosapi_alive = False
+    server.bridge.services.rosapi_alive = False
 
 
 def _no_master(server: RosbridgeServer) -> None:
-    server.master_alive = False
+    server.bridge.services.master_alive = False
 
 
 def _renamed_and_listened_to(server: RosbridgeServer) -> None:
@@ -145,15 +149,15 @@ def _slip_and_listened_to(server: RosbridgeServer, config: Config) -> Config:
 
 
 def _unsourced(server: RosbridgeServer) -> None:
-    server.unsourced.add("OH_ressources")
+    server.bridge.services.unsourced.add("OH_ressources")
 
 
 def _unregistered(server: RosbridgeServer) -> None:
-    server.services.clear()
+    server.bridge.services.offered.clear()
 
 
 def _frozen_rosapi(server: RosbridgeServer) -> None:
-    server.silent_services.update(server.rosapi.services)
+    server.bridge.services.silent_services.update(server.bridge.services.rosapi.services)
 
 
 def _failing_rosapi(server: RosbridgeServer) -> None:
@@ -161,13 +165,13 @@ def _failing_rosapi(server: RosbridgeServer) -> None:
         words = "service [/rosapi/topics] responded with an error: b'error processing request: boom'"
         raise ServiceError(words)
 
-    server.answers["/rosapi/topics"] = fail
+    server.bridge.services.answers["/rosapi/topics"] = fail
 
 
 def _dead_node(server: RosbridgeServer) -> None:
     """One node of robot_0 publishes two topics and offers a service; it is killed, and stays registered."""
     dead = {"/robot_0/battery", "/robot_0/cargo", "/robot_0/Application_layout/Pause"}
-    server.muted |= dead
+    server.bridge.muted |= dead
 
     def publishers(args: Message) -> Message:
         return {"publishers": ["/robot_0/base" if args["topic"] in dead else "/fleet"]}
@@ -175,7 +179,7 @@ def _dead_node(server: RosbridgeServer) -> None:
     def owner(args: Message) -> Message:
         return {"node": "/robot_0/base" if args["service"] in dead else "/fleet"}
 
-    server.answers |= {"/rosapi/publishers": publishers, "/rosapi/service_node": owner}
+    server.bridge.services.answers |= {"/rosapi/publishers": publishers, "/rosapi/service_node": owner}
 
 
 def spelled_as_ros_2(server: RosbridgeServer) -> None:
@@ -186,10 +190,10 @@ def spelled_as_ros_2(server: RosbridgeServer) -> None:
         camel = "".join(part[0].upper() + part[1:] for part in name.split("_"))
         return f"{package.lower()}/{middle}/{camel}"
 
-    for topic in list(server.topics):
-        retyped(server, topic, spelled(server.types[topic], "msg"))
-    for name, type_ in server.services.items():
-        server.services[name] = replace(type_, name=spelled(type_.name, "srv"))
+    for topic in list(server.bridge.topics):
+        retyped(server, topic, spelled(server.bridge.services.types[topic], "msg"))
+    for name, type_ in server.bridge.services.offered.items():
+        server.bridge.services.offered[name] = replace(type_, name=spelled(type_.name, "srv"))
 
 
 AT = "/robot_0/floor_0/"
@@ -219,9 +223,9 @@ PLANTS: dict[str, Plant] = {
     "types as ROS 2 spells them": on_the_server(spelled_as_ros_2),
     "a missing topic": on_the_server(partial(_remove, "/robot_0/cargo")),
     "a wrong type": on_the_server(partial(retyped, topic="/robot_1/battery", type_="std_msgs/Float64")),
-    "a topic that stays away": on_the_server(lambda server: server.muted.add("/robot_0/pose")),
+    "a topic that stays away": on_the_server(lambda server: server.bridge.muted.add("/robot_0/pose")),
     "a field with another name": on_the_server(partial(says, topic="/robot_0/queue", change=_tasks)),
-    "a graph that is not latched": on_the_server(lambda server: server.muted.add(AT + "graph")),
+    "a graph that is not latched": on_the_server(lambda server: server.bridge.muted.add(AT + "graph")),
     "a renamed service": on_the_server(partial(_service, "Pause", "Pause_robot")),
     "a service of another type": on_the_server(_service_type),
     "a map of another size": on_the_server(
@@ -249,13 +253,13 @@ PLANTS: dict[str, Plant] = {
 
 
 def _overloaded(server: RosbridgeServer) -> None:
-    server.capacity = 20.0  # messages a second, of which the robots send 40
+    server.bridge.services.capacity = 20.0  # messages a second, of which the robots send 40
 
 
 def _volatile(server: RosbridgeServer) -> None:
     """What floors need is not latched, and published every half a second."""
-    names = [name for name, topic in server.topics.items() if "/floor_" in name]
-    server.topics |= {name: replace(server.topics[name], latched=False) for name in names}
+    names = [name for name, topic in server.bridge.topics.items() if "/floor_" in name]
+    server.bridge.topics |= {name: replace(server.bridge.topics[name], latched=False) for name in names}
     age = 0.0
 
     def step(dt: float) -> None:
@@ -264,17 +268,17 @@ def _volatile(server: RosbridgeServer) -> None:
         if age > 0.5:
             age = 0.0
             for name in names:
-                server.publish(name)
+                server.bridge.publish(name)
 
     server.world.troubles.append(step)
 
 
 def _small_messages(server: RosbridgeServer) -> None:
-    server.max_message_size = 100_000
+    server.bridge.max_message_size = 100_000
 
 
 def _unsourced_on_ros_2(server: RosbridgeServer) -> None:
-    server.unsourced.add("oh_ressources")
+    server.bridge.services.unsourced.add("oh_ressources")
 
 
 ROS_2_PLANTS: dict[str, Plant] = {
@@ -312,22 +316,28 @@ def _with_fault(name: str) -> Plant:
 
 
 def _no_waypoints(server: RosbridgeServer) -> None:
-    names = [name for name in server.fleet_of("robot_0").actions if not name.endswith("/follow_waypoints")]
-    server.answers["/rosapi/action_servers"] = lambda _args: {"action_servers": names}
+    names = [
+        name
+        for name in server.bridge.services.fleet_of("robot_0").actions
+        if not name.endswith("/follow_waypoints")
+    ]
+    server.bridge.services.answers["/rosapi/action_servers"] = lambda _args: {"action_servers": names}
 
 
 def _other_manager(server: RosbridgeServer) -> None:
     manager = "/robot_0/lifecycle_manager_navigation/is_active"
-    server.services["/robot_0/lifecycle_manager/is_active"] = server.services.pop(manager)
+    server.bridge.services.offered["/robot_0/lifecycle_manager/is_active"] = (
+        server.bridge.services.offered.pop(manager)
+    )
 
 
 def _command_of_that_name(server: RosbridgeServer) -> None:
     type_ = ServiceType("nav2_msgs/srv/ManageLifecycleNodes", {})
-    server.services["/robot_0/lifecycle_manager_navigation/is_active"] = type_
+    server.bridge.services.offered["/robot_0/lifecycle_manager_navigation/is_active"] = type_
 
 
 def _frozen_manager(server: RosbridgeServer) -> None:
-    server.silent_services.add("/robot_0/lifecycle_manager_navigation/is_active")
+    server.bridge.services.silent_services.add("/robot_0/lifecycle_manager_navigation/is_active")
 
 
 def _without_graph(server: RosbridgeServer, config: Config) -> Config:
@@ -347,7 +357,7 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 a command where that query belongs": on_the_server(_command_of_that_name),
     "with Nav2 a robot that is not sure where it is": _with_fault("lost"),
     "with Nav2 a robot that was never localised": on_the_server(
-        lambda server: server.muted.add("/robot_0/amcl_pose")
+        lambda server: server.bridge.muted.add("/robot_0/amcl_pose")
     ),
     "with Nav2 a battery that counts to 100": _with_fault("percent"),
     "with Nav2 a battery that is not measured": _with_fault("unmeasured"),

@@ -3,7 +3,7 @@
 from rich.style import Style
 
 from fleet_tui.terminal.cell_strip import CellStrip
-from fleet_tui.terminal.glass import ScreenBuffer
+from fleet_tui.terminal.screen_buffer import ScreenBuffer
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.roles import StyleRole
 

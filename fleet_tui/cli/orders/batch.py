@@ -35,7 +35,7 @@ def _robots(line: str, state: FleetState) -> Iterator[str]:
             continue
 
 
-def _wishes(lines: Iterable[Line], state: FleetState) -> list[tuple[int, Request]]:
+def _requests(lines: Iterable[Line], state: FleetState) -> list[tuple[int, Request]]:
     """Return the request of each line. Raises click's UsageError with every invalid line."""
     found, wrong = list[tuple[int, Request]](), list[str]()
     for number, line in lines:
@@ -63,28 +63,28 @@ def run_batch(
         if reason := unreachable(given.state, named):
             say(f"fleet-tui: nothing sent: {sanitize(reason)}", err=True)
             return NO_LINK
-        wishes = _wishes(lines, given.state)
+        requests = _requests(lines, given.state)
         if dry_run:
-            return said((one for _, wish in wishes for one in _tried(given, wish)), as_json, say)
-        return _give_all(given, wishes, keep_going, as_json, say)
+            return said((one for _, request in requests for one in _tried(given, request)), as_json, say)
+        return _give_all(given, requests, keep_going, as_json, say)
 
 
 def _give_all(
-    given: Sending, wishes: list[tuple[int, Request]], keep_going: bool, as_json: bool, say: Say
+    given: Sending, requests: list[tuple[int, Request]], keep_going: bool, as_json: bool, say: Say
 ) -> int:
     codes = list[int]()
-    for done, (number, wish) in enumerate(wishes, 1):
+    for done, (number, request) in enumerate(requests, 1):
         given.begin()
-        codes.append(said(given.give(wish), as_json, say, given))
+        codes.append(said(given.give(request), as_json, say, given))
         if codes[-1] != DONE and not keep_going:
-            left = len(wishes) - done
+            left = len(requests) - done
             say(f"stopped at line {number}, {left} line{'s' * (left != 1)} not sent", err=True)
             break
     return exit_code(codes)
 
 
-def _tried(given: Sending, wish: Request) -> list[Outcome]:
+def _tried(given: Sending, request: Request) -> list[Outcome]:
     """Return the expected result of a line, in the current state of the fleet."""
-    wish, unable = divide(given.state, wish)
-    held = given.check(wish)
-    return [*unable, *(held or [unsent(given.state, one, "", DONE, WOULD) for one in wish.commands])]
+    request, unable = divide(given.state, request)
+    held = given.check(request)
+    return [*unable, *(held or [unsent(given.state, one, "", DONE, WOULD) for one in request.commands])]

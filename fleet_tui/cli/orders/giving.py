@@ -173,22 +173,22 @@ def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say
         if reason := unreachable(state, robots):
             return unsent(reason, NO_LINK)
         try:
-            wish = parse_words(words, state)
+            request = parse_words(words, state)
         except CommandError as wrong:
             absent = unreported(state.robots[robots[0]])
             if absent:
                 return unsent(f"{wrong}; missing: {', '.join(absent)}", NOT_DONE)
             raise click.UsageError(sanitize(str(wrong))) from None
         if not as_json and sys.stdin.isatty():
-            _ask(given, wish)
-        return said(given.give(wish), as_json, say, given)
+            _ask(given, request)
+        return said(given.give(request), as_json, say, given)
 
 
-def _ask(given: Sending, wish: Request) -> None:
+def _ask(given: Sending, request: Request) -> None:
     """Ask a person at a terminal for the confirmation that --yes gives."""
-    found = given.warnings(wish)
+    found = given.warnings(request)
     shown = [problem for problem in found if problem.check != "losses"]
-    if found and click.confirm(question(given.state, wish, shown), err=True):
+    if found and click.confirm(question(given.state, request, shown), err=True):
         given.override()
 
 

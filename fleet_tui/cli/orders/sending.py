@@ -65,28 +65,28 @@ def reaches(state: FleetState, robot: Robot) -> bool:
     return link.phase is Phase.UP and link.command_path in (CommandPath.ALIVE, CommandPath.UNREGISTERED)
 
 
-def _losses(state: FleetState, wish: Request) -> Iterator[Problem]:
+def _losses(state: FleetState, request: Request) -> Iterator[Problem]:
     """Return the warnings of a clear: on the command line no queue is visible."""
-    for command in wish.commands:
+    for command in request.commands:
         robot = state.robots.get(command.robot)
         if isinstance(command, ClearOrders) and robot is not None and (count := len(clearable(state, robot))):
             text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
             yield Problem("losses", text, blocks=False)
 
 
-def _unattended(state: FleetState, wish: Request) -> Iterator[Problem]:
+def _unattended(state: FleetState, request: Request) -> Iterator[Problem]:
     """Return the orders whose later stops would not be sent once this command has ended."""
-    for command in wish.commands:
+    for command in request.commands:
         robot = state.robots.get(command.robot)
         if isinstance(command, PlaceOrder) and robot and robot.kind.gives_stops and len(command.stops) > 1:
             text = f"{robot.name} takes one stop at a time: use --until-done to send the others"
             yield Problem("unattended", text)
 
 
-def divide(state: FleetState, wish: Request) -> tuple[Request, list[Outcome]]:
+def divide(state: FleetState, request: Request) -> tuple[Request, list[Outcome]]:
     """Return the part of a request that the robots' kinds accept, and the outcomes of the rest."""
-    able = acceptable(state, wish)[0]
-    return able, _unable(state, (one for one in wish.commands if one not in able.commands))
+    able = acceptable(state, request)[0]
+    return able, _unable(state, (one for one in request.commands if one not in able.commands))
 
 
 def _unable(state: FleetState, commands: Iterable[Command]) -> list[Outcome]:
@@ -134,27 +134,27 @@ class Sending:
             record for id_, record in self._records.items() if not record.is_decided or id_ in self._driven
         ]
 
-    def give(self, wish: Request) -> Iterator[Outcome]:
+    def give(self, request: Request) -> Iterator[Outcome]:
         """Check a request, send it, and wait for the outcome of each command. To one robot they are sent in
         sequence, up to the first failure; to several, all at once."""
-        wish, unable = divide(self.state, wish)
+        request, unable = divide(self.state, request)
         yield from unable
-        wrong = self._problems(wish)
+        wrong = self._problems(request)
         if wrong:
-            yield from self._hold_back(wish.commands, wrong)
-        elif len({command.robot for command in wish.commands}) > 1:
-            yield from self.await_ends([self._link.submit(command) for command in wish.commands])
+            yield from self._hold_back(request.commands, wrong)
+        elif len({command.robot for command in request.commands}) > 1:
+            yield from self.await_ends([self._link.submit(command) for command in request.commands])
         else:
-            yield from self._one_after_the_other(wish.commands)
+            yield from self._one_after_the_other(request.commands)
 
-    def check(self, wish: Request) -> list[Outcome]:
+    def check(self, request: Request) -> list[Outcome]:
         """Return the objections to a request now, empty if it would be sent."""
-        wrong = self._problems(wish)
-        return list(self._hold_back(wish.commands, wrong)) if wrong else []
+        wrong = self._problems(request)
+        return list(self._hold_back(request.commands, wrong)) if wrong else []
 
-    def warnings(self, wish: Request) -> list[Problem]:
+    def warnings(self, request: Request) -> list[Problem]:
         """Return the warnings that a person may override, empty if the request is never sent."""
-        found = self._problems(wish)
+        found = self._problems(request)
         return [] if any(problem.blocks for problem in found) else found
 
     def override(self) -> None:
@@ -162,11 +162,11 @@ class Sending:
         self._how = replace(self._how, yes=True)
         self.begin()
 
-    def _problems(self, wish: Request) -> list[Problem]:
-        found = [*problems(self.state, wish, self._how.rights), *_losses(self.state, wish)]
+    def _problems(self, request: Request) -> list[Problem]:
+        found = [*problems(self.state, request, self._how.rights), *_losses(self.state, request)]
         if not self._how.until_done:
-            found += _unattended(self.state, wish)
-        asked = [command for command in wish.commands if not isinstance(command, PauseRobot | ResumeRobot)]
+            found += _unattended(self.state, request)
+        asked = [command for command in request.commands if not isinstance(command, PauseRobot | ResumeRobot)]
         for name in dict.fromkeys(command.robot for command in asked):
             absent = unreported(self.state.robots[name])
             if absent:

@@ -9,7 +9,7 @@ from functools import partial
 
 from fleet_tui.errors import FleetError
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.recording.play.deck import Playback
+from fleet_tui.recording.play.playback import Playback
 from fleet_tui.recording.play.times import moment_of
 from fleet_tui.recording.recording import Recording
 from fleet_tui.state.store import Store

@@ -192,25 +192,25 @@ def not_accepted(state: FleetState, commands: Sequence[Command]) -> list[Problem
     ]
 
 
-def acceptable(state: FleetState, wish: Request) -> tuple[Request, list[Problem]]:
+def acceptable(state: FleetState, request: Request) -> tuple[Request, list[Problem]]:
     """Return the part of a request that the robots' kinds accept, and the rest: the others don't wait for a
     robot that can't. A request that none accepts is unchanged: `problems` has the reason."""
-    able = tuple(command for command in wish.commands if not unaccepted(state, command))
-    if not able or len({command.robot for command in wish.commands}) == 1:
-        return wish, []
-    left_out = [command for command in wish.commands if command not in able]
-    return replace(wish, commands=able), not_accepted(state, left_out)
+    able = tuple(command for command in request.commands if not unaccepted(state, command))
+    if not able or len({command.robot for command in request.commands}) == 1:
+        return request, []
+    left_out = [command for command in request.commands if command not in able]
+    return replace(request, commands=able), not_accepted(state, left_out)
 
 
-def problems(state: FleetState, wish: Request, allowed: Permissions) -> list[Problem]:
+def problems(state: FleetState, request: Request, allowed: Permissions) -> list[Problem]:
     """Return all objections to a request, errors first; the only place that runs the checks."""
-    if impossible := not_accepted(state, wish.commands):
+    if impossible := not_accepted(state, request.commands):
         return impossible
-    if all(isinstance(command, PauseRobot) for command in wish.commands):
+    if all(isinstance(command, PauseRobot) for command in request.commands):
         return []
     found = list(rights(allowed))
     asked: set[str] = set()
-    for command in wish.commands:
+    for command in request.commands:
         robot = state.robots.get(command.robot)
         if robot is None:
             found.append(unknown_robot(state, command.robot))
@@ -218,15 +218,15 @@ def problems(state: FleetState, wish: Request, allowed: Permissions) -> list[Pro
         for check in CHECKS if robot.name in asked else CHECKS + FIRST:
             found += check(state, robot, command)
         if robot.name not in asked:
-            found += mistakable(robot, wish.floors)
+            found += mistakable(robot, request.floors)
         asked.add(robot.name)
     return sorted(dict.fromkeys(found), key=lambda problem: not problem.blocks)
 
 
-def repeated(wish: Request, given: Mapping[tuple[Command, ...], float], now: float) -> list[Problem]:
+def repeated(request: Request, given: Mapping[tuple[Command, ...], float], now: float) -> list[Problem]:
     """Check for the same orders given again at once. `given`: the time of each (monotonic)."""
-    at = given.get(wish.commands)
-    places = any(isinstance(command, PlaceOrder) for command in wish.commands)
+    at = given.get(request.commands)
+    places = any(isinstance(command, PlaceOrder) for command in request.commands)
     if at is None or now - at >= SAME_WITHIN or not places:
         return []
     return [Problem("repeated", f"same order sent {now - at:.1f} s ago")]

@@ -31,7 +31,7 @@ def has_failed(record: commands.CommandRecord) -> bool:
     return record.stage in commands.FAILURES and record.stage is not commands.Stage.NOT_SENT
 
 
-def _wish(robot: Robot, command: commands.Command) -> str:
+def _request_text(robot: Robot, command: commands.Command) -> str:
     match command:
         case commands.PlaceOrder(_, stops):
             return command.text(robot.kind, route_text(stops, lambda vertex: robot.name_of(vertex) or vertex))
@@ -66,17 +66,17 @@ def failed_commands(state: FleetState) -> Iterator[Condition]:
 
 def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecord]) -> Condition:
     last = records[-1]
-    wish = _wish(state.robots[last.command.robot], last.command)
+    request = _request_text(state.robots[last.command.robot], last.command)
     robots = len({record.command.robot for record in records})
     if robots > 1:
-        wish += f" of {robots} robots"
+        request += f" of {robots} robots"
     high = any(isinstance(record.command, commands.PauseRobot) for record in records)
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
         # The failure is first: it must not be cut at the right end.
-        f"{last.stage.value}: {wish}{detail_text(last.words)}",
-        f"{_OVER.get(last.stage, 'failed')}: {wish}",
+        f"{last.stage.value}: {request}{detail_text(last.words)}",
+        f"{_OVER.get(last.stage, 'failed')}: {request}",
         # A failure that changes into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),
     )

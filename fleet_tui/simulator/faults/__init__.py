@@ -95,4 +95,4 @@ def parse_faults_of(text: str, known: Mapping[str, Faults]) -> list[tuple[str, s
 def play(server: "RosbridgeServer", wanted: Iterable[tuple[str, str]]) -> None:
     """Let these faults happen to these robots from now on."""
     for name, robot in wanted:
-        server.fleet_of(robot).faults[name][1](server, robot)
+        server.bridge.services.fleet_of(robot).faults[name][1](server, robot)

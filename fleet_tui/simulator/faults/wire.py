@@ -28,7 +28,7 @@ GONE = 5.0  # seconds after which `unregistered` has no services
 
 
 def _services(server: "RosbridgeServer", robot: str, verb: str = "") -> list[str]:
-    own = [name for name in server.services if name.startswith(f"/{robot}/")]
+    own = [name for name in server.bridge.services.offered if name.startswith(f"/{robot}/")]
     return [name for name in own if name.rpartition("/")[2].startswith(verb)]
 
 
@@ -37,7 +37,7 @@ def _answered(answer: Callable[["RosbridgeServer", str, Values], Values], verb: 
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         for service in _services(server, robot, verb):
-            server.answers[service] = partial(answer, server, service)
+            server.bridge.services.answers[service] = partial(answer, server, service)
 
     return play
 
@@ -50,7 +50,7 @@ def _refused(_server: "RosbridgeServer", _service: str, args: Values) -> Values:
 
 
 def _obeyed_late(server: "RosbridgeServer", service: str, args: Values) -> Values:
-    asyncio.get_running_loop().call_later(OBEYS, server.carry_out, service, args)
+    asyncio.get_running_loop().call_later(OBEYS, server.bridge.services.carry_out, service, args)
     verb = service.rpartition("/")[2]
     if verb.startswith(ORDERS):
         return {"request_id": args.get("request_id", 0), "status": "executed"}
@@ -58,7 +58,7 @@ def _obeyed_late(server: "RosbridgeServer", service: str, args: Values) -> Value
 
 
 def _died(server: "RosbridgeServer", service: str, args: Values) -> Values:
-    server.carry_out(service, args)
+    server.bridge.services.carry_out(service, args)
     raise NodeDiedError
 
 
@@ -72,12 +72,12 @@ obeys_late = _answered(_obeyed_late)
 
 def never(server: "RosbridgeServer", robot: str) -> None:
     """Neither answer nor carry out a command."""
-    server.silent_services.update(_services(server, robot))
+    server.bridge.services.silent_services.update(_services(server, robot))
 
 
 def late_call(server: "RosbridgeServer", robot: str) -> None:
     """Begin an order only when the frozen node wakes."""
-    server.frozen.update(dict.fromkeys(_services(server, robot, ORDERS), LATE))
+    server.bridge.services.frozen.update(dict.fromkeys(_services(server, robot, ORDERS), LATE))
 
 
 def _delivered(deliver: Callable[["RosbridgeServer", "Call", "Frame"], None]) -> Play:
@@ -85,7 +85,7 @@ def _delivered(deliver: Callable[["RosbridgeServer", "Call", "Frame"], None]) ->
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         for service in _services(server, robot):
-            server.deliveries[service] = lambda call, frame: deliver(server, call, frame)
+            server.bridge.services.deliveries[service] = lambda call, frame: deliver(server, call, frame)
 
     return play
 
@@ -117,7 +117,7 @@ late, slow_answer, twice, wrong_id, drop = map(_delivered, (_late, _slow, _twice
 
 def stale(server: "RosbridgeServer", robot: str) -> None:
     """Keep the pose back."""
-    server.muted.add(f"/{robot}/pose")
+    server.bridge.muted.add(f"/{robot}/pose")
 
 
 def unregistered(server: "RosbridgeServer", robot: str) -> None:
@@ -129,36 +129,42 @@ def unregistered(server: "RosbridgeServer", robot: str) -> None:
         age += dt / server.speed
         if age > GONE:
             for service in _services(server, robot):
-                del server.services[service]
+                del server.bridge.services.offered[service]
 
-    server.fleet_of(robot).troubles.append(step)
+    server.bridge.services.fleet_of(robot).troubles.append(step)
 
 
 def frozen_rosapi(server: "RosbridgeServer", _robot: str) -> None:
     """Freeze rosapi's node."""
-    server.silent_services.update(server.rosapi.services)
+    server.bridge.services.silent_services.update(server.bridge.services.rosapi.services)
 
 
 def unsourced(server: "RosbridgeServer", _robot: str) -> None:
     """Let the bridge run without the package of the robots' messages."""
-    package = server.dialect.short(server.dialect.message_type("OH_ressources/Graph")).partition("/")[0]
-    server.unsourced.add(package)
+    package = server.bridge.dialect.short(
+        server.bridge.dialect.message_type("OH_ressources/Graph")
+    ).partition("/")[0]
+    server.bridge.services.unsourced.add(package)
 
 
 def overloaded(server: "RosbridgeServer", _robot: str) -> None:
     """Let the bridge carry little, so that everything comes later and later."""
-    server.capacity = CARRIED
+    server.bridge.services.capacity = CARRIED
 
 
 def dead_rosapi(server: "RosbridgeServer", _robot: str) -> None:
     """End rosapi's node."""
-    server.rosapi_alive = False
+    server.bridge.services.rosapi_alive = False
 
 
 def volatile_maps(server: "RosbridgeServer", robot: str) -> None:
     """Publish maps, graphs and labels again and again instead of latched."""
-    names = [name for name, topic in server.topics.items() if topic.latched and name.startswith(f"/{robot}/")]
-    server.topics |= {name: replace(server.topics[name], latched=False) for name in names}
+    names = [
+        name
+        for name, topic in server.bridge.topics.items()
+        if topic.latched and name.startswith(f"/{robot}/")
+    ]
+    server.bridge.topics |= {name: replace(server.bridge.topics[name], latched=False) for name in names}
     age = 0.0
 
     def step(dt: float) -> None:
@@ -167,6 +173,6 @@ def volatile_maps(server: "RosbridgeServer", robot: str) -> None:
         if age > AGAIN:
             age = 0.0
             for name in names:
-                server.publish(name)
+                server.bridge.publish(name)
 
-    server.fleet_of(robot).troubles.append(step)
+    server.bridge.services.fleet_of(robot).troubles.append(step)

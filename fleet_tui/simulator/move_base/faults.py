@@ -63,9 +63,9 @@ def _heard(change: "Callable[[RosbridgeServer, Take, dict[str, Any]], None]", pa
     """A fault of the way on which goals and cancellations come: `change` has what would take the message."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
-        for name, take in server.heard.items():
+        for name, take in server.bridge.services.heard.items():
             if name.startswith(f"/{robot}/") and name.endswith(parts):
-                server.heard[name] = partial(change, server, take)
+                server.bridge.services.heard[name] = partial(change, server, take)
 
     return play
 
@@ -84,15 +84,15 @@ def _drop(server: "RosbridgeServer", take: Take, message: dict[str, Any]) -> Non
 
 
 def _first_lost(server: "RosbridgeServer", _robot: str) -> None:
-    server.guests.connects_in = CONNECTS
+    server.bridge.services.guests.connects_in = CONNECTS
 
 
 def _unsourced(server: "RosbridgeServer", _robot: str) -> None:
-    server.unsourced.add("move_base_msgs")
+    server.bridge.services.unsourced.add("move_base_msgs")
 
 
 def _unlocalised(server: "RosbridgeServer", robot: str) -> None:
-    server.muted.add(f"/{robot}/amcl_pose")
+    server.bridge.muted.add(f"/{robot}/amcl_pose")
 
 
 FAULTS: Faults = {

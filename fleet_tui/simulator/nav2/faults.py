@@ -22,7 +22,7 @@ GENERIC = (
 def _fleet(server: "RosbridgeServer", robot: str) -> "Nav2Fleet":
     from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 
-    fleet = server.fleet_of(robot)
+    fleet = server.bridge.services.fleet_of(robot)
     assert isinstance(fleet, Nav2Fleet)
     return fleet
 
@@ -54,7 +54,7 @@ def _dead_server(server: "RosbridgeServer", robot: str) -> None:
         if age > AWHILE:
             for one in navigation.servers.values():
                 one.die()
-                server.silent_services.add(f"{one.name}/_action/cancel_goal")
+                server.bridge.services.silent_services.add(f"{one.name}/_action/cancel_goal")
         return age
 
     often(change)(server, robot)
@@ -65,17 +65,17 @@ def _no_feedback(navigation: "SimNavigation") -> None:
 
 
 def _unsourced(server: "RosbridgeServer", _robot: str) -> None:
-    server.unsourced.add("nav2_msgs")
+    server.bridge.services.unsourced.add("nav2_msgs")
 
 
 def _mute_rejection(server: "RosbridgeServer", _robot: str) -> None:
-    server.actions.tells_failure = False
+    server.bridge.services.actions.tells_failure = False
 
 
 def _humble(server: "RosbridgeServer", robot: str) -> None:
     """Let the bridge be Humble's, with its usual parameters."""
-    server.one_by_one, server.call_timeout = True, None
-    server.rosapi.distro = "humble"
+    server.bridge.one_by_one, server.bridge.services.call_timeout = True, None
+    server.bridge.services.rosapi.distro = "humble"
     for navigation in _fleet(server, robot).navigation.values():
         navigation.distro = "humble"
 

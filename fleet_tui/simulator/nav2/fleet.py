@@ -90,7 +90,7 @@ class Nav2Fleet(Nav2World):
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
         """The feedback of an action on a goal, None where it says nothing."""
-        navigation = self._navigation_of(server)
+        navigation = self.navigation[_robot_of(server)]
         if navigation.robot.silence or not navigation.tells:
             return None
         header = dialect.header(0, time.time(), FRAME)
@@ -98,7 +98,7 @@ class Nav2Fleet(Nav2World):
 
     def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
         """The result of a goal that is over, None while it can't be heard."""
-        navigation = self._navigation_of(server)
+        navigation = self.navigation[_robot_of(server)]
         return None if navigation.robot.silence else messages.result(goal, navigation.distro)
 
     def lines(self) -> Iterable[Line]:
@@ -109,8 +109,9 @@ class Nav2Fleet(Nav2World):
         """The batteries and localisations of all robots that can be heard."""
         return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))
 
-    def _navigation_of(self, server: ActionServer) -> SimNavigation:
-        return self.navigation[server.name.split("/")[1]]
+
+def _robot_of(server: ActionServer) -> str:
+    return server.name.split("/")[1]
 
 
 def _take_pose(navigation: SimNavigation, message: Message) -> None:

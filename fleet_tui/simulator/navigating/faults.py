@@ -23,7 +23,7 @@ def navigation_of(server: "RosbridgeServer", robot: str) -> Any:
     """The navigation stack of a robot."""
     from fleet_tui.simulator.navigating.world import NavigatingWorld
 
-    fleet = server.fleet_of(robot)
+    fleet = server.bridge.services.fleet_of(robot)
     assert isinstance(fleet, NavigatingWorld)
     return fleet.navigation[robot]
 
@@ -45,7 +45,7 @@ def often(change: Callable[[N, float], float], idle: bool = False) -> wire.Play:
             busy = idle or navigation.busy
             age = change(navigation, age + dt / server.speed if busy else 0.0)
 
-        server.fleet_of(robot).troubles.append(step)
+        server.bridge.services.fleet_of(robot).troubles.append(step)
 
     return play
 

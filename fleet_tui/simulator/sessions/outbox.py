@@ -25,7 +25,7 @@ class SubscribeRequest:
 class ClientSubscription:
     """A client's interest in one topic: all its subscribes together, by id, make one stream of frames."""
 
-    wishes: dict[str | None, SubscribeRequest] = field(default_factory=dict)
+    requests: dict[str | None, SubscribeRequest] = field(default_factory=dict)
     waiting: deque[Frame] = field(default_factory=deque)
     due: float = 0.0
     throttle: float = 0.0
@@ -33,11 +33,11 @@ class ClientSubscription:
     compression: Compression = "none"
 
     def settle(self) -> None:
-        """Take the strictest of all wishes, as the bridge does."""
-        wishes = self.wishes.values()
-        self.throttle = min(wish.throttle for wish in wishes)
-        self.queue_length = min(wish.queue_length for wish in wishes)
-        asked = {wish.compression for wish in wishes}
+        """Take the strictest of all requests, as the bridge does."""
+        requests = self.requests.values()
+        self.throttle = min(request.throttle for request in requests)
+        self.queue_length = min(request.queue_length for request in requests)
+        asked = {request.compression for request in requests}
         self.compression = next(one for one in COMPRESSIONS if one in asked)
         self.waiting = deque(self.waiting, maxlen=self.queue_length or UNBUFFERED)
 

@@ -23,9 +23,7 @@ from fleet_tui.simulator.sessions.operations import Operation, problem_of
 from fleet_tui.simulator.sessions.outbox import COMPRESSIONS, ClientSubscription, Outbox, SubscribeRequest
 
 if TYPE_CHECKING:
-    from fleet_tui.simulator.actions import ActionDesk
-    from fleet_tui.simulator.calls import Call
-    from fleet_tui.simulator.guests import Guests
+    from fleet_tui.simulator.services import ServiceDesk
 
 
 class Bridge(Protocol):
@@ -33,8 +31,7 @@ class Bridge(Protocol):
 
     subscribe_delay: float
     dialect: Dialect
-    guests: "Guests"
-    actions: "ActionDesk"
+    services: "ServiceDesk"
     max_message_size: int | None
     one_by_one: bool
     """True: a client's call or goal must be over before its next operation is looked at."""
@@ -44,9 +41,6 @@ class Bridge(Protocol):
 
     def complain(self, session: "Session", operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""
-
-    def call(self, session: "Session", operation: Operation) -> "Call | None":
-        """Answer a service call, or not."""
 
     def join(self, session: "Session", operation: Operation) -> None:
         """Bring a topic to a client, who may have it already. Raises BridgeError."""
@@ -139,16 +133,16 @@ class Session:
             case "unsubscribe":
                 self._unsubscribe(operation["topic"], operation.get("id"))
             case "call_service":
-                call = self.bridge.call(self, operation)
+                call = self.bridge.services.call(self, operation)
                 self.bridge.spread()
                 if call is not None:
                     await self._wait(call.over)
             case "send_action_goal":
-                ended = self.bridge.actions.send(self, operation)
+                ended = self.bridge.services.actions.send(self, operation)
                 self.bridge.spread()
                 await self._wait(ended)
             case "cancel_action_goal":
-                self.bridge.actions.cancel(self, operation)
+                self.bridge.services.actions.cancel(self, operation)
                 self.bridge.spread()
             case "fragment":
                 text = self._assembler.add(operation)
@@ -166,7 +160,7 @@ class Session:
 
     def _share(self, operation: Operation) -> None:
         """Publish a topic or offer a service of one's own."""
-        guests = self.bridge.guests
+        guests = self.bridge.services.guests
         match operation["op"]:
             case "publish":
                 self.bridge.publish_for(self, operation)
@@ -186,7 +180,7 @@ class Session:
         self.bridge.join(self, operation)
         subscription = self.subscriptions.setdefault(topic, ClientSubscription())
         asked = operation.get("compression")
-        subscription.wishes[operation.get("id")] = SubscribeRequest(
+        subscription.requests[operation.get("id")] = SubscribeRequest(
             (operation.get("throttle_rate") or 0) / 1000.0,
             operation.get("queue_length") or 0,
             next((one for one in COMPRESSIONS if one == asked), "none"),
@@ -201,8 +195,8 @@ class Session:
         if subscription is None:
             return
         if id_ is not None:
-            subscription.wishes.pop(id_, None)
-        if id_ is None or not subscription.wishes:
+            subscription.requests.pop(id_, None)
+        if id_ is None or not subscription.requests:
             subscription.waiting.clear()
             del self.subscriptions[topic]
             self.bridge.leave(self, topic)

@@ -16,9 +16,9 @@ from fleet_tui.view.tables.fleet import mission
 SHOWN = 6
 
 
-def losses(state: FleetState, wish: Request) -> Iterator[str]:
+def losses(state: FleetState, request: Request) -> Iterator[str]:
     """Return the losses, one line each; empty if there are none."""
-    for command in wish.commands:
+    for command in request.commands:
         robot = state.robots[command.robot]
         match command:
             case CancelOrder(name, order_id):
@@ -37,21 +37,21 @@ def losses(state: FleetState, wish: Request) -> Iterator[str]:
                 assert_never(command)
 
 
-def wish_text(state: FleetState, wish: Request) -> str:
+def wish_text(state: FleetState, request: Request) -> str:
     """Return the text of a request in one line."""
-    first = command_text(state, wish.commands[0])
-    if len({command.robot for command in wish.commands}) > 1:
-        return batch_name(state, wish.commands)
-    robot = wish.commands[0].robot
-    rest = (command_text(state, command).removeprefix(f"{robot} order ") for command in wish.commands[1:])
+    first = command_text(state, request.commands[0])
+    if len({command.robot for command in request.commands}) > 1:
+        return batch_name(state, request.commands)
+    robot = request.commands[0].robot
+    rest = (command_text(state, command).removeprefix(f"{robot} order ") for command in request.commands[1:])
     return ", ".join([first, *rest])
 
 
-def question(state: FleetState, wish: Request, found: Sequence[Problem]) -> str:
+def question(state: FleetState, request: Request, found: Sequence[Problem]) -> str:
     """Return the question, with its warnings."""
     against = [sanitize(problem.text) for problem in found]
-    lost = list(losses(state, wish))
+    lost = list(losses(state, request))
     if lost:
         return "\n".join([*lost, *against])
     ask = [f"{', '.join(against)}: send anyway?"] if against else ["Send?"]
-    return "\n".join([*ask, wish_text(state, wish)])
+    return "\n".join([*ask, wish_text(state, request)])

@@ -12,9 +12,7 @@ from fleet_tui.view.map.cells import Inks
 from fleet_tui.view.roles import StyleRole
 
 _REACH = 3  # maximum distance of a tag from its robot in rows or cells
-_MARGIN = (
-    40  # cells between two rows of the bit mask, always taken, so that nothing extends from one into the next
-)
+_MARGIN = 40  # cells between two rows of the bit mask, always taken to separate them
 LONGEST = _MARGIN - 2 * _REACH
 """Cells of the longest tag that can be placed."""
 

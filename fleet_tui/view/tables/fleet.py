@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import NamedTuple
 
+from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, route_text
@@ -174,9 +175,18 @@ def _row(state: FleetState, robot: Robot, head: list[Run], columns: _Columns, wi
     return Row(robot.name, (*head, *middle, _doing(state, robot, ink)))
 
 
+def in_trouble_first(state: FleetState) -> list[Robot]:
+    """Return all robots: those with an alarm that holds and is not shelved first, each part in the order of
+    the config."""
+    holding = [one for one in state.alarms if one.holds and one.stage is not AlarmStage.SHELVED]
+    named = {name for alarm in holding for name in (alarm.condition.source, *alarm.condition.parts)}
+    return sorted(state.robots.values(), key=lambda robot: robot.name not in named)
+
+
 def fleet_table(state: FleetState, selected: str, width: int) -> Table:
-    """Return the whole fleet, in the order of the config, for a pane of `width` cells."""
-    robots = list(state.robots.values())
+    """The whole fleet for a pane of `width` cells: robots with an alarm first, else in the order of the
+    config."""
+    robots = in_trouble_first(state)
     online = sum(state.is_online(robot) for robot in robots)
     columns = _Columns.of(state)
 
@@ -185,5 +195,5 @@ def fleet_table(state: FleetState, selected: str, width: int) -> Table:
         head = _head(state, robot, robot.name == selected, columns)
         return _row(state, robot, head, columns, width)
 
-    rows = LateRows(list(state.robots), row)
+    rows = LateRows([robot.name for robot in robots], row)
     return Table((("Fleet", StyleRole.TITLE), (f" {online} of {len(rows)} online", StyleRole.DIM)), rows)

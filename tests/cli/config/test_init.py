@@ -40,7 +40,7 @@ async def test_a_usual_site_needs_no_editing(server: RosbridgeServer, tmp_path: 
     config = tomllib.loads((tmp_path / "config.toml").read_text())
     assert [floor["name"] for floor in config["floors"]] == ["floor_0", "floor_1"]
     assert (await run(tmp_path, "doctor")).code == 0
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 async def test_other_names_become_overrides(server: RosbridgeServer, tmp_path: Path) -> None:
@@ -50,7 +50,7 @@ async def test_other_names_become_overrides(server: RosbridgeServer, tmp_path: P
         retyped(server, f"/{robot}/battery", "std_msgs/Float64")
         for floor in ("floor_0", "floor_1"):
             renamed(server, f"/{robot}/{floor}/graph", f"/{robot}/{floor}/routes")
-        names = server.services
+        names = server.bridge.services.offered
         names[f"/{robot}/halt_robot_pause"] = names.pop(f"/{robot}/Application_layout/Pause")
     status = await made(server, tmp_path)
     assert status.code == 0, status.out
@@ -87,9 +87,9 @@ async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) ->
     PLANTS["a frozen rosapi"](server, Config())
     frozen = await run(tmp_path, "config", "init", "--from-live", server.url)
     assert frozen.code == 1 and "restart rosapi (" in frozen.err
-    server.silent_services.clear()
-    server.answers.clear()
-    server.rosapi_alive = False
+    server.bridge.services.silent_services.clear()
+    server.bridge.services.answers.clear()
+    server.bridge.services.rosapi_alive = False
     mute = await run(tmp_path, "config", "init", "--from-live", server.url)
     assert mute.code == 1 and "discovery needs rosapi" in mute.err and "start rosapi" in mute.err
 
@@ -143,7 +143,7 @@ async def test_what_nobody_publishes_is_not_proposed(server: RosbridgeServer, tm
     for robot in ("robot_0", "robot_1"):
         renamed(server, f"/{robot}/pose", f"/{robot}/amcl_pose")
         retyped(server, f"/{robot}/amcl_pose", "geometry_msgs/PoseWithCovarianceStamped")
-        server.types[f"/{robot}/goal_pose"] = "geometry_msgs/PoseStamped"
+        server.bridge.services.types[f"/{robot}/goal_pose"] = "geometry_msgs/PoseStamped"
     only_listened_to(server, "/robot_0/goal_pose", "/robot_1/goal_pose")
     done = await run(tmp_path, "config", "init", "--from-live", server.url)
     assert done.code == 0 and "goal_pose" not in done.out

@@ -65,7 +65,7 @@ async def test_a_usual_fleet_needs_but_its_kind(nav2: RosbridgeServer, tmp_path:
     text = (tmp_path / "config.toml").read_text()
     assert '# graph = "maps/floor_0.geojson"' in text and "the live map is used" in text
     # rosapi of ROS 2 dies of some questions, and nothing was commanded.
-    assert nav2.rosapi_alive and not nav2.calls
+    assert nav2.bridge.services.rosapi_alive and not nav2.bridge.services.calls
 
 
 async def test_other_names_and_a_battery_by_its_type(nav2: RosbridgeServer, tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ async def test_two_same_orders_are_two_orders(server: RosbridgeServer, folder: P
     done = await run(folder, "run", "batch")
     assert (done.code, done.err) == (0, "")
     assert "(seen in the queue as order 1)" in done.out and "(seen in the queue as order 2)" in done.out
-    assert len(server.calls) == len(server.world.robots["robot_0"].orders) == 2
+    assert len(server.bridge.services.calls) == len(server.world.robots["robot_0"].orders) == 2
     assert audited(folder).count("robot_0 order confirmed") == 2
 
 
@@ -47,7 +47,7 @@ async def test_a_dry_run_sends_nothing(server: RosbridgeServer, folder: Path) ->
     done = await run(folder, "run", "batch", "--dry-run")
     assert done.out == "robot_0 order Base -> Consumidores: would be sent\n" * 2
     assert (done.code, done.err) == (1, "robot_1 clear all orders: not sent (robot_1 has no orders)\n")
-    assert not server.calls and not audited(folder)
+    assert not server.bridge.services.calls and not audited(folder)
 
 
 async def test_nothing_is_sent_where_a_line_is_not_understood(server: RosbridgeServer, folder: Path) -> None:
@@ -55,7 +55,7 @@ async def test_nothing_is_sent_where_a_line_is_not_understood(server: RosbridgeS
     first, second, third, _ = done.err.splitlines()
     assert done.code == 2 and first == "fleet-tui: nothing sent"
     assert second.startswith("line 5: unknown robot") and third == "line 6: usage: cancel ROBOT ID"
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 @pytest.mark.parametrize(("option", "calls"), [((), 1), (("--keep-going",), 3)])
@@ -64,7 +64,7 @@ async def test_the_first_failure_ends_it_unless_told_otherwise(
 ) -> None:
     play(server, [("refuse", "robot_0")])
     done = await run(folder, "run", "-", *option, stdin=TWICE + "pause robot_1")
-    assert done.code == 1 and "refused (REJECTED" in done.err and len(server.calls) == calls
+    assert done.code == 1 and "refused (REJECTED" in done.err and len(server.bridge.services.calls) == calls
     assert ("stopped at line 3, 2 lines not sent" in done.err) is not bool(option)
 
 

@@ -30,7 +30,7 @@ def carried_out(server: RosbridgeServer, service: str, answers: bool = False) ->
         if answers:
             call.reply(frame)
 
-    server.deliveries[service] = deliver
+    server.bridge.services.deliveries[service] = deliver
     return called
 
 
@@ -54,11 +54,13 @@ async def test_a_b_c_is_two_orders_one_after_the_other(server: RosbridgeServer, 
 async def test_labels_with_spaces(server: RosbridgeServer, folder: Path) -> None:
     labels = "/robot_0/floor_0/labeled_vertices"
     named = Payload({"vertices": [{"label": "Dock # 7", "vertex_id": 19}, {"label": "Base", "vertex_id": 0}]})
-    server.topics[labels] = Topic(labels, server.types[labels], lambda _: named, latched=True)
+    server.bridge.topics[labels] = Topic(
+        labels, server.bridge.services.types[labels], lambda _: named, latched=True
+    )
     done = await run(folder, "order", "robot_0", "Base", "Dock # 7")
     assert done.code == 0 and "Base -> Dock # 7: confirmed" in done.out
     done = await run(folder, "run", "-", stdin='robot_0 Dock # 7 > Base\norder robot_0 Base "Dock # 7"\n')
-    assert (done.code, done.out.count("confirmed"), len(server.calls)) == (0, 2, 3)
+    assert (done.code, done.out.count("confirmed"), len(server.bridge.services.calls)) == (0, 2, 3)
 
 
 async def test_cargo_on_board_needs_only_a_destination(server: RosbridgeServer, folder: Path) -> None:
@@ -97,8 +99,8 @@ async def test_pause_and_resume_one_or_all(server: RosbridgeServer, folder: Path
 
 
 async def test_a_pause_waits_for_neither_rosapi_nor_the_robots(server: RosbridgeServer, folder: Path) -> None:
-    server.silent_services.add("/rosapi/fleet_tui_heartbeat")
-    server.muted.update(server.topics)
+    server.bridge.services.silent_services.add("/rosapi/fleet_tui_heartbeat")
+    server.bridge.muted.update(server.bridge.topics)
     done = await run(folder, "pause", "--all", "--timeout", "3")
     assert sorted(asked(server)) == ["robot_0 Pause", "robot_1 Pause"]
     assert done.code == 1 and done.err.count("not confirmed (accepted; no message on the pause topic)") == 2
@@ -133,7 +135,7 @@ async def test_usage_is_2_with_the_nearest_name(
 ) -> None:
     done = await run(folder, *words)
     assert done.code == 2 and said in done.err and not done.out and "Traceback" not in done.err
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 @pytest.mark.parametrize("words", [ORDER, ("pause", "--all"), ("clear", "robot_0"), ("resume", "robot_0")])
@@ -150,22 +152,22 @@ async def test_warnings_hold_it_back_unless_yes(server: RosbridgeServer, folder:
     server.world.robots["robot_0"].paused = True
     done = await run(folder, *ORDER)
     assert done.code == 1 and "not sent (robot_0 is paused: use --yes to send anyway)" in done.err
-    assert not server.calls
+    assert not server.bridge.services.calls
     assert (await run(folder, *ORDER, "--yes")).code == 0
     same = await run(folder, "order", "robot_0", "Base", "Base", "--yes")
     assert same.code == 1 and "From and To are the same place: Base" in same.err
-    assert len(server.calls) == 1
+    assert len(server.bridge.services.calls) == 1
 
 
 async def test_what_never_came_is_a_warning(server: RosbridgeServer, folder: Path) -> None:
-    server.muted.add("/robot_0/cargo")
+    server.bridge.muted.add("/robot_0/cargo")
     done = await run(folder, *ORDER, "--timeout", "1")
     assert done.code == 1 and "robot_0: missing: cargo: use --yes to send anyway" in done.err
-    server.muted.add("/robot_0/floor_0/labeled_vertices")
-    server.muted.add("/robot_0/floor_0/graph")
+    server.bridge.muted.add("/robot_0/floor_0/labeled_vertices")
+    server.bridge.muted.add("/robot_0/floor_0/graph")
     done = await run(folder, *ORDER, "--timeout", "1")
     assert done.code == 1 and "missing: cargo, graph of floor_0" in done.err
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 @pytest.mark.parametrize(
@@ -185,9 +187,13 @@ async def test_the_config_may_forbid_it(
     paused = await run(folder, "pause", "--all")
     # As in the console: not being armed holds back no pause, being read-only everything.
     if "armed" in setting:
-        assert (paused.code, len(server.calls)) == (0, 2)
+        assert (paused.code, len(server.bridge.services.calls)) == (0, 2)
     else:
-        assert paused.code == 1 and "not sent (this console is read-only)" in paused.err and not server.calls
+        assert (
+            paused.code == 1
+            and "not sent (this console is read-only)" in paused.err
+            and not server.bridge.services.calls
+        )
         assert audited(folder)[-2:] == ["robot_1 pause not sent", "pause all summary"]
 
 
@@ -215,7 +221,7 @@ async def test_a_chain_stops_where_it_goes_wrong(server: RosbridgeServer, folder
     play(server, [("refuse", "robot_0")])
     done = await run(folder, "order", "robot_0", "Base", "Consumidores", "Base")
     assert done.code == 1 and "not sent (the previous command failed)" in done.err
-    assert len(server.calls) == 1
+    assert len(server.bridge.services.calls) == 1
 
 
 async def test_time_that_is_up_leaves_the_outcome_unknown(server: RosbridgeServer, folder: Path) -> None:
@@ -247,14 +253,14 @@ async def test_ended_from_outside_it_says_what_is_not_known(
 
 
 async def test_ctrl_c_before_anything_was_sent(server: RosbridgeServer, folder: Path) -> None:
-    server.muted.add("/robot_0/queue")
+    server.bridge.muted.add("/robot_0/queue")
     connected = carried_out(server, "/rosapi/fleet_tui_heartbeat", answers=True)
     process = await started(folder, *ORDER)
     await asyncio.wait_for(connected.wait(), 10)
     process.send_signal(signal.SIGINT)
     _, err = await asyncio.wait_for(process.communicate(), 10)
     assert (process.returncode, b"nothing else sent" in err) == (130, True), err
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 def test_no_screen_is_imported(tmp_path: Path) -> None:
@@ -281,10 +287,12 @@ async def test_a_service_of_another_type_is_not_called_by_a_fresh_process(
 ) -> None:
     """`resume` waits for no report, and so it is there before rosapi has told any type."""
     service = "/robot_0/Application_layout/Resume"
-    server.services[service] = replace(server.services[service], name="nav2_msgs/srv/ManageLifecycleNodes")
+    server.bridge.services.offered[service] = replace(
+        server.bridge.services.offered[service], name="nav2_msgs/srv/ManageLifecycleNodes"
+    )
     done = await run(folder, "resume", "robot_0")
     assert done.code == 1 and "has type nav2_msgs/srv/ManageLifecycleNodes, not std_srvs/Trigger" in done.err
-    assert not server.calls
+    assert not server.bridge.services.calls
     chain = await run(folder, "order", "robot_0", "Base", "Consumidores", "Base")
     assert chain.code == 0
-    assert [args["end_point"] for _, args in server.calls] == [19, 0]
+    assert [args["end_point"] for _, args in server.bridge.services.calls] == [19, 0]

@@ -37,7 +37,7 @@ async def test_it_ends_when_the_next_stop_is_refused(site: MoveBaseSite, tmp_pat
     def refuse_the_second(_dt: float) -> None:
         navigation.rejects = bool(navigation.received)
 
-    site.server.fleet_of("robot_0").troubles.append(refuse_the_second)
+    site.server.bridge.services.fleet_of("robot_0").troubles.append(refuse_the_second)
     done = await run(tmp_path, *ORDER, "--timeout", "60")
     assert done.code == 1 and "not done (refused: " in done.err
 

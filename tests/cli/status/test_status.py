@@ -23,7 +23,7 @@ async def test_all_well_is_0_and_the_whole_fleet(server: RosbridgeServer, tmp_pa
     assert (done.code, done.err) == (0, "")
     assert server.url in done.out and "all well" in done.out
     assert "robot_0" in done.out and "robot_1" in done.out
-    assert not server.calls
+    assert not server.bridge.services.calls
 
 
 async def test_json_says_the_same_with_a_version(server: RosbridgeServer, tmp_path: Path) -> None:
@@ -51,7 +51,7 @@ async def test_what_needs_attention_is_1_and_named(
 
 
 async def test_what_never_came_is_named(server: RosbridgeServer, tmp_path: Path) -> None:
-    server.muted.update(["/robot_0/queue", "/robot_0/paused"])
+    server.bridge.muted.update(["/robot_0/queue", "/robot_0/paused"])
     config_file(tmp_path, server.url, 1)
     done = await run(tmp_path, "status", "--timeout", "1")
     assert done.code == 1

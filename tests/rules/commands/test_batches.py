@@ -1,4 +1,4 @@
-"""Commands given together, and how one wish to many robots stands."""
+"""Commands given together, and how one request to many robots stands."""
 
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState

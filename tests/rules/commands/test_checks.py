@@ -48,8 +48,8 @@ def ready(*facts: Event, floors: int = 1) -> FleetState:
 
 def found(state: FleetState, *commands: Command, **floors: str) -> list[tuple[str, bool]]:
     """The names of the problems, and whether each blocks."""
-    wish = Request(commands, {name[1:]: floor for name, floor in floors.items()})
-    return [(problem.check, problem.blocks) for problem in problems(state, wish, Permissions())]
+    request = Request(commands, {name[1:]: floor for name, floor in floors.items()})
+    return [(problem.check, problem.blocks) for problem in problems(state, request, Permissions())]
 
 
 def floor(*ids: int, lift: int | None = None, joined: bool = True) -> GraphReceived:
@@ -178,9 +178,9 @@ def test_a_console_that_may_not_sends_nothing() -> None:
 
 
 def test_the_same_orders_again_within_a_second_are_a_slip() -> None:
-    wish, given = Request(chain(R0, ["1", "2", "1", "2"])), {chain(R0, ["1", "2", "1", "2"]): T0}
-    assert [p.text for p in repeated(wish, given, T0 + 0.3)] == ["same order sent 0.3 s ago"]
-    assert repeated(wish, given, T0 + 1.0) == []
+    request, given = Request(chain(R0, ["1", "2", "1", "2"])), {chain(R0, ["1", "2", "1", "2"]): T0}
+    assert [p.text for p in repeated(request, given, T0 + 0.3)] == ["same order sent 0.3 s ago"]
+    assert repeated(request, given, T0 + 1.0) == []
     assert repeated(Request((ORDER,)), given, T0 + 0.1) == []
     for command in (CancelOrder(R0, "1"), PauseRobot(R0), ClearOrders(R0)):
         assert repeated(Request((command,)), {(command,): T0}, T0) == []

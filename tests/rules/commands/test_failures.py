@@ -1,4 +1,4 @@
-"""Commands that failed: an alarm in the robot's words, one for each robot or for a wish for many."""
+"""Commands that failed: an alarm in the robot's words, one for each robot or for a request for many."""
 
 import pytest
 

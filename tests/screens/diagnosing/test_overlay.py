@@ -21,7 +21,7 @@ BATTERY = "/robot_0/battery"
 
 
 def asked(server: RosbridgeServer, op: str) -> list[str]:
-    return [one["topic"] for one in server.received if one["op"] == op and one["topic"] in OVERHEARD]
+    return [one["topic"] for one in server.bridge.received if one["op"] == op and one["topic"] in OVERHEARD]
 
 
 def pane(it: Console) -> str:
@@ -29,7 +29,7 @@ def pane(it: Console) -> str:
 
 
 def say(server: RosbridgeServer, level: int, words: str, node: str = "/robot_0/drive") -> None:
-    server.publish_raw("/rosout", {"level": level, "name": node, "msg": words})
+    server.bridge.publish_raw("/rosout", {"level": level, "name": node, "msg": words})
 
 
 async def open_page(it: Console, number: int, title: str) -> None:
@@ -38,7 +38,7 @@ async def open_page(it: Console, number: int, title: str) -> None:
 
 
 async def listens(it: Console, server: RosbridgeServer) -> None:
-    await it.until(lambda _: all(server.subscribers(topic) for topic in OVERHEARD))
+    await it.until(lambda _: all(server.bridge.subscribers(topic) for topic in OVERHEARD))
 
 
 @pytest.fixture
@@ -87,8 +87,8 @@ async def test_a_wrong_field_is_seen_from_the_topic_to_the_raw_text(
     async with console(config_of(server.url, 2, 2), size) as it:
         await open_page(it, 2, "Topics 30, 0 with problems")
         await it._wait(lambda: bool(re.search(r"● live +/robot_0/pose +\d+\.\d Hz", pane(it))), "a rate")
-        server.muted.add(BATTERY)
-        server.publish_raw(BATTERY, {"percent": 55.5, "cells": list(range(99))})
+        server.bridge.muted.add(BATTERY)
+        server.bridge.publish_raw(BATTERY, {"percent": 55.5, "cells": list(range(99))})
         await it.shows("▲ bad data")
         await it.shows("1 with problems")
         await it.press("/")
@@ -100,7 +100,7 @@ async def test_a_wrong_field_is_seen_from_the_topic_to_the_raw_text(
         await it.shows(f"Raw {BATTERY}")
         assert "▲ Object missing required field `data`" in it.text
         assert '"percent": 55.5' in it.text and "… 87 more of 99" in it.text
-        server.muted.clear()
+        server.bridge.muted.clear()
         await it.hides('"percent": 55.5')
         await it.press("b")
         await it.shows('"percent": 55.5')
@@ -138,7 +138,7 @@ async def test_log_and_health_are_subscribed_while_it_is_open(server: RosbridgeS
         await it.press("down", "down", "down", "down", "down", "enter")
         await it.shows("hardware: laser-001")
         await it.press("escape")
-        await it.until(lambda _: not any(server.subscribers(topic) for topic in OVERHEARD))
+        await it.until(lambda _: not any(server.bridge.subscribers(topic) for topic in OVERHEARD))
         assert asked(server, "unsubscribe") == OVERHEARD
         await it.press("d", "escape", "d")
         await listens(it, server)
@@ -151,7 +151,7 @@ async def test_the_mouse_outside_and_another_overlay_end_it_too(server: Rosbridg
         await listens(it, server)
         await it.press("f1")
         await it.shows("Diagnostics (d)")
-        await it.until(lambda _: not server.subscribers("/rosout"))
+        await it.until(lambda _: not server.bridge.subscribers("/rosout"))
         assert it.app.main.rest.diagnostics._timer is None
 
 
@@ -205,7 +205,7 @@ async def test_what_robots_log_does_not_act_on_the_screen(server: RosbridgeServe
         await listens(it, server)
         say(server, 2, "\x1b[2J\x1b]52;c;AAAA\x07\u202e[red]x[/]\n仓库", node="\x9b1m")
         await it.shows("␛[2J␛]52;c;AAAA␇\ufffd[red]x[/]␊仓库")
-        server.publish_raw("/rosout", {"level": 2, "name": "/x", "msg": 4})
+        server.bridge.publish_raw("/rosout", {"level": 2, "name": "/x", "msg": 4})
         await it.press("2", "pagedown", "pagedown", "pagedown", "pagedown")
         await it.shows("1 bad", "diagnostics-rows")
 
@@ -247,7 +247,7 @@ async def test_a_pause_reaches_through_it_and_the_status_line_stays(server: Rosb
     async with console(config_of(server.url, 2, 2)) as it:
         await open_page(it, 2, "Topics")
         await it.press("/", "f12")
-        await it.until(lambda _: len(server.calls) == 2)
+        await it.until(lambda _: len(server.bridge.services.calls) == 2)
         assert it.app.main.rest.diagnostics.is_open and "alarms" in it.text.splitlines()[0]
 
 
@@ -255,7 +255,7 @@ async def test_keys_in_it_command_no_robot_and_letters_go_to_the_field(server: R
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("d", "p", "x", "X", "P", "o", "s", "2", "/", "/", "d", "q", "2", "space", "f")
         await it.shows("matching /dq2 f")
-        assert server.calls == []
+        assert server.bridge.services.calls == []
         await it.press("escape", "d")
         await it.hides("[2 Topics]")
 

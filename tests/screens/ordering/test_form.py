@@ -38,16 +38,16 @@ async def test_keys_typed_right_after_o_belong_to_the_form(server: RosbridgeServ
 async def test_a_robot_that_is_selected_in_the_same_packet_gets_the_order(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2)) as it:
         for keys, robot in (("]oBase\rConsumidores\r", "robot_1"), ("1oBase\rConsumidores\r", "robot_0")):
-            server.calls.clear()
+            server.bridge.services.calls.clear()
             one_packet(it, keys)
-            await it.until(lambda _: server.calls)
-            assert server.calls[0][0].startswith(f"/{robot}/")
+            await it.until(lambda _: server.bridge.services.calls)
+            assert server.bridge.services.calls[0][0].startswith(f"/{robot}/")
 
 
 async def test_a_whole_order_in_one_packet(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, "oBase\rConsumidores\rp")
-        await it.until(lambda _: len(server.calls) == 2)
+        await it.until(lambda _: len(server.bridge.services.calls) == 2)
         start, end = vertex(it, "Base"), vertex(it, "Consumidores")
         assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end}), ("Pause", {})]
 
@@ -108,7 +108,7 @@ async def test_another_robot_in_the_form(server: RosbridgeServer) -> None:
         await it.type("Cons")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert server.calls[-1][0].startswith("/robot_1/")
+        assert server.bridge.services.calls[-1][0].startswith("/robot_1/")
 
 
 @pytest.mark.parametrize("answer", ["n", "escape", "enter", "x", "q"])
@@ -121,7 +121,7 @@ async def test_a_cancel_asks_and_only_y_does_it(server: RosbridgeServer, answer:
         await it.press(answer)
         await it.press("escape")
         await it.hides("Cancel order 1")
-        assert len(server.calls) == 1
+        assert len(server.bridge.services.calls) == 1
         await it.press("x", "y")
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
         assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})
@@ -162,9 +162,9 @@ async def test_pause_and_resume_at_once_and_pause_all_from_everywhere(server: Ro
         await it.press("r")
         await it.until(lambda state: not (paused := state.robots["robot_0"].paused) or not paused.value)
         for opened in (["P"], ["o", "f12"], ["question_mark", "f12"], ["colon", "f12"], ["s", "f12"]):
-            server.calls.clear()
+            server.bridge.services.calls.clear()
             await it.press(*opened)
-            await it.until(lambda _: len(server.calls) == 2)
+            await it.until(lambda _: len(server.bridge.services.calls) == 2)
             assert {name for name, _ in sent(server)} == {"Pause"}
             await it.press("escape", "escape")
 
@@ -179,14 +179,17 @@ async def test_ctrl_c_commands_nothing_and_does_not_leave(server: RosbridgeServe
 
 async def test_a_refusal_stands_in_the_robots_own_words(server: RosbridgeServer) -> None:
     service = "/robot_0/Application_layout/Execute_order"
-    server.answers[service] = lambda args: {"request_id": 1, "status": "REJECTED: [red]door closed"}
+    server.bridge.services.answers[service] = lambda args: {
+        "request_id": 1,
+        "status": "REJECTED: [red]door closed",
+    }
     async with console(config_of(server.url, 1)) as it:
         await place(it)
         await it.shows("refused (REJECTED: [red]door closed)")
 
 
 async def test_a_call_never_answered_is_said(server: RosbridgeServer) -> None:
-    server.silent_services.add("/robot_0/Application_layout/Pause")
+    server.bridge.services.silent_services.add("/robot_0/Application_layout/Pause")
     config = config_of(server.url, 1)
     config = msgspec.structs.replace(
         config, alarms=msgspec.structs.replace(config.alarms, no_answer_after=0.3)
@@ -212,7 +215,7 @@ async def test_loss_and_return_of_the_server_are_shown_and_heal() -> None:
         await it.hides("retry in")
         heard = it.store.state.robots["robot_0"].heard or 0.0
         await it.until(lambda state: (state.robots["robot_0"].heard or 0.0) > heard)
-        assert second.calls == []
+        assert second.bridge.services.calls == []
         await second.stop()
 
 
@@ -302,7 +305,7 @@ async def test_the_same_label_on_two_floors_stays_what_was_picked(server: Rosbri
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         charts = it.store.state.robots["robot_0"].charts
         labels = [{"label": "Lift", "vertex_id": int(id_)} for id_ in charts["floor_1"].labels]
-        server.publish_raw("/robot_0/floor_1/labeled_vertices", {"vertices": labels})
+        server.bridge.publish_raw("/robot_0/floor_1/labeled_vertices", {"vertices": labels})
         await it.until(
             lambda state: set(state.robots["robot_0"].charts["floor_1"].labels.values()) == {"Lift"}
         )
@@ -350,7 +353,7 @@ async def test_a_click_beside_a_question_is_no(server: RosbridgeServer) -> None:
         await it.pilot.click("#fleet", offset=(5, 1))
         await it.hides("Clear all 1 order")
         await it.press("y")
-        assert len(server.calls) == 1
+        assert len(server.bridge.services.calls) == 1
 
 
 async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:

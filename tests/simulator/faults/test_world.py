@@ -48,7 +48,7 @@ def planted(name: str) -> World:
     play(server, parse_faults(f"{name}:robot_0", server.world.robots))
     args = {"request_id": 1, "initial_point": 19, "end_point": 0}
     if name != "silent":
-        server.answer({"service": ORDER, "args": args})
+        server.bridge.services.answer({"service": ORDER, "args": args})
     return server.world
 
 
@@ -239,7 +239,7 @@ async def test_services_that_are_no_longer_registered(monkeypatch: pytest.Monkey
     async with served("unregistered") as (server, client):
         await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/pose"}))
         async with asyncio.timeout(10):
-            while server.services:
+            while server.bridge.services.offered:
                 await client.recv()
         await client.send(json.dumps({"op": "call_service", "id": "again", "service": ORDER}))
         seen = [json.loads(await client.recv()) for _ in range(5)]

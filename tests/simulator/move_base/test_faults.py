@@ -34,7 +34,7 @@ FAR, NEAR = pose(35.0, 20.0), pose(8.0, 0.0)
 
 
 def plant(server: RosbridgeServer, name: str) -> None:
-    play(server, parse_faults(f"{name}:robot_0", server.robots, FAULTS))
+    play(server, parse_faults(f"{name}:robot_0", server.bridge.services.robots, FAULTS))
 
 
 @pytest.mark.parametrize(
@@ -176,11 +176,11 @@ class TestFirstLost:
         for topic in (GOAL, CANCEL):
             await client.send(json.dumps({"op": "advertise", "topic": topic, "type": TYPES[topic]}))
         await settle(client)
-        server.guests.connects_in = 0.0  # as after that time
+        server.bridge.services.guests.connects_in = 0.0  # as after that time
         await give(client, "a", FAR)
         await settle(client)
         assert fleet.navigation["robot_0"].busy
-        server.guests.connects_in = 1000.0
+        server.bridge.services.guests.connects_in = 1000.0
         await cancel(other, "a")  # its own connection has not advertised
         await client.send(json.dumps({"op": "unadvertise", "topic": CANCEL}))
         await cancel(client, "a")

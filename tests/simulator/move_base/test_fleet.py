@@ -107,7 +107,7 @@ async def test_a_late_client_is_told_the_last_status_at_once(
     await result(other, "a")
     await settle(other)
     server.speed = 0.0
-    for robot in server.robots.values():
+    for robot in server.bridge.services.robots.values():
         robot.silence = 0.0
     await listen(client, STATUS)
     assert listed(json.loads(await client.recv())) == {"a": 3}
@@ -289,9 +289,9 @@ async def test_rosapi_tells_the_action_its_topics_and_types(client: ClientConnec
 
 async def test_several_floors_have_a_map_each_and_robots_tell_theirs() -> None:
     server = RosbridgeServer(MoveBaseFleet(2, 2, seed=1, quiet=True))
-    types = server.types
+    types = server.bridge.services.types
     assert types["/floor_1/map"] == "nav_msgs/OccupancyGrid" and "/map" not in types
-    assert json.loads(server.topics["/robot_1/floor"].payload(0.0).json) == {"data": "floor_1"}
+    assert json.loads(server.bridge.topics["/robot_1/floor"].payload(0.0).json) == {"data": "floor_1"}
 
 
 async def test_a_reason_is_a_line_of_the_log(client: ClientConnection, other: ClientConnection) -> None:

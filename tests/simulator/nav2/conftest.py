@@ -21,7 +21,7 @@ def fleet() -> Nav2Fleet:
 async def server(fleet: Nav2Fleet) -> AsyncIterator[RosbridgeServer]:
     server = RosbridgeServer(fleet, rate=50.0, speed=20.0, dialect=ROS2)
     await server.start()
-    server.started -= LONG_AGO
+    server.bridge.started -= LONG_AGO
     yield server
     await server.stop()
 

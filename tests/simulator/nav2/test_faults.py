@@ -23,7 +23,7 @@ QUICK = 100.0  # the seconds of faults are those of the wall; with this speed th
 
 
 def plant(server: RosbridgeServer, name: str) -> None:
-    play(server, parse_faults(f"{name}:robot_0", server.robots, FAULTS))
+    play(server, parse_faults(f"{name}:robot_0", server.bridge.services.robots, FAULTS))
 
 
 async def heard(client: ClientConnection, topic: str) -> Any:
@@ -213,7 +213,7 @@ class TestHumble:
         self, server: RosbridgeServer, client: ClientConnection, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         plant(server, "humble")
-        server.silent_services.add(ACTIVE)
+        server.bridge.services.silent_services.add(ACTIVE)
         ask = {"op": "call_service", "id": "limited", "service": ACTIVE, "timeout": 0.05}
         await client.send(json.dumps(ask))
         assert "Timeout" in json.loads(await client.recv())["values"]

@@ -201,10 +201,10 @@ async def test_the_collision_monitor_speaks_only_on_change(
 
 async def test_several_floors_have_a_map_each_and_robots_tell_theirs() -> None:
     server = RosbridgeServer(Nav2Fleet(2, 2, seed=1, quiet=True), dialect=ROS2)
-    types = server.types
+    types = server.bridge.services.types
     assert types["/floor_1/map"] == "nav_msgs/msg/OccupancyGrid" and "/map" not in types
-    assert json.loads(server.topics["/robot_1/floor"].payload(0.0).json) == {"data": "floor_1"}
-    frame = json.loads(server.topics["/floor_1/map"].payload(0.0).json)
+    assert json.loads(server.bridge.topics["/robot_1/floor"].payload(0.0).json) == {"data": "floor_1"}
+    frame = json.loads(server.bridge.topics["/floor_1/map"].payload(0.0).json)
     assert frame["header"]["frame_id"] == "map"
 
 
@@ -214,7 +214,7 @@ async def test_fleets_of_several_kinds_share_a_bridge() -> None:
         Nav2Fleet(1, 1, seed=1, quiet=True, first=2),
     ]
     server = RosbridgeServer(fleets, speed=20.0, dialect=ROS2)
-    assert list(server.robots) == ["robot_0", "robot_1", "robot_2"]
+    assert list(server.bridge.services.robots) == ["robot_0", "robot_1", "robot_2"]
     await server.start()
     async with connect(server.url, close_timeout=0.1) as client:
         answer = await call(client, "/robot_2/lifecycle_manager_navigation/is_active")

@@ -60,7 +60,7 @@ def test_an_order_from_its_arrival_to_its_end() -> None:
 
 
 def health(it: World) -> list[dict[str, Any]]:
-    told = json.loads(RosbridgeServer(it).topics[DIAGNOSTICS].payload(WALL).json)["status"]
+    told = json.loads(RosbridgeServer(it).bridge.topics[DIAGNOSTICS].payload(WALL).json)["status"]
     assert isinstance(told, list)
     return told
 
@@ -98,7 +98,7 @@ def test_who_is_silent_says_nothing() -> None:
 
 
 async def test_it_comes_over_the_wire_with_the_types_that_rosapi_tells(server: RosbridgeServer) -> None:
-    asked = server.answer({"service": "/rosapi/topics", "id": "1"})
+    asked = server.bridge.services.answer({"service": "/rosapi/topics", "id": "1"})
     assert isinstance(asked, str)
     values = json.loads(asked)["values"]
     types = dict(zip(values["topics"], values["types"], strict=True))

@@ -33,7 +33,7 @@ LONG_AGO = 10.0  # seconds: such a bridge has discovered every publisher
 async def server() -> AsyncIterator[RosbridgeServer]:
     server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0, dialect=ROS2)
     await server.start()
-    server.started -= LONG_AGO
+    server.bridge.started -= LONG_AGO
     yield server
     await server.stop()
 
@@ -188,7 +188,7 @@ async def test_no_number_is_null_in_a_field_and_bare_in_a_fixed_array(
     server_side["pose"]["covariance"] = np.array(server_side["pose"]["covariance"])
     server_side["pose"]["pose"]["position"]["x"] = float("nan")
     await frames_before_an_answer(client)
-    server.publish_raw("/q/nan", server_side)
+    server.bridge.publish_raw("/q/nan", server_side)
     assert await client.recv() == text
 
 
@@ -211,7 +211,7 @@ class TestCalls:
     async def test_a_node_that_wakes_too_late_does_not_obey(
         self, server: RosbridgeServer, client: ClientConnection
     ) -> None:
-        server.frozen[ORDER] = 0.2
+        server.bridge.services.frozen[ORDER] = 0.2
         for limit, orders in ((0.05, 0), (5.0, 1)):
             await send(client, "call_service", id="o", service=ORDER, args={}, timeout=limit)
             await until_answer(client, "o")
@@ -254,14 +254,14 @@ class TestQualityOfService:
         async with connect(server.url) as early, connect(server.url) as late:
             await send(early, "subscribe", topic=GRAPH, type="oh_ressources/msg/Graph")
             assert await frames_before_an_answer(early) == []
-            server.started -= LONG_AGO
+            server.bridge.started -= LONG_AGO
             await send(late, "subscribe", topic=GRAPH, type="oh_ressources/msg/Graph")
             assert await frames_before_an_answer(late) == []
             for waited, comes in ((0.0, False), (0.5, True)):  # as recorded
                 for each in (early, late):
                     await send(each, "unsubscribe", topic=GRAPH)
                     await frames_before_an_answer(each)
-                server.started -= waited
+                server.bridge.started -= waited
                 await send(late, "subscribe", topic=GRAPH, type="oh_ressources/msg/Graph")
                 assert bool(await frames_before_an_answer(late)) is comes
 
@@ -293,7 +293,7 @@ class TestQualityOfService:
             await send(other, "unsubscribe", topic=GRAPH)
             await frames_before_an_answer(client)
             await frames_before_an_answer(other)
-            server.started -= 0.5
+            server.bridge.started -= 0.5
             await send(client, "subscribe", topic=GRAPH)
             assert (await read(client))["topic"] == GRAPH
 
@@ -302,14 +302,14 @@ class TestQualityOfService:
         async with connect(server.url) as wrong, connect(server.url) as right:
             await send(wrong, "subscribe", topic="/robot_0/pose", type="std_msgs/msg/Float32")
             await frames_before_an_answer(wrong)
-            server.started -= LONG_AGO
+            server.bridge.started -= LONG_AGO
             await send(right, "subscribe", topic="/robot_0/pose", type="geometry_msgs/PoseStamped")
             await send(right, "subscribe", topic="/robot_1/pose")
             assert {(await read(right))["topic"] for _ in range(10)} == {"/robot_1/pose"}
             await send(wrong, "unsubscribe", topic="/robot_0/pose")
             await send(right, "unsubscribe", topic="/robot_0/pose")
             await frames_before_an_answer(wrong)
-            server.started -= 0.5
+            server.bridge.started -= 0.5
             await send(right, "subscribe", topic="/robot_0/pose", type="geometry_msgs/PoseStamped")
             await read_until(right, lambda frame: frame.get("topic") == "/robot_0/pose")
 
@@ -333,7 +333,7 @@ class TestQualityOfService:
         with pytest.raises(ConnectionClosed):
             while True:
                 await client.recv()
-        assert (server.url, server.subscribed()) == (url, set())
+        assert (server.url, server.bridge.subscribed()) == (url, set())
         async with connect(url) as again:
             await send(again, "subscribe", topic="/robot_0/queue", type="oh_ressources/msg/ActionQueue")
             assert (await read(again))["msg"]["last_order_id"] == 1
@@ -358,7 +358,7 @@ class TestSizes:
     async def test_above_the_bridges_limit_text_is_cut_and_cbor_never_comes(
         self, server: RosbridgeServer, client: ClientConnection
     ) -> None:
-        server.max_message_size = 1000
+        server.bridge.max_message_size = 1000
         topic = "/robot_0/floor_0/map"
         await send(client, "subscribe", topic="/rosout")
         await send(client, "subscribe", topic=topic, compression="cbor")

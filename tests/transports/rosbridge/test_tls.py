@@ -25,6 +25,6 @@ def test_the_bridge_is_verified_by_name_and_by_who_signed_it(tmp_path: Path) -> 
 @pytest.mark.parametrize("key", ["ca_file", "client_cert"])
 def test_a_file_of_no_use_is_named(tmp_path: Path, key: str) -> None:
     (tmp_path / "text.pem").write_text("nothing of the kind")
-    for name, words in (("text.pem", f"{key}.*: no PEM file"), ("gone.pem", f"{key}: no such file")):
+    for name, words in (("text.pem", f"{key}.*: not PEM"), ("gone.pem", f"{key}: no such file")):
         with pytest.raises(LinkError, match=words):
             tls_context(Link("wss://a", **{key: str(tmp_path / name)}))  # type: ignore[arg-type]  # both are texts

@@ -1,4 +1,4 @@
-"""What is asked before a wish is sent, and where an order comes from."""
+"""What is asked before a request is sent, and where an order comes from."""
 
 import pytest
 

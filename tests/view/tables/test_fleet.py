@@ -190,3 +190,13 @@ def test_bad_data_is_in_the_row_as_long_as_it_is_news() -> None:
     assert "bad data x1" in row(state)
     later: list[events.Event] = [pose(T0 + 13), battery(T0 + 13), queue(T0 + 13), tick(T0 + 13)]
     assert "bad data" not in row(told(state, *later))
+
+
+def test_a_robot_with_an_alarm_stands_first_and_the_others_keep_their_order() -> None:
+    state = told(fleet(4), link_up(T0))
+    for n in range(4):
+        state = told(state, battery(T0, 5.0 if n == 2 else 80.0, f"robot_{n}"))
+    names = [row.key for row in fleet_table(told(state, tick(T0)), R0, 60).rows]
+    assert names == ["robot_2", "robot_0", "robot_1", "robot_3"]
+    shelved = told(state, tick(T0), events.AlarmShelved("robot_2", "battery", T0 + 1800), tick(T0 + 1))
+    assert fleet_table(shelved, R0, 60).rows[0].key == "robot_0"

@@ -13,7 +13,7 @@ from rich.segment import Segment
 from rich.style import Style
 
 from fleet_tui.terminal.cell_strip import CellStrip
-from fleet_tui.terminal.looks import PLAIN, RESET, Sgr, look_of, turn
+from fleet_tui.terminal.sgr import PLAIN, RESET, Sgr, look_of, turn
 
 Cells = NDArray[np.uint64]
 

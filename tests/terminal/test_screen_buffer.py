@@ -14,7 +14,7 @@ from rich.segment import Segment
 from rich.style import Style
 
 from fleet_tui.terminal.cell_strip import CellStrip
-from fleet_tui.terminal.glass import ONE_CELL_EACH, REMEMBERED, ScreenBuffer
+from fleet_tui.terminal.screen_buffer import ONE_CELL_EACH, REMEMBERED, ScreenBuffer
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.roles import StyleRole
 

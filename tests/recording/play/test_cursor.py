@@ -17,16 +17,16 @@ from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import Phase
 from fleet_tui.recording import recorder
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import RecordingCursor
+from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import Told
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.fleets import place_order
+from tests.support.fleets import T0, WALL, place_order, pose
 from tests.support.links import finished, phase, ready
 from tests.support.recordings import plain
-from tests.support.tapes import ORIGIN, shift
+from tests.support.tapes import ORIGIN, MadeUp, shift
 from tests.support.ticking import Ticking
 from tests.support.watched_store import WatchedStore, config_of
 
@@ -99,7 +99,7 @@ async def test_every_instant_is_as_it_was(tmp_path: Path, server: RosbridgeServe
     assert len(was) > 30 and len(recording.keyframes) > 3
     for at, state in was[-2:-14:-1]:
         head.step_tick(-1)
-        assert (head.at, plain(head.state)) == (at, state)
+        assert (head.at, plain(head.state)) == (at, later.get(at, state))
 
     @settings(max_examples=60)
     @given(st.lists(st.sampled_from(was), min_size=1, max_size=4))
@@ -121,3 +121,17 @@ async def test_a_record_back_is_as_it_was_before_it(tmp_path: Path) -> None:
         assert (head.at, plain(head.state)) == was
     head.step_record(-1)
     assert (head.at, plain(head.state)) == seen[0]
+
+
+def test_a_tick_back_passes_a_keyframe_between_two_ticks(tmp_path: Path) -> None:
+    made = MadeUp(config_of("ws://site:9090"), keyframe_every=1.0)
+    for second in (0.0, 0.6, 1.2, 1.8):
+        made.tell(second, TimePassed(T0 + second, WALL + second))
+        made.tell(second + 0.5, pose(T0 + second + 0.5))
+    head = RecordingCursor(made.written(tmp_path / "run.jsonl.gz"))
+    head.seek(T0 + 1.8)
+    places = list[float]()
+    for _ in range(4):
+        head.step_tick(-1)
+        places.append(round(head.at - T0, 1))
+    assert places == [1.2, 0.6, 0.0, 0.0]

@@ -12,7 +12,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.playhead import RecordingCursor
+from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.records import Heard, Told
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
@@ -55,7 +55,7 @@ async def test_two_bridges_and_a_large_map(tmp_path: Path, server: RosbridgeServ
         await store.until(lambda state: all(robot.pose for robot in state.robots.values()))
         link.show_map("robot_0", "floor_0")
         await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
-        server.publish_raw(TOPIC, large_map().frame("cbor"))
+        server.bridge.publish_raw(TOPIC, large_map().frame("cbor"))
         await store.until(lambda state: _width(state) == SIDE)
         await other.stop()
         down = store.state.now + 3.0

@@ -23,11 +23,12 @@ LOOK_EVERY = 200
 
 
 class _Remembered(NamedTuple):
-    """The state after a number of records from the keyframe, with the times of the last record and tick."""
+    """The state after a number of records from the keyframe, with the times of the last record and, if any,
+    of the last tick since the keyframe."""
 
     records: int
     at: float
-    tick_at: float
+    tick_at: float | None
     state: FleetState
 
 
@@ -63,7 +64,8 @@ class RecordingCursor:
     def _begin(self, keyframe: Keyframe) -> None:
         """Load the whole state of a keyframe: records may be missing before it."""
         self.state, self.at = self._recording.state(keyframe), keyframe.at
-        self._keyframe, self._count, self._tick_at = self._keyframe + 1, 0, self.at
+        self._keyframe, self._count = self._keyframe + 1, 0
+        self._tick_at: float | None = None
         self._kept = [self._here()]
 
     def _here(self) -> _Remembered:
@@ -158,11 +160,20 @@ class RecordingCursor:
     def step_tick(self, step: int) -> None:
         """Go to the next or the previous tick of the recorded clock."""
         if step < 0:
-            self.seek(math.nextafter(self._tick_at, -math.inf))
-            self.seek(self._tick_at)
+            self._before_tick()
+            while self._tick_at is None and self._keyframe > 0:
+                self._before_tick()  # the keyframe lies between two ticks
+            self.seek(self._tick_or_keyframe)
             return
         while (record := self.take()) is not None and not _is_tick(record):
             pass
+
+    @property
+    def _tick_or_keyframe(self) -> float:
+        return self._kept[0].at if self._tick_at is None else self._tick_at
+
+    def _before_tick(self) -> None:
+        self.seek(math.nextafter(self._tick_or_keyframe, -math.inf))
 
 
 def _is_tick(record: Record) -> bool:

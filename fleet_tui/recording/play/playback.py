@@ -5,8 +5,8 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.play.marks import time_marks
-from fleet_tui.recording.play.playhead import RecordingCursor
 from fleet_tui.recording.recording import LAST_SECOND, Recording
 from fleet_tui.view.lines.time import MarkKind, ReplayPosition, TimeMark, span
 
