@@ -41,7 +41,7 @@ class EntryApp(LeanApp, inherit_bindings=False):
         """What the console is to be opened on; None where the person left."""
 
     def get_default_screen(self) -> Screen[None]:
-        """Return the choices, if there are any."""
+        """Return the choices of a known site, else the first-run screen."""
         if self._start is not None:
             return Arrival(self._inks, self._start, self._end)
         return FirstRun(self._inks, self._places, self._found, self._address)

@@ -99,7 +99,7 @@ def _near(wanted: Feed, others: Mapping[str, str]) -> str:
 
 
 def _absent(config: Config, wanted: ByTopic, there: Mapping[str, str]) -> list[str]:
-    """Return the robots without any topic."""
+    """Return a note on the robots without any topic."""
     present = _present(wanted, there)
     absent = [robot.name for robot in config.robots if robot.name not in present]
     return [f"not in the bag: {_some(absent)}"] if absent else []

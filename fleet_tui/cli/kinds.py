@@ -14,7 +14,7 @@ VERSION = 1
 
 
 def _of(registered: Registered) -> tuple[Kind, Kind]:
-    """Return a kind without a profile, with a name for every topic that has none."""
+    """Return a kind without a profile, with a placeholder for every unnamed topic."""
     unnamed = {
         key: f"/{{robot}}/{key}" for key, (name, _) in registered.vocabulary.topics.items() if not name
     }

@@ -38,7 +38,7 @@ def confirm_commands(state: FleetState) -> FleetState:
 
 
 def _at_stop(state: FleetState, record: CommandRecord) -> FleetState:
-    """Return its goal's stop: the goal led to one stop, and is done only there."""
+    """Record the stop of its goal, which led to that one only and is done there."""
     robot, command = state.robots[record.command.robot], record.command
     assert isinstance(command, PlaceOrder) and record.order_id is not None
     stop = command.stops[record.leg : record.leg + 1]

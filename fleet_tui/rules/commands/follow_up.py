@@ -55,7 +55,7 @@ def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
 
 
 def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
-    """Find the pause of a robot that lost it in a restart, unless a later command replaced it."""
+    """Return the record, as lost if a restart ended its pause and no later command replaced it."""
     if robot.pause_lost_at is None or robot.pause_lost_at < record.issued_at or record.stage not in _TAKEN:
         return record
     if last_command(state, robot, PauseRobot, ResumeRobot) is not record:

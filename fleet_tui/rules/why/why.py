@@ -4,9 +4,9 @@ The strongest is first, and among equals the sequence of RULES decides:
 
 CERTAIN: the robot's own fresh word, or a fact about the link. A lost connection precedes its last reports; a
 pause before an obstacle, since a paused robot would not drive on a free way either; a command that failed
-before the empty queue it left behind. LIKELY: follows from several fresh reports (a place, a queue and a
-charge), none of which states it alone. POSSIBLE: would explain it, and so would much else; and all reports of
-a robot that is offline.
+before the empty queue it left behind.
+LIKELY: follows from several fresh reports (a place, a queue and a charge), none of which states it alone.
+POSSIBLE: would explain it, and so would much else; and all reports of a robot that is offline.
 
 A robot that moves has no reason to stand. Without any evidence, the order that it should drive is named.
 """

@@ -53,7 +53,7 @@ def floor_text(state: FleetState, robot: Robot) -> str:
 
 
 def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Return the age of a value that is silent while its robot is online: it must not look live."""
+    """Yield the old values of a robot that is online: they must not look live."""
     readings = {
         "pose": robot.pose,
         "battery": robot.battery,
