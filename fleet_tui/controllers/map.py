@@ -1,5 +1,6 @@
 """Actions on the map: zoom, follow, layers, the mode and its cursor."""
 
+import math
 from dataclasses import replace
 from time import monotonic
 
@@ -60,6 +61,17 @@ class MapControls:
         if self._picture.scene is not None:
             self._picture.viewport.centre(self._picture.scene, at)
             self._view.draw()
+
+    def reveal(self) -> None:
+        """Centre on the selected robot where it is out of view."""
+        scene = self._picture.scene
+        robot = scene.selected if scene is not None else None
+        if scene is None or robot is None:
+            return
+        camera = self._picture.viewport.camera(scene)
+        pixel = scene.frame.to_pixel(robot.pose.x, robot.pose.y)
+        if all(map(math.isfinite, pixel)) and not camera.shows(*camera.to_cell(*pixel)):
+            self.centre()
 
     def edges(self) -> None:
         """Show or hide the graph's edges."""

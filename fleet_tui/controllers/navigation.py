@@ -13,6 +13,9 @@ from fleet_tui.view.selection import Selection, first_selection
 class MapCamera(Protocol):
     """The part of the map that other objects move."""
 
+    def reveal(self) -> None:
+        """Centre on the selected robot where it is out of view."""
+
     def centre(self, at: tuple[float, float] | None = None) -> None:
         """Centre on a place in metres of the shown floor, or on the selected robot."""
 
@@ -50,6 +53,7 @@ class Navigation:
         self.selection = self.selection.on_robot(robot)
         self._selected(robot)
         self._refresh()
+        self._camera().reveal()
 
     def step_robot(self, step: int) -> None:
         """Select the next (1) or previous (-1) robot."""

@@ -7,20 +7,20 @@ from fleet_tui.model.fleet import FleetState
 
 
 class Selection(Struct, frozen=True):
-    """`chosen`: the operator chose the floor; until then it is the first robot's."""
+    """`chosen`: the floor stays; until then it becomes the robot's as soon as that is known."""
 
     robot: str
     floor: str
     chosen: bool = False
 
     def on_robot(self, name: str) -> "Selection":
-        """Select another robot; the map stays unless it follows."""
-        return replace(self, robot=name)
+        """Select another robot; the map goes to its floor once."""
+        return replace(self, robot=name, chosen=False)
 
     def step_robot(self, state: FleetState, step: int) -> "Selection":
         """Select the next or previous robot of the config, around the ends."""
         names = list(state.robots)
-        return replace(self, robot=names[(names.index(self.robot) + step) % len(names)])
+        return self.on_robot(names[(names.index(self.robot) + step) % len(names)])
 
     def step_floor(self, state: FleetState, step: int) -> "Selection":
         """Select the next or previous floor, around the ends."""
@@ -28,7 +28,7 @@ class Selection(Struct, frozen=True):
         return replace(self, floor=floors[(floors.index(self.floor) + step) % len(floors)], chosen=True)
 
     def settled(self, state: FleetState, follow: bool) -> "Selection":
-        """Return the selection on the robot's floor, while the map follows and once after the start."""
+        """Return the selection on the robot's floor, while the map follows and once after a robot is selected."""
         actual = state.robots[self.robot].floor
         if actual is None or (self.chosen and not follow):
             return self

@@ -19,6 +19,7 @@ def test_steps_go_round_and_numbers_choose() -> None:
     it.navigation.choose_robot(9)
     assert it.selected == ["robot_2", "robot_0", "robot_1"]
     assert it.navigation.robot == "robot_1" and it.camera.centred == []
+    assert it.camera.revealed == 3
 
 
 def test_finding_a_robot_shows_its_floor_and_brings_the_map_to_it() -> None:
@@ -27,10 +28,12 @@ def test_finding_a_robot_shows_its_floor_and_brings_the_map_to_it() -> None:
     assert (it.navigation.robot, it.navigation.floor, it.camera.centred) == ("robot_1", "floor_1", [None])
 
 
-def test_a_floor_that_was_chosen_stays_until_the_map_follows() -> None:
+def test_a_floor_that_was_chosen_stays_until_a_robot_of_another_one_is_selected() -> None:
     it = desk()
     it.navigation.step_floor(1)
-    it.navigation.select("robot_0")
+    assert it.navigation.settle(it.store.state, follow=False).floor == "floor_1"
+    it.navigation.step_floor(1)
+    it.navigation.select("robot_1")
     assert it.navigation.settle(it.store.state, follow=False).floor == "floor_1"
 
 

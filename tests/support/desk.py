@@ -72,10 +72,15 @@ class Menu(NamedTuple):
 
 
 class Camera:
-    """Keeps where the map was brought to; None is the selected robot."""
+    """Keeps where the map was brought to; None is the selected robot. `revealed` counts how often that was
+    brought into view."""
 
     def __init__(self) -> None:
         self.centred = list[tuple[float, float] | None]()
+        self.revealed = 0
+
+    def reveal(self) -> None:
+        self.revealed += 1
 
     def centre(self, at: tuple[float, float] | None = None) -> None:
         self.centred.append(at)

@@ -51,12 +51,15 @@ def test_a_chosen_floor_stays_unless_the_map_follows() -> None:
     assert chosen.settled(state, follow=True).floor == F0
 
 
-def test_another_robot_does_not_move_the_map_unless_it_follows() -> None:
+def test_another_robot_brings_the_map_to_its_floor_once() -> None:
     state = told(fleet(2, 2), pose(T0), pose(T0, robot="robot_1", frame="floor_1"))
     start = first_selection(state).settled(state, follow=False)
     other = start.on_robot("robot_1")
-    assert other.settled(state, follow=False).floor == F0
-    assert other.settled(state, follow=True).floor == "floor_1"
+    shown = other.settled(state, follow=False)
+    assert shown.floor == "floor_1"
+    back = told(state, pose(T0 + 1, robot="robot_1"))
+    assert shown.settled(back, follow=False).floor == "floor_1"
+    assert shown.settled(back, follow=True).floor == F0
 
 
 def test_an_unknown_floor_moves_nothing() -> None:

@@ -234,3 +234,17 @@ async def test_a_robot_that_is_nowhere_can_be_selected_followed_and_clicked_at()
             getattr(app.controls, action)()
         view.post_pick(view.picture.pick(3, 3))
         assert "floor_0" in app.rows()[0]
+
+
+async def test_a_robot_that_is_selected_comes_into_view_and_one_in_view_moves_nothing() -> None:
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        app, view = await started(pilot)
+        for _ in range(6):
+            app.controls.zoom_in()
+        view.show(moved(SCENE, 19.0, 9.0))
+        assert not any("→1" in row for row in app.rows())
+        app.controls.reveal()
+        assert any("→1" in row for row in app.rows())
+        before = app.rows()
+        app.controls.reveal()
+        assert app.rows() == before

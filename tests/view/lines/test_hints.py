@@ -21,7 +21,7 @@ def test_hints_show_the_keys_as_they_are_set(pane: Pane) -> None:
     assert problems == []
     assert " O order " in text_of(left) and " ? help " in text_of(right) and " : command " in text_of(right)
     assert (" home menu " in text_of(left)) is (pane is Pane.TABLE)
-    assert text_of(left).startswith(" home menu " if pane is Pane.TABLE else " ] robot ")
+    assert text_of(left).startswith(" home menu " if pane is Pane.TABLE else " O order ")
 
 
 def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
