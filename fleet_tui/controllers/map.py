@@ -52,7 +52,7 @@ class MapControls:
         self._view.draw()
 
     def follow(self) -> None:
-        """Follow the selected robot, or let it go."""
+        """Follow the selected robot, or stop following."""
         self._picture.viewport.follow = not self._picture.viewport.follow
         self._view.draw()
 
@@ -63,7 +63,7 @@ class MapControls:
             self._view.draw()
 
     def reveal(self) -> None:
-        """Centre on the selected robot where it is out of view."""
+        """Centre on the selected robot if it is out of view."""
         scene = self._picture.scene
         robot = scene.selected if scene is not None else None
         if scene is None or robot is None:

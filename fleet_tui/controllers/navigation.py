@@ -14,7 +14,7 @@ class MapCamera(Protocol):
     """The part of the map that other objects move."""
 
     def reveal(self) -> None:
-        """Centre on the selected robot where it is out of view."""
+        """Centre on the selected robot if it is out of view."""
 
     def centre(self, at: tuple[float, float] | None = None) -> None:
         """Centre on a place in metres of the shown floor, or on the selected robot."""

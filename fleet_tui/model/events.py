@@ -34,7 +34,7 @@ class BatteryReported(Struct, frozen=True, tag=True):
 
 
 class CargoReported(Struct, frozen=True, tag=True):
-    """Whether there is cargo on board."""
+    """Presence of cargo on board."""
 
     robot: str
     at: float
@@ -161,7 +161,7 @@ class LinkHeard(Struct, frozen=True, tag=True):
 
 
 class CommandPathChanged(Struct, frozen=True, tag=True):
-    """Whether commands would get through now; `connected`: there is a connection for them."""
+    """Result of the test whether commands get through; `connected`: there is a connection for them."""
 
     link: str
     path: CommandPath

@@ -30,7 +30,7 @@ class LocalisationReported(Struct, frozen=True, tag=True):
 
 
 class BlockedReported(Struct, frozen=True, tag=True):
-    """Whether a collision monitor holds the robot back: `action` is empty if not."""
+    """State of a collision monitor: `action` is empty if it does not hold the robot back."""
 
     robot: str
     at: float

@@ -28,7 +28,7 @@ class Selection(Struct, frozen=True):
         return replace(self, floor=floors[(floors.index(self.floor) + step) % len(floors)], chosen=True)
 
     def settled(self, state: FleetState, follow: bool) -> "Selection":
-        """Return the selection on the robot's floor, while the map follows and once after a robot is selected."""
+        """Return the selection on the robot's floor, while the map follows and once after a selection."""
         actual = state.robots[self.robot].floor
         if actual is None or (self.chosen and not follow):
             return self

@@ -18,7 +18,7 @@ CHOSEN = ("plan", "odometry", "pose", "battery")
 
 
 def discover(listed: Listed) -> Discovery:
-    """Recognise these robots among what a bridge lists."""
+    """Recognise these robots among the names that a bridge lists."""
     there = [name for name, type_ in listed.topics.items() if type_ == STATUS_TYPE]
     spaces = of_robots(namespaces(there, [STATUS]))
     found = Discovery({space or ALONE: [] for space in spaces})

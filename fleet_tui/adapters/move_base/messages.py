@@ -29,7 +29,7 @@ class ActionlibStatusArray(msgspec.Struct, frozen=True):
 
 
 class MoveBaseFeedback(msgspec.Struct, frozen=True):
-    """move_base_msgs/MoveBaseFeedback: where the robot is."""
+    """move_base_msgs/MoveBaseFeedback: the robot's pose."""
 
     base_position: PoseStamped
 

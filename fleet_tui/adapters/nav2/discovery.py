@@ -18,7 +18,7 @@ ONE_BY_ONE = ("odometry", "pose", "battery", "blocked")
 
 
 def discover(listed: Listed) -> Discovery:
-    """Recognise these robots among what a bridge lists."""
+    """Recognise these robots among the names that a bridge lists."""
     spaces = _namespaces(listed)
     found = Discovery({space or ALONE: [] for space in spaces})
     if spaces:

@@ -18,7 +18,7 @@ Below = Mapping[tuple[str, str], Sequence[str]]
 
 
 def discover(listed: Listed) -> Discovery:
-    """Recognise these robots among what a bridge lists."""
+    """Recognise these robots among the names that a bridge lists."""
     topics, other_types = _as_usual(listed.topics, TOPICS)
     services, other_service_types = _as_usual(listed.services, SERVICES)
     robots, is_guess = _robots(topics)

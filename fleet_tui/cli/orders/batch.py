@@ -17,7 +17,7 @@ from fleet_tui.text.sanitize import sanitize
 Line = tuple[int, str]
 WOULD = "would be sent"
 FREE = ("pause", "resume")
-"""Commands that are not checked against what a robot reports."""
+"""Commands that are not checked against a robot's reports."""
 
 
 def lines_of(text: str) -> list[Line]:

@@ -37,7 +37,7 @@ _MAY_HAVE_REMOVED = _REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stag
 
 
 def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
-    """Advance a decided command by what its robot has reported since."""
+    """Advance a decided command by its robot's reports since."""
     robot = state.robots.get(record.command.robot)
     if robot is None:
         return record
