@@ -1,5 +1,7 @@
 """Responses to an alarm: acknowledge, shelve, go to the robot."""
 
+import math
+import time
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 
@@ -16,6 +18,8 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.alarms import unacknowledged
 from fleet_tui.widgets.rows_pane import RowsPane
 
+LOOK = 1.0
+"""Seconds in which a person sees that the cursor is on another alarm."""
 SHOWN = 3
 """Number of robots of a group that its menu lists."""
 
@@ -34,7 +38,10 @@ class AlarmResponses:
         why: Callable[[], None],
         keys: Mapping[str, tuple[str, ...]],
         clock: Callable[[float], str],
+        cleared_at: Callable[[], float] = lambda: -math.inf,
     ) -> None:
+        """`cleared_at`: when the alarm under the cursor went by itself last (monotonic)."""
+        self._cleared_at = cleared_at
         self._store, self._backend, self._notices, self._navigation = store, backend, notices, navigation
         self._pane, self._open_menu, self._why, self._keys, self._clock = pane, open_menu, why, keys, clock
 
@@ -46,6 +53,9 @@ class AlarmResponses:
         """Acknowledge the alarm under the cursor, and go to the next: the row moves down."""
         key, fresh = self._pane.listing.cursor, unacknowledged(self._store.state)
         if not isinstance(key, tuple):
+            return
+        if time.monotonic() - self._cleared_at() < LOOK:
+            self._notices.say("that alarm has just cleared: press again for the marked one")
             return
         self._tell(AlarmAcknowledged(*key))
         if key in fresh and len(fresh) > 1:

@@ -35,7 +35,7 @@ class Limits(Struct, frozen=True):
     battery_band: float = 2.0
     clear_after: float = 3.0
     shelve_for: float = 1800.0
-    latched: tuple[str, ...] = ("command",)
+    latched: tuple[str, ...] | None = None
 
 
 class Floor(Struct, frozen=True, eq=False):

@@ -1,5 +1,7 @@
 """The main screen: map, fleet, alarms, queue, and the overlays over the map."""
 
+import math
+import time
 from collections.abc import Mapping
 from inspect import isawaitable
 from typing import TYPE_CHECKING
@@ -46,9 +48,11 @@ class MainScreen(Screen[None]):
     BLANK = True  # the screen itself is covered completely
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
-    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall"), (36, "-taller"), (52, "-high")]  # noqa: RUF012  # as Textual declares it
+    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall"), (38, "-taller"), (52, "-high")]  # noqa: RUF012  # as Textual declares it
 
     rest: "Rest"
+    alarm_cleared_at = -math.inf
+    """When the alarm under the cursor went by itself (monotonic)."""
 
     def __init__(
         self, store: Store, backend: Backend, settings: ConsoleSettings, files: ConsoleFiles
@@ -151,6 +155,9 @@ class MainScreen(Screen[None]):
         """Show the newest alarms. Unless it has the focus, the cursor moves from acknowledged to
         unacknowledged alarms; it never leaves an alarm that an `a` in the queue may mean."""
         fresh = unacknowledged(state)
+        marked = self.alarms.listing.cursor
+        if marked is not None and all(alarm.key != marked for alarm in state.alarms):
+            self.alarm_cleared_at = time.monotonic()
         if fresh and self.alarms.listing.cursor not in fresh and not self.alarms.has_focus:
             self.alarms.listing.cursor = fresh[0]
         self.alarms.show(alarm_table(state, self.settings.clock))

@@ -54,7 +54,9 @@ class Rest:
         self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, menu, settings.clock)
         self.robots = RobotRequests(store, dispatch, navigation, self.orders, menu, self.why.show)
         answering = (store, screen.backend, notices, navigation, screen.alarms)
-        self.alarms = AlarmResponses(*answering, menu, self.why.show, settings.keys, settings.clock)
+        self.alarms = AlarmResponses(
+            *answering, menu, self.why.show, settings.keys, settings.clock, lambda: screen.alarm_cleared_at
+        )
         self.save = SaveCommand(
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
         )

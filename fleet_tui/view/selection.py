@@ -15,7 +15,7 @@ class Selection(Struct, frozen=True):
 
     def on_robot(self, name: str) -> "Selection":
         """Select another robot; the map goes to its floor once."""
-        return replace(self, robot=name, chosen=False)
+        return replace(self, robot=name, chosen=self.chosen and name == self.robot)
 
     def step_robot(self, state: FleetState, step: int) -> "Selection":
         """Select the next or previous robot of the config, around the ends."""

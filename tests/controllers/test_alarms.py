@@ -1,5 +1,9 @@
 """Responses to alarms: acknowledged, shelved, gone to."""
 
+import math
+import time
+from collections.abc import Callable
+
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.keymap import keymap
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
@@ -11,7 +15,7 @@ from tests.support.fleets import T0, battery, fleet, link_up, tick, told
 LOW = [("robot_0", "battery"), ("robot_1", "battery")]
 
 
-def responses() -> tuple[Desk, RowsPane, AlarmResponses]:
+def responses(cleared_at: Callable[[], float] = lambda: -math.inf) -> tuple[Desk, RowsPane, AlarmResponses]:
     """Two robots whose batteries are low, and the pane with their alarms."""
     low = (battery(T0, 5.0, robot=f"robot_{n}") for n in range(2))
     desk, pane = Desk(told(fleet(2), link_up(T0 - 9), *low, tick(T0))), RowsPane(id="alarms")
@@ -29,6 +33,7 @@ def responses() -> tuple[Desk, RowsPane, AlarmResponses]:
             lambda: desk.notices.say("why"),
             keys,
             lambda _wall: "12:00",
+            cleared_at,
         ),
     )
 
@@ -41,6 +46,14 @@ def test_the_cursor_goes_to_the_next_alarm_that_nobody_has_seen() -> None:
     alarms.acknowledge()
     assert desk.backend.events == [AlarmAcknowledged(*LOW[0])]
     assert pane.listing.cursor == LOW[1]
+
+
+def test_an_alarm_that_has_just_taken_the_place_of_another_is_not_acknowledged_unseen() -> None:
+    desk, pane, alarms = responses(time.monotonic)
+    pane.listing.cursor = LOW[0]
+    alarms.acknowledge()
+    assert desk.backend.events == []
+    assert desk.notices.text == "that alarm has just cleared: press again for the marked one"
 
 
 def test_all_at_once() -> None:

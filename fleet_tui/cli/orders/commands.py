@@ -102,7 +102,8 @@ def clear(robot: str, options: OrderOptions) -> None:
 
 def _which(robot: str | None, every: bool) -> str:
     if every is (robot is not None):
-        raise click.UsageError("missing robot: give its name, or --all")
+        both = "give the robot's name or --all, not both"
+        raise click.UsageError(both if every else "missing robot: give its name, or --all")
     return robot or ALL
 
 

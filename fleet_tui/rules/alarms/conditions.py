@@ -74,7 +74,8 @@ def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     if order is None or place is None or state.is_paused(robot) or state.now - place.at < STILL:
         return None
     known = state.is_fresh(robot, "pose")
-    explained = not known or state.was_obstructed(robot)
+    # An obstacle explains it only where that is an alarm: contact that comes and goes may never be one.
+    explained = not known or obstacle(state, robot, held) is not None
     if explained and not is_held(held, robot.name, robot.link, "stuck"):
         return None
     text = f"order {order.id}: no movement for {age(state.now - place.at)}"

@@ -5,7 +5,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import Held
-from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, to_keep
+from fleet_tui.rules.commands.keeping import HELD_BY_OTHERS, to_keep
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
 """Variance of x and y in square metres above which localisation is lost, and below which it is back."""
@@ -40,7 +40,7 @@ def held_orders(state: FleetState, robot: Robot, _held: Held) -> Condition | Non
     if not kept:
         return None
     text = f"{robot.held}: {kept} order{'s' * (kept > 1)} waiting here, resume to continue"
-    priority = Priority.MEDIUM if robot.held == SOMEBODY_ELSE else Priority.LOW
+    priority = Priority.MEDIUM if robot.held in HELD_BY_OTHERS else Priority.LOW
     return Condition(robot.name, "held", priority, text, "orders resumed")
 
 

@@ -16,6 +16,8 @@ from fleet_tui.rules.commands.goals import own_ids
 PREFIX = "k"
 """Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
 SOMEBODY_ELSE = "another client drives"
+HELD_BY_OTHERS = (SOMEBODY_ELSE, "someone else drives")
+"""The second is that of older recordings."""
 
 _WELL = frozenset({Stage.DONE})
 _GOING = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})

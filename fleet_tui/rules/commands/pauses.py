@@ -12,6 +12,11 @@ STANDS_AFTER = 1.0
 
 FOREIGN_STOPPED = "stopped, also another client's goal, not resumable from here"
 """Detail of a pause that cancelled another client's goal."""
+FOREIGN_STOPS = (
+    FOREIGN_STOPPED,
+    "stopped, and someone else's goal with it, which can't be resumed from here",
+)
+"""The same, and as older recordings have it."""
 
 WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Text of a pause that telemetry decides."""

@@ -20,7 +20,7 @@ SHOWN = 5
 def why_lines(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]) -> list[str]:
     """Return the time without movement, then each reason: name, evidence, age and the keys that help."""
     found, hidden = reasons(state, robot), hidden_keys(state, robot.name)
-    if moves(state, robot) == found[0]:
+    if found and moves(state, robot) == found[0]:
         return [f"{sanitize(found[0].name)} ({found[0].evidence})"]
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):

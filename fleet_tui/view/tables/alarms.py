@@ -63,15 +63,16 @@ def unacknowledged(state: FleetState) -> list[Key]:
 def _suppressed(state: FleetState) -> int:
     """Count the alarms that another one covers: of the robots in a group, and of those behind a link that is
     down."""
-    grouped = sum(len(alarm.condition.parts) - 1 for alarm in state.alarms if is_group(alarm.condition.kind))
-    down = {alarm.condition.source for alarm in state.alarms if alarm.condition.kind == "link"}
+    active = [alarm.condition for alarm in state.alarms if alarm.holds]
+    grouped = sum(len(condition.parts) - 1 for condition in active if is_group(condition.kind))
+    down = {condition.source for condition in active if condition.kind == "link"}
     return grouped + sum(robot.link in down for robot in state.robots.values())
 
 
 def alarm_table(state: FleetState, clock: Callable[[float], str]) -> Table:
-    """Return every alarm: first the unacknowledged ones, by priority, so that they are visible without
-    scrolling; oldest first. A row moves when it is acknowledged or shelved, and when it needs a person
-    again. `clock` formats Unix seconds as a local time."""
+    """Return every alarm: those that hold, unacknowledged ones first, by priority; then those that are over;
+    shelved ones last; oldest first. A row moves when it is acknowledged or shelved, and when it needs a
+    person again. `clock` formats Unix seconds as a local time."""
     alarms = sorted(state.alarms, key=_place)
     sources = column((alarm.condition.source for alarm in alarms), 7, 14)
     keys = [alarm.key for alarm in alarms]

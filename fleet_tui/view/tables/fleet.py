@@ -176,10 +176,11 @@ def _row(state: FleetState, robot: Robot, head: list[Run], columns: _Columns, wi
 
 
 def in_trouble_first(state: FleetState) -> list[Robot]:
-    """Return all robots: those with an alarm that holds and is not shelved first, each part in the order of
-    the config."""
-    holding = [one for one in state.alarms if one.holds and one.stage is not AlarmStage.SHELVED]
-    named = {name for alarm in holding for name in (alarm.condition.source, *alarm.condition.parts)}
+    """Return all robots: those with an alarm that is neither over nor shelved first, each part in the order
+    of the config. Its off-delay keeps the rows where they are."""
+    over = (AlarmStage.SHELVED, AlarmStage.RETURNED)
+    active = [one.condition for one in state.alarms if one.stage not in over]
+    named = {name for condition in active for name in (condition.source, *condition.parts)}
     return sorted(state.robots.values(), key=lambda robot: robot.name not in named)
 
 

@@ -126,7 +126,7 @@ async def test_a_dead_bridge_holds_up_no_pause_on_another(server: RosbridgeServe
         (("cancel", "robot_0", "x"), "'x' is not an order id"),
         (("pause", "robot_7"), "did you mean robot_1?"),
         (("pause",), "missing robot: give its name, or --all"),
-        (("resume", "robot_0", "--all"), "missing robot: give its name, or --all"),
+        (("resume", "robot_0", "--all"), "give the robot's name or --all, not both"),
         (("order", "robot_0"), "Missing argument"),
     ],
 )

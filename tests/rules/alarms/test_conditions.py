@@ -117,6 +117,13 @@ def test_a_pause_or_an_obstacle_explains_why_it_stands() -> None:
     assert list(alarms(state)) == [(R0, "obstacle")]
 
 
+def test_contact_that_comes_and_goes_hides_no_robot_that_stands() -> None:
+    state = up()
+    for n in range(100):
+        state = told(state, contact(T0 + n, float(n % 25)), *driving(T0 + n))
+    assert list(alarms(state)) == [(R0, "stuck")]
+
+
 def test_once_stuck_an_obstacle_or_silence_does_not_end_it() -> None:
     state = stood(up(), 70)
     state = told(state, contact(T0 + 71, 9.0), *driving(T0 + 71))
