@@ -28,7 +28,7 @@ from fleet_tui.audit.search import search_of
 from fleet_tui.cli.audit import write_records
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.events import GraphReceived, LabelsReceived, QueueReported
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import FleetState, Limits
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.recording import upgrade
 from fleet_tui.recording.indexing import open_recording
@@ -177,3 +177,7 @@ def test_a_damaged_record_is_refused_with_a_reason(
 def test_every_field_of_an_old_log_that_was_a_number_is_text() -> None:
     types = {field.name: field.type for field in msgspec.structs.fields(AuditRecord)}
     assert {name for name, type_ in types.items() if type_ == str | None} == {"start", "end", "order"}
+
+
+def test_limits_of_older_recordings_latch_every_class_of_alarms() -> None:
+    assert msgspec.json.decode(b"{}", type=Limits).latched is None
