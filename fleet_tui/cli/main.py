@@ -3,6 +3,8 @@
 Screen and simulator are imported on use: `check` works without them.
 """
 
+import gc
+
 import click
 
 from fleet_tui import __version__
@@ -60,6 +62,7 @@ def commands(
     address, without a configuration. `fleet-tui demo` opens a simulated fleet.
     """
     if ctx.invoked_subcommand is None:
+        gc.disable()  # until the first paint: collecting while so much is imported takes 80 ms
         from fleet_tui.arriving import open_with
 
         open_with(config_file, url, read_only, drawing, debug)

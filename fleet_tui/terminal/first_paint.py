@@ -50,5 +50,8 @@ class FirstPaint:
         self._app.screen.refresh()
         await self.painted.wait()
         self._app.output.ready = True
+        if not gc.isenabled():
+            gc.freeze()  # the imports stay as long as the console
+            gc.enable()
         gc.set_threshold(YOUNG)
         await self._mount_rest()
