@@ -10,13 +10,12 @@ from hypothesis import strategies as st
 from fleet_tui.adapters.adapter import Feed, Site
 from fleet_tui.adapters.move_base.adapter import MoveBase
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.operations import Publish, decode
-from fleet_tui.errors import WireError
 from fleet_tui.model.commands import PlaceOrder, Stage
-from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event, MessageRejected
+from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.state.reducer import apply
+from tests.support.any_frames import assert_each_order_once, facts
 from tests.support.fleets import R0, T0, fleet, graph, link_up, tick, told
 
 ADAPTER = MoveBase(Profile(kind="move_base", topics={"floor": "/{robot}/floor"}), Site())
@@ -58,16 +57,6 @@ FRAMES = st.sampled_from(sorted(FEEDS)).flatmap(
 )
 
 
-def facts(feed: Feed, message: object, at: float) -> list[Event]:
-    """What the link makes of a message: its facts, or that it is rejected."""
-    try:
-        operation = decode(msgspec.json.encode({"op": "publish", "topic": feed.address, "msg": message}))
-        assert isinstance(operation, Publish)
-        return list(ADAPTER.read(feed, operation.msg, at))
-    except WireError as problem:
-        return [MessageRejected(R0, str(problem))]
-
-
 def begun(*vertices: str) -> FleetState:
     """An order to these vertices has just been sent."""
     state = fleet()
@@ -79,15 +68,7 @@ def begun(*vertices: str) -> FleetState:
 
 @given(st.lists(FRAMES | st.none(), max_size=14))
 def test_any_frames_in_any_order(frames: list[tuple[Feed, object] | None]) -> None:
-    state, at = begun("1", "2"), T0
-    for frame in frames:
-        at += 0.3
-        for fact in facts(*frame, at) if frame else [tick(at)]:
-            state = apply(state, fact)
-    for later in (0.1, 2.0, 9.0):
-        state = apply(state, tick(at + later))
-    ids = [order.id for order in state.robots[R0].orders.orders]
-    assert len(ids) == len(set(ids))
+    assert_each_order_once(ADAPTER, begun("1", "2"), frames)
 
 
 LISTS = st.lists(st.tuples(st.integers(0, 3), st.integers(0, 9)), max_size=4)
@@ -111,7 +92,7 @@ def test_only_the_goal_of_its_name_is_the_order_and_done_is_only_3(
     state, at, told_of_ours = begun("2"), T0, list[int]()
     for step in steps:
         at += 0.3
-        for fact in facts(FEEDS["status"], statuses(step), at) if step is not None else [tick(at)]:
+        for fact in facts(ADAPTER, FEEDS["status"], statuses(step), at) if step is not None else [tick(at)]:
             state = apply(state, fact)
         told_of_ours += [dict(step)[0]] if step is not None and 0 in dict(step) else []
     for later in (0.1, 2.0, 9.0):

@@ -10,14 +10,12 @@ from hypothesis import strategies as st
 from fleet_tui.adapters.adapter import Feed, Site
 from fleet_tui.adapters.nav2.adapter import Nav2
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.operations import Publish, decode
-from fleet_tui.errors import WireError
 from fleet_tui.model.commands import PlaceOrder, Stage
-from fleet_tui.model.events import Event, MessageRejected
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation_events import GoalAnswered
 from fleet_tui.model.order import at_vertices
 from fleet_tui.state.reducer import apply
+from tests.support.any_frames import assert_each_order_once, facts
 from tests.support.fleets import R0, T0, commanded, fleet, graph, link_up, tick, told
 
 ADAPTER = Nav2(Profile(kind="nav2", topics={"floor": "/{robot}/floor"}), Site())
@@ -89,16 +87,6 @@ def _message(key: str) -> st.SearchStrategy[Any]:
 FRAMES = st.sampled_from(sorted(FEEDS)).flatmap(lambda key: st.tuples(st.just(FEEDS[key]), _message(key)))
 
 
-def facts(feed: Feed, message: object, at: float) -> list[Event]:
-    """What the link makes of a message: its facts, or that it is rejected."""
-    try:
-        operation = decode(msgspec.json.encode({"op": "publish", "topic": feed.address, "msg": message}))
-        assert isinstance(operation, Publish)
-        return list(ADAPTER.read(feed, operation.msg, at))
-    except WireError as problem:
-        return [MessageRejected(R0, str(problem))]
-
-
 def begun() -> FleetState:
     state = fleet()
     robots = {R0: msgspec.structs.replace(state.robots[R0], kind=ADAPTER.kind)}
@@ -107,15 +95,9 @@ def begun() -> FleetState:
 
 @given(st.lists(FRAMES | st.none(), max_size=14))
 def test_any_frames_in_any_order(frames: list[tuple[Feed, object] | None]) -> None:
-    state, at = told(begun(), *commanded(7, PLACES["navigate_to_pose"], Stage.SENT)), T0
-    for frame in frames:
-        at += 0.3
-        for fact in facts(*frame, at) if frame else [tick(at)]:
-            state = apply(state, fact)
-    for later in (0.1, 2.0, 9.0):
-        state = apply(state, tick(at + later))
-    ids = [order.id for order in state.robots[R0].orders.orders]
-    assert len(ids) == len(set(ids))
+    assert_each_order_once(
+        ADAPTER, told(begun(), *commanded(7, PLACES["navigate_to_pose"], Stage.SENT)), frames
+    )
 
 
 STATES = st.lists(st.tuples(st.integers(0, 3), st.integers(1, 6)), max_size=4)
@@ -148,7 +130,7 @@ def test_done_is_only_what_ended_with_4_and_of_two_new_ones_none_is_ours(
         if step is None:
             state = apply(state, tick(at))
         else:
-            for fact in facts(feed, statuses(step), at):
+            for fact in facts(ADAPTER, feed, statuses(step), at):
                 state = apply(state, fact)
         listed = {order.id for order in state.robots[R0].orders.orders}
         succeeded |= {order.id for order in state.robots[R0].orders.orders if order.word == "succeeded"}
