@@ -31,11 +31,11 @@ class _Offer:
 
 
 class Guests:
-    """Keeps what clients publish and offer in `topics`, `types` and `services` while they are there.
+    """Keeps the publications and services of clients in `topics`, `types` and `services` while they are
+    there.
 
     `listened`: the topics to which robots listen, with their types; `unsourced`: packages that the bridge
-    doesn't have.
-    """
+    doesn't have."""
 
     def __init__(
         self,
@@ -88,7 +88,7 @@ class Guests:
             self._advertised[name].add(session)
 
     def unadvertise(self, session: "Session", name: str) -> None:
-        """End what `advertise` began."""
+        """Undo `advertise`."""
         name = resolve(name)
         self._since.pop((session, name), None)
         sessions = self._advertised.get(name, set())
@@ -127,7 +127,7 @@ class Guests:
         raise ServiceError(self._dialect.unknown_package(type_.partition("/")[0], "srv"))
 
     def withdraw(self, session: "Session", name: str) -> None:
-        """End what `offer` began."""
+        """Undo `offer`."""
         offer = self._offers.get(resolve(name))
         if offer is not None and offer.session is session:
             del self._offers[resolve(name)], self._services[resolve(name)]

@@ -1,4 +1,4 @@
-"""rosapi: what topics, services, nodes and types there are. An unknown name gets an empty answer."""
+"""rosapi: the topics, services, nodes and types. An unknown name gets an empty answer."""
 
 import json
 from collections.abc import Callable, Iterable, Mapping
@@ -31,7 +31,7 @@ def _type(dialect: Dialect, verb: str) -> str:
 
 @dataclass(frozen=True)
 class RosGraph:
-    """All there is, each name with its type; it may change later.
+    """All topics and services, each name with its type; it may change later.
 
     `listened`: topics to which robots listen; `subscribed`: those to which the bridge is subscribed, with the
     types it asked for.

@@ -109,7 +109,7 @@ class RosbridgeServer:
 
     @property
     def url(self) -> str:
-        """Return where to connect to, once started."""
+        """Return the address to connect to, once started."""
         return f"ws://{self._host}:{self._port}"
 
     async def restart_bridge(self, down: float = 0.0) -> None:
@@ -182,7 +182,7 @@ class RosbridgeServer:
                 self.bridge.publish(name)
 
     def _own_topics(self, dialect: Dialect) -> Iterator[Topic]:
-        """Return what the bridge itself publishes."""
+        """Return the topics of the bridge itself."""
         count, clients = map(dialect.message_type, ("std_msgs/Int32", "rosbridge_msgs/ConnectedClients"))
         yield Topic(COUNT, count, lambda _now: Payload({"data": len(self._sessions)}), latched=True)
         yield Topic(CLIENTS, clients, lambda _now: Payload({"clients": self._clients()}), latched=True)

@@ -62,7 +62,7 @@ class TopicDesk:
         return set(self._asked())
 
     def subscribers(self, topic: str) -> int:
-        """Return how many clients are subscribed to a topic."""
+        """Return the number of clients subscribed to a topic."""
         return sum(len(self.channels.sessions(name)) for name in _spellings(topic))
 
     def publish_raw(self, topic: str, msg: dict[str, Any] | str | bytes) -> int:
@@ -93,7 +93,7 @@ class TopicDesk:
             self.spread()
 
     def spread(self) -> None:
-        """Publish what has changed in the fleets since the last time."""
+        """Publish the changes in the fleets since the last time."""
         for fleet in self.fleets:
             for name, payload in fleet.news(self.dialect):
                 self.publish(name, payload)

@@ -103,7 +103,7 @@ def build_floor(number: int) -> SimFloor:
 
 
 def _spots(plan: Plan) -> tuple[tuple[float, float], ...]:
-    """Return where the vertices are: at the crossings, row by row from the south west, but for the
+    """Return the places of the vertices: at the crossings, row by row from the south west, but for the
     elevator."""
     spots = [(x, y) for y in plan.rows for x in plan.columns]
     spots[plan.elevator[0]] = ELEVATOR_AT

@@ -49,7 +49,7 @@ class MapView(CellsView, can_focus=True):
         self.draw()
 
     def post_pick(self, found: SceneRobot | SceneVertex | None) -> None:
-        """Report what the operator picked, if anything."""
+        """Report the operator's pick, if any."""
         if isinstance(found, SceneRobot):
             self.post_message(RobotPicked(found.name))
         elif found is not None:

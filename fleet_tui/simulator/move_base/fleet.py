@@ -65,7 +65,7 @@ class MoveBaseFleet(MoveBaseWorld):
         return self._news.take(dialect)
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
-        """Nothing: there are no actions of ROS 2."""
+        """Nothing: it has no actions of ROS 2."""
 
     def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
         """Nothing."""

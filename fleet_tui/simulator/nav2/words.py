@@ -17,7 +17,7 @@ _ENDS = {
 
 
 class Nav2Changes:
-    """Notices what happens to robots from one look to the next."""
+    """Notices the changes of robots from one look to the next."""
 
     def __init__(self, world: Nav2World) -> None:
         self._world = world

@@ -26,7 +26,7 @@ class News(Generic[N]):
         self._said = {name: count(1) for name in world.robots}
 
     def topics(self, dialect: Dialect) -> Iterator[Topic]:
-        """Return where each robot is."""
+        """Return the place of each robot."""
         for name in self._world.robots:
             yield self.topic(name, "amcl_pose", dialect.message_type(AMCL))
 
@@ -47,7 +47,7 @@ class News(Generic[N]):
                 yield from news
 
     def of(self, name: str, navigation: N, dialect: Dialect, now: float) -> Iterable[tuple[str, Payload]]:
-        """Return what else has changed about one robot."""
+        """Return the other changes of one robot."""
         return ()
 
     def topic(

@@ -41,7 +41,7 @@ def _seen(robot: SimRobot) -> _Seen:
 
 
 class Changes:
-    """Notices what happens to robots from one look to the next."""
+    """Notices the changes of robots from one look to the next."""
 
     def __init__(self, robots: Mapping[str, SimRobot]) -> None:
         self._robots = robots

@@ -55,7 +55,7 @@ class Bridge(Protocol):
         """Publish a client's message."""
 
     def spread(self) -> None:
-        """Publish what has changed in the fleets."""
+        """Publish the changes in the fleets."""
 
 
 @dataclass(eq=False)
