@@ -158,6 +158,13 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key("repaint", ("ctrl+l",), lambda do: do.app.repaint(), "Redraw the screen", pane=Pane.ANYWHERE),
     Key("quit", ("q",), lambda do: do.app.quit(), "Quit"),
     Key("back", ("escape",), lambda do: do.app.back(), "Go back one level", in_palette=False),
+    Key(
+        "enlarge",
+        ("=",),
+        lambda do: do.view.enlarge(),
+        "Give the focused pane the whole column, or give it back",
+        hint="enlarge",
+    ),
     Key("next_pane", ("tab",), lambda do: do.app.next_pane(), "Next pane", in_palette=False),
     Key(
         "previous_pane",

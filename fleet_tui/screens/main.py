@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 from rich.style import Style
 from textual import on
 from textual.app import ComposeResult
-from textual.containers import Container
 from textual.screen import Screen
 
 from fleet_tui.backend import Backend
@@ -30,12 +29,12 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
+from fleet_tui.view.tables.robot_page import robot_page
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
-from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.screens.rest import Rest
@@ -48,7 +47,7 @@ class MainScreen(Screen[None]):
     BLANK = True  # the screen itself is covered completely
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
-    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall"), (38, "-taller"), (52, "-high")]  # noqa: RUF012  # as Textual declares it
+    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall")]  # noqa: RUF012  # as Textual declares it
 
     rest: "Rest"
     alarm_cleared_at = -math.inf
@@ -62,16 +61,9 @@ class MainScreen(Screen[None]):
         self.is_complete = False
         self.status, self.message = LineView(id="status"), LineView(id="message")
         self.hints = LineView(id="hints", keep_right=True)
-        self.fleet = RowsPane(id="fleet", rows=len(store.state.robots))
-        self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
-        self.views: list[InkView] = [
-            self.status,
-            self.fleet,
-            self.alarms,
-            self.queue,
-            self.message,
-            self.hints,
-        ]
+        self.panes = Panes(len(store.state.robots))
+        self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
+        self.views: list[InkView] = [self.status, *self.panes.views, self.message, self.hints]
         self.notices = Notices(store, self.tick, settings.message)
         self.navigation = Navigation(store, self._mark_robot, lambda: self.rest.map_controls, self.tick)
         self.dispatch = Dispatch(
@@ -94,7 +86,7 @@ class MainScreen(Screen[None]):
         ):
             self.add_class([name for least, name in steps if cells >= least][-1])
         yield self.status
-        yield Panes(Container(id="map"), self.fleet, self.alarms, self.queue, id="panes")
+        yield self.panes
         yield self.message
         yield self.hints
 
@@ -122,9 +114,13 @@ class MainScreen(Screen[None]):
         state, robot = self.store.state, self.navigation.robot
         if self.is_complete:
             self._show_floor(state)
-        self.fleet.show(fleet_table(state, robot, self.fleet.row_width))
-        self._show_alarms(state)
-        self.queue.show(queue_table(state, robot, self._all_orders, self.queue.row_width))
+        self._mark_alarm(state)
+        tables = [
+            fleet_table(state, robot, self.fleet.row_width),
+            alarm_table(state, self.settings.clock),
+            queue_table(state, robot, self._all_orders, self.queue.row_width),
+        ]
+        self.panes.show(tables, lambda: robot_page(state, robot, self.settings.clock))
         self.status.show(*self.session.headline(state, robot))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
@@ -151,8 +147,8 @@ class MainScreen(Screen[None]):
             self.backend.show_map(*wanted)
         self.rest.map.show(floor_scene(state, selection))
 
-    def _show_alarms(self, state: FleetState) -> None:
-        """Show the newest alarms. Unless it has the focus, the cursor moves from acknowledged to
+    def _mark_alarm(self, state: FleetState) -> None:
+        """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to
         unacknowledged alarms; it never leaves an alarm that an `a` in the queue may mean."""
         fresh = unacknowledged(state)
         marked = self.alarms.listing.cursor
@@ -160,7 +156,6 @@ class MainScreen(Screen[None]):
             self.alarm_cleared_at = time.monotonic()
         if fresh and self.alarms.listing.cursor not in fresh and not self.alarms.has_focus:
             self.alarms.listing.cursor = fresh[0]
-        self.alarms.show(alarm_table(state, self.settings.clock))
 
     def _forget_trails(self) -> bool:
         if self.is_complete:
@@ -176,6 +171,11 @@ class MainScreen(Screen[None]):
     def all_orders(self) -> None:
         """Show the selected robot's orders, or all robots'."""
         self._all_orders = not self._all_orders
+        self.tick()
+
+    def enlarge(self) -> None:
+        """Give the focused pane its whole column, or all of them their places."""
+        self.panes.enlarge()
         self.tick()
 
     async def action_key(self, id_: str) -> None:

@@ -100,6 +100,8 @@ def _ways(cells: Cells) -> str:
     """Which cells have the inks of ways and trails: a wall under a way has the way's."""
     marks = {
         StyleRole.MISSION: "*",
+        StyleRole.MISSION_THROUGH: "*",
+        StyleRole.MISSION_NEXT_THROUGH: ":",
         StyleRole.MISSION_NEXT: ":",
         StyleRole.TRAIL: ",",
         StyleRole.TRAIL_OLD: "'",
@@ -189,7 +191,12 @@ def test_labels_are_whole_or_absent_and_never_overlap(
     for text, ink in shown:
         assert "\x1b" not in text
         assert "\u202e" not in text
-        if ink in (StyleRole.LABEL, StyleRole.TARGET) and text not in ("o", "·"):
+        if ink in (
+            StyleRole.LABEL,
+            StyleRole.TARGET,
+            StyleRole.LABEL_BEYOND,
+            StyleRole.TARGET_BEYOND,
+        ) and text not in ("o", "·"):
             assert text in {_safe(label) for label in wanted}
 
 
