@@ -25,13 +25,13 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
-from fleet_tui.view.lines.hints import hidden_keys, hints
+from fleet_tui.view.lines.hints import footer, hidden_keys, hints
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
 from fleet_tui.widgets import messages
-from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.bindings import bindings, textual_key
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
@@ -61,7 +61,7 @@ class MainScreen(Screen[None]):
         self.store, self.backend, self.settings, self.files = store, backend, settings, files
         self.is_complete = False
         self.status, self.message = LineView(id="status"), LineView(id="message")
-        self.hints = LineView(id="hints", keep_right=True)
+        self.hints = LineView(id="hints")
         self.fleet = RowsPane(id="fleet", rows=len(store.state.robots))
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
         self.views: list[InkView] = [
@@ -127,12 +127,23 @@ class MainScreen(Screen[None]):
         self.queue.show(queue_table(state, robot, self._all_orders, self.queue.row_width))
         self.status.show(*self.session.headline(state, robot))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
-        pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
-        may_command = not self.dispatch.permissions.read_only
-        self.hints.show(*hints(self.settings.keys, pane, may_command, hidden_keys(state, robot)))
+        self._show_hints(state, robot)
         self.settings.announce(state)
         if self.is_complete:
             self.rest.simple.show()
+
+    def _show_hints(self, state: FleetState, robot: str) -> None:
+        pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
+        keys, may_command = self.settings.keys, not self.dispatch.permissions.read_only
+        offered = hints(keys, pane, may_command, hidden_keys(state, robot))
+        runs, buttons = footer(*offered, keys, self.hints.size.width)
+        self.hints.show(runs, buttons=buttons)
+
+    def press_hint(self, id_: str) -> None:
+        """Press the key of a hint: with the same checks, and with the same effect in an overlay."""
+        key = textual_key(self.settings.keys[id_][0])
+        # Not from here: Textual ends the way of an event at its sender.
+        self.app.call_later(self.app.simulate_key, key)
 
     def _mark_robot(self, robot: str) -> None:
         """Put the fleet's cursor on a robot; it is drawn with the next rows."""

@@ -63,7 +63,7 @@ class Rest:
         run = partial(_run, screen)
         offers = Offers(store, dispatch, navigation, screen.session, self.save, settings.themes, run)
         self.palette = Palette(offers.entries, offers.typed)
-        self._navigation, self._session, self._fleet = navigation, screen.session, screen.fleet
+        self._screen, self._navigation, self._session = screen, navigation, screen.session
         self.simple = self._simple_switch(screen)
         self.actions = key_actions(screen, self)
 
@@ -99,7 +99,7 @@ class Rest:
                 self.orders.start_at(event.id, self._navigation.floor)
             case messages.RowPicked():
                 # The fleet's cursor selects. It may have moved since.
-                if event.pane == "fleet" and event.key == self._fleet.listing.cursor:
+                if event.pane == "fleet" and event.key == self._screen.fleet.listing.cursor:
                     self._navigation.select(str(event.key))
             case messages.RowChosen():
                 self._open_menu(event)
@@ -120,10 +120,12 @@ class Rest:
                 self.alarms.menu(source, kind)
 
     def _press_button(self, event: messages.ButtonPressed) -> None:
-        match event.name, event.key:
-            case "cancel", (str(robot), str(order_id), _):
+        match event.pane, event.name, event.key:
+            case "hints", id_, _:
+                self._screen.press_hint(id_)
+            case _, "cancel", (str(robot), str(order_id), _):
                 self.orders.ask_cancel(robot, order_id)
-            case "clear", _:
+            case _, "clear", _:
                 self.orders.clear()
 
 

@@ -302,8 +302,8 @@ async def test_the_footer_names_no_key_that_does_nothing(server: RosbridgeServer
     async with console(config_of(server.url, 1)) as it:
         for opened in ("d", "o", ":"):
             await it.press(opened)
-            await it._wait(lambda: " f12 pause all" in it.text.splitlines()[-1], "footer")
+            await it._wait(lambda: " F12 pause all" in it.text.splitlines()[-1], "footer")
             footer = it.text.splitlines()[-1]
-            assert " f1 help" in footer and not {" o order", " ? help", " menu"} & {*re.split("  +", footer)}
+            assert " F1 help" in footer and not {" o order", " ? help", " menu"} & {*re.split("  +", footer)}
             await it.press("escape")
             await it._wait(lambda: " o order" in it.text.splitlines()[-1], "footer")
