@@ -20,7 +20,7 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.replay import Replay
 from fleet_tui.controllers.session import ConsoleSession, LiveSession
 from fleet_tui.controllers.settings import ConsoleSettings
-from fleet_tui.keys import BY_ID, Pane
+from fleet_tui.keys import BY_ID, KEYS, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
@@ -138,6 +138,11 @@ class MainScreen(Screen[None]):
         offered = hints(keys, pane, may_command, hidden_keys(state, robot))
         runs, buttons = footer(*offered, keys, self.hints.size.width)
         self.hints.show(runs, buttons=buttons)
+
+    def idle_keys(self) -> set[str]:
+        """Return the ids of keys without a use in this session."""
+        read_only = self.dispatch.permissions.read_only
+        return {key.id for key in KEYS if not self.session.offers(key) or (read_only and key.commands)}
 
     def press_hint(self, id_: str) -> None:
         """Press the key of a hint: with the same checks, and with the same effect in an overlay."""

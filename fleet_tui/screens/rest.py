@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
+    inked: list[InkView | Diagnostics]
+
     def __init__(self, screen: "MainScreen") -> None:
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
         navigation, notices = screen.navigation, screen.notices
@@ -44,12 +46,12 @@ class Rest:
         self.map_controls = MapControls(self.map)
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
         self.order_form = OrderForm(lambda: store.state, dispatch.give)
-        self.key_help = Help(settings.keys)
+        self.key_help = Help()
         self.why = Why(lambda: (store.state, navigation.robot), settings.keys)
         self.audit_log = AuditLog(lambda: screen.files.audit)
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
-        self.inked: list[InkView | Diagnostics] = [self.map, self.audit_log.rows, self.diagnostics]
+        self.inked = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
         menu, form, queue = self.menu.show, self.order_form.start, screen.queue
         self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, menu, settings.clock)
         self.robots = RobotRequests(store, dispatch, navigation, self.orders, menu, self.why.show)
