@@ -187,7 +187,9 @@ class MainScreen(Screen[None]):
         """Return the pane whose keys help and footer list first."""
         if self.session.pane or not self.is_complete or self.focused is self.rest.map:
             return self.session.pane or Pane.MAP
-        return Pane.DIAGNOSTICS if self.rest.diagnostics.is_open else Pane.TABLE
+        if self.rest.diagnostics.is_open:
+            return Pane.DIAGNOSTICS
+        return Pane.TABLE if isinstance(self.focused, RowsPane) else Pane.CONSOLE
 
     def all_orders(self) -> None:
         """Show the selected robot's orders, or all robots'."""
