@@ -13,6 +13,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, build_gr
 from fleet_tui.view.help.section import HelpRow, HelpSection
 from fleet_tui.view.lines.time import MARKS, MarkKind
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.map.glyphs import robot_glyph
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
@@ -27,7 +28,7 @@ CELLS = 10
 _WIDTH, _HEIGHT = CELLS * DOTS_X, DOTS_Y
 _FRAME = MapFrame(1.0, _WIDTH, _HEIGHT)
 _CAMERA = Camera(_WIDTH / 2, _HEIGHT / 2, 1.0, CELLS, 1, (_WIDTH, _HEIGHT))
-_AT = (3.0, 2.0)  # in the second cell
+_AT = (1.0, 2.0)  # in the first cell
 _WAY: tuple[Line, ...] = ((1.0, 2.0, _WIDTH - 1.0, 2.0),)
 _ROBOT = SceneRobot("robot_4", 4, Pose(*_AT))
 
@@ -51,15 +52,8 @@ def _robots(*robots: SceneRobot) -> Scene:
     return replace(_FLOOR, robots=robots)
 
 
-def _headings() -> Scene:
-    """Return robots in a row that drive to the right, up, to the left and down."""
-    poses = [Pose(3.0 + 4.0 * number, 2.0, number * math.pi / 2) for number in range(4)]
-    return _robots(*(_ROBOT._replace(name=f"{pose.x}", pose=pose) for pose in poses))
-
-
 _ROBOTS = (
     (_robots(_ROBOT), "a robot: the arrow is its heading, the number that of its name"),
-    (_headings(), "headings: right, up, left, down"),
     (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
     (_robots(_ROBOT._replace(obstacle=True)), "! stopped by an obstacle"),
@@ -116,9 +110,16 @@ def _tables() -> tuple[HelpRow, ...]:
     return tuple(_row(((mark, role),), meaning) for mark, (role, meaning) in marks.items())
 
 
+def _headings(look: MapOptions) -> HelpRow:
+    poses = (Pose(0.0, 0.0, quarter * math.pi / 2) for quarter in range(4))
+    glyphs = (robot_glyph(_ROBOT._replace(pose=pose), 0.0, look.plain) for pose in poses)
+    return _row(((" ".join(glyphs), StyleRole.ROBOT),), "headings: right, up, left, down")
+
+
 def _row(mark: tuple[Run, ...], text: str) -> HelpRow:
-    letters = {letter for part, _ in mark for letter in part if not letter.isalnum() and not letter.isspace()}
-    return HelpRow(mark, text, tuple(letters))
+    """Return a row that its signs find; the ground below them is none."""
+    signs = {sign for part, role in mark for sign in part if role not in (StyleRole.FLOOR, StyleRole.CURSOR)}
+    return HelpRow(mark, text, tuple(sign for sign in signs if not sign.isalnum() and not sign.isspace()))
 
 
 def _drawn(scene: Scene, text: str, look: MapOptions) -> HelpRow:
@@ -136,6 +137,7 @@ def legend(look: MapOptions) -> tuple[HelpSection, ...]:
     drawn = {
         name: tuple(_drawn(scene, text, drawing) for scene, text in rows) for name, rows in sections.items()
     }
+    drawn["robots"] += (_headings(look),)
     drawn["ground"] += (cursor,)
     return (
         *(HelpSection(f"Legend: {name}, {look.drawing.value}", rows) for name, rows in drawn.items()),

@@ -55,6 +55,11 @@ def test_a_typed_glyph_is_explained(glyph: str, meaning: str) -> None:
     assert len(rows) == 1 and meaning in rows[0]
 
 
+def test_the_ground_below_a_sign_is_no_sign_of_it() -> None:
+    rows = [row for section in search(legend(MapOptions(drawing=Drawing.ASCII)), ".") for row in section.rows]
+    assert rows == []
+
+
 def test_the_tables_signs_are_those_of_the_tables() -> None:
     found = signs(Drawing.BRAILLE)
     assert {sign.strip() for sign in SIGNS.values()} <= set(found.values())
