@@ -39,9 +39,7 @@ class Help(Overlay):
             "pageup": partial(self._text.scroll_pages, -1),
             "pagedown": partial(self._text.scroll_pages, 1),
         }
-        yield Field(
-            keys, id="search", placeholder="type to search tasks, keys, legend; Tab: next page; Esc: close"
-        )
+        yield Field(keys, id="search", placeholder="type to search all pages; Tab: next page; Esc: close")
         yield self._tabs
         yield self._text
 

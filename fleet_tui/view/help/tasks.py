@@ -7,18 +7,19 @@ from fleet_tui.view.help.section import HelpSection, key_row
 Step = tuple[tuple[str, ...], str]
 """The ids of the keys of a step, and their effect."""
 
+ORDERING = "Send an order"
 TASKS: dict[str, tuple[Step, ...]] = {
-    "Send an order": (
+    ORDERING: (
         (("order",), "Order form: From, Enter, To, Enter"),
         (("map_cursor", "pick"), "Map cursor; Enter orders from there"),
-        (("simple",), "Simple form: large buttons"),
+        (("simple",), "Simple interface: large buttons"),
         (("palette",), "Typed: robot_0 Base > Store"),
     ),
     "Stop a robot": (
         (("pause",), "Pause the selected robot"),
         (("resume",), "Resume it"),
         (("pause_all", "pause_all_anywhere"), "Pause all robots (no safety device)"),
-        (("cancel",), "Cancel the order at queue cursor"),
+        (("cancel",), "Cancel order at the queue cursor"),
         (("clear",), "Clear all orders of the robot"),
     ),
     "See what is wrong": (
@@ -53,9 +54,12 @@ TASKS: dict[str, tuple[Step, ...]] = {
 
 
 def tasks(keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> list[HelpSection]:
-    """Return the tasks with their keys as configured, the first of each id, without the `hidden` ones."""
+    """Return the tasks with their keys as configured, the first of each id, without the `hidden` ones. Where
+    no order can be sent, no way to do so is offered."""
     sections = []
     for title, steps in TASKS.items():
+        if title == ORDERING and "order" in hidden:
+            continue
         offered = [([id_ for id_ in ids if id_ not in hidden], text) for ids, text in steps]
         rows = tuple(key_row(ids, text, keys, 1) for ids, text in offered if ids)
         if rows:
