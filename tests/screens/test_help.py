@@ -33,6 +33,7 @@ async def test_at_80_by_24_the_tasks_are_two_screens(server: RosbridgeServer) ->
         await it.hides("Send an order")
         second = shown(it)
         assert all((task in first) is not (task in second) for task in TASKS)
+        assert second.startswith("Look around on the map"), "no task is divided"
         assert "One level back; quit" in second
         await it.press("pagedown")
         assert shown(it) == second

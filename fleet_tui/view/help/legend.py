@@ -53,7 +53,7 @@ def _robots(*robots: SceneRobot) -> Scene:
 
 
 _ROBOTS = (
-    (_robots(_ROBOT), "a robot: the arrow is its heading, the number that of its name"),
+    (_robots(_ROBOT), "a robot: its heading and number"),
     (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
     (_robots(_ROBOT._replace(obstacle=True)), "! stopped by an obstacle"),
@@ -87,8 +87,8 @@ _LINES = (
     (replace(_FLOOR, mission=Mission(following=_WAY)), "the way of its next orders"),
     (replace(_FLOOR, edges=_WAY), "an edge of the route graph"),
     (replace(_FLOOR, edges=_WAY, one_way=_WAY), "a one-way edge"),
-    (_trail(5.0), "trail: where robots drove in the last half minute"),
-    (_trail(45.0), "trail: half a minute to a minute ago"),
+    (_trail(5.0), "trail of the last half minute"),
+    (_trail(45.0), "trail, up to a minute old"),
 )
 
 

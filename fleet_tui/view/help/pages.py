@@ -6,7 +6,7 @@ from fleet_tui.keys import KEYS, Pane
 from fleet_tui.model.kind import Kind
 from fleet_tui.view.help.legend import legend
 from fleet_tui.view.help.section import HelpRow, HelpSection, key_row
-from fleet_tui.view.help.tasks import tasks
+from fleet_tui.view.help.tasks import ROBOTS, tasks
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Button, Run, width_of
@@ -15,7 +15,6 @@ Pages = Mapping[str, Sequence[HelpSection]]
 """The sections of each page, by its name."""
 
 SECTIONS = (Pane.RECORDING, Pane.CONSOLE, Pane.MAP, Pane.TABLE, Pane.DIAGNOSTICS, Pane.ANYWHERE)
-ROBOTS = [f"robot_{number}" for number in range(1, 10)]
 
 TYPED = {
     "order": (

@@ -32,7 +32,9 @@ def key_row(ids: Iterable[str], text: str, keys: Mapping[str, tuple[str, ...]], 
     ids = tuple(ids)
     every = [key for id_ in ids for key in keys[id_]]
     names = " ".join(key_name(key) for id_ in ids for key in keys[id_][:most])
-    mark = (_RANGES.get(names, names), StyleRole.KEY) if names else ("palette", StyleRole.DIM)
+    for listed, short in _RANGES.items():
+        names = names.replace(listed, short)
+    mark = (names, StyleRole.KEY) if names else ("palette", StyleRole.DIM)
     return HelpRow((mark,), text, (*ids, *every))
 
 

@@ -7,6 +7,8 @@ from fleet_tui.view.help.section import HelpSection, key_row
 Step = tuple[tuple[str, ...], str]
 """The ids of the keys of a step, and their effect."""
 
+ROBOTS = tuple(f"robot_{number}" for number in range(1, 10))
+"""The ids of the keys that select a robot by its number."""
 ORDERING = "Send an order"
 TASKS: dict[str, tuple[Step, ...]] = {
     ORDERING: (
@@ -25,6 +27,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
     "See what is wrong": (
         (("why",), "Why the robot is not moving"),
         (("acknowledge", "acknowledge_all"), "Acknowledge the alarm; all alarms"),
+        (("all_orders",), "Orders of the robot, or of all"),
         (("diagnostics",), "Diagnostics: links, topics, logs"),
         (("bundle",), "Incident bundle for a ticket"),
     ),
@@ -36,8 +39,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("next_vertex", "previous_vertex"), "Next, previous labelled vertex"),
     ),
     "Choose a robot or a floor": (
-        (("next_robot", "previous_robot"), "Next, previous robot"),
-        (tuple(f"robot_{number}" for number in range(1, 10)), "Robot by its number"),
+        (("next_robot", "previous_robot", *ROBOTS), "Next, previous robot; by number"),
         (("next_floor", "previous_floor"), "Next, previous floor"),
     ),
     "Look back in time": (

@@ -20,9 +20,9 @@ def test_keys_are_shown_as_they_are_set() -> None:
     chosen, _ = keymap({"order": "ctrl+o", "pause": "f5,u", "robot_1": "f2"})
     found = marks(tasks(chosen, ()))
     assert found["Send an order"][0] == "Ctrl-O" and found["Stop a robot"][0] == "F5"
-    assert "F2 2 3 4 5 6 7 8 9" in found["Choose a robot or a floor"]
+    assert "] [ F2 2 3 4 5 6 7 8 9" in found["Choose a robot or a floor"]
     usual = marks(tasks(KEYS, ()))
-    assert "1..9" in usual["Choose a robot or a floor"] and "arrows" in usual["Look around on the map"]
+    assert "] [ 1..9" in usual["Choose a robot or a floor"] and "arrows" in usual["Look around on the map"]
     assert "palette" in usual["Look back in time"]
 
 
