@@ -44,7 +44,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
     ),
     "Look back in time": (
         (("audit",), "Audit log: all commands and alarms"),
-        (("record",), "Record, for fleet-tui replay"),
+        (("palette",), "Type record, for fleet-tui replay"),
     ),
     "Get around": (
         (("next_pane",), "Next pane"),
