@@ -116,6 +116,13 @@ CONSOLE: tuple[Key[Actions], ...] = (
         helps="leaves",
     ),
     Key(
+        "acknowledge",
+        ("a",),
+        lambda do: do.alarms.acknowledge(),
+        "Acknowledge the alarm under the cursor",
+        hint="ack",
+    ),
+    Key(
         "clear",
         ("X",),
         lambda do: do.commands.clear(),
@@ -209,13 +216,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
         lambda do: do.commands.arm(),
         "Arm: allow or block commands from this console",
         only_live=True,
-    ),
-    Key(
-        "acknowledge",
-        ("a",),
-        lambda do: do.alarms.acknowledge(),
-        "Acknowledge the alarm under the cursor",
-        hint="ack",
     ),
     Key("acknowledge_all", ("A",), lambda do: do.alarms.acknowledge_all(), "Acknowledge all alarms"),
 )

@@ -19,19 +19,19 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.replay import Replay
 from fleet_tui.controllers.session import ConsoleSession, LiveSession
 from fleet_tui.controllers.settings import ConsoleSettings
-from fleet_tui.keys import BY_ID, Pane
+from fleet_tui.keys import BY_ID, KEYS, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
-from fleet_tui.view.lines.hints import hidden_keys, hints
+from fleet_tui.view.lines.hints import footer, hidden_keys, hints
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
 from fleet_tui.view.tables.robot_page import robot_page
 from fleet_tui.widgets import messages
-from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.bindings import bindings, textual_key
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
@@ -60,7 +60,7 @@ class MainScreen(Screen[None]):
         self.store, self.backend, self.settings, self.files = store, backend, settings, files
         self.is_complete = False
         self.status, self.message = LineView(id="status"), LineView(id="message")
-        self.hints = LineView(id="hints", keep_right=True)
+        self.hints = LineView(id="hints")
         self.panes = Panes(len(store.state.robots))
         self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
         self.views: list[InkView] = [self.status, *self.panes.views, self.message, self.hints]
@@ -123,12 +123,28 @@ class MainScreen(Screen[None]):
         self.panes.show(tables, lambda: robot_page(state, robot, self.settings.clock))
         self.status.show(*self.session.headline(state, robot))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
-        pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
-        may_command = not self.dispatch.permissions.read_only
-        self.hints.show(*hints(self.settings.keys, pane, may_command, hidden_keys(state, robot)))
+        self._show_hints(state, robot)
         self.settings.announce(state)
         if self.is_complete:
             self.rest.simple.show()
+
+    def _show_hints(self, state: FleetState, robot: str) -> None:
+        pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
+        keys, may_command = self.settings.keys, not self.dispatch.permissions.read_only
+        offered = hints(keys, pane, may_command, hidden_keys(state, robot))
+        runs, buttons = footer(*offered, keys, self.hints.size.width)
+        self.hints.show(runs, buttons=buttons)
+
+    def idle_keys(self) -> set[str]:
+        """Return the ids of keys without a use in this session."""
+        read_only = self.dispatch.permissions.read_only
+        return {key.id for key in KEYS if not self.session.offers(key) or (read_only and key.commands)}
+
+    def press_hint(self, id_: str) -> None:
+        """Press the key of a hint: with the same checks, and with the same effect in an overlay."""
+        key = textual_key(self.settings.keys[id_][0])
+        # Not from here: Textual ends the way of an event at its sender.
+        self.app.call_later(self.app.simulate_key, key)
 
     def _mark_robot(self, robot: str) -> None:
         """Put the fleet's cursor on a robot; it is drawn with the next rows."""
@@ -166,7 +182,9 @@ class MainScreen(Screen[None]):
         """Return the pane whose keys help and footer list first."""
         if self.session.pane or not self.is_complete or self.focused is self.rest.map:
             return self.session.pane or Pane.MAP
-        return Pane.DIAGNOSTICS if self.rest.diagnostics.is_open else Pane.TABLE
+        if self.rest.diagnostics.is_open:
+            return Pane.DIAGNOSTICS
+        return Pane.TABLE if isinstance(self.focused, RowsPane) else Pane.CONSOLE
 
     def all_orders(self) -> None:
         """Show the selected robot's orders, or all robots'."""

@@ -72,19 +72,6 @@ async def test_the_maps_keys_work_from_every_pane(server: RosbridgeServer) -> No
         await it.press("left", "h", "right", "l", "up", "k", "down", "j")
 
 
-async def test_help_lists_every_key_and_searches(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        await it.press("question_mark")
-        await it.shows("type to search")
-        assert "Pan left" in it.text
-        await it.type("pause all robots")
-        await it.shows("f12")
-        assert "Pan left" not in it.text
-        assert server.url in it.text
-        await it.press("escape")
-        await it.hides("f12")
-
-
 async def test_the_palette_goes_to_things_and_does_actions(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("colon")
