@@ -160,7 +160,7 @@ def take(folder: Path, name: str, console: Console) -> None:
                 time.sleep(SETTLED if keys else 0)
                 path = folder / f"{name}-{state}-{width}x{height}.png"
                 photograph().save(path)
-                print(path)
+                print(path)  # noqa: T201  # a command line tool
 
 
 def main(folder: Path, names: list[str]) -> None:

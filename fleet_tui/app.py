@@ -109,8 +109,6 @@ class FleetApp(LeanApp, inherit_bindings=False):
     async def _mount_rest(self) -> None:
         """Mount the map, and the overlays."""
         await self.main.mount_rest()
-        few = not self.is_headless and self.console.color_system == "standard"
-        self.main.rest.map.picture.hatch(few or not self._colour)
         self.use_theme(self._config.ui.theme)
         self.main.tick()
 

@@ -83,7 +83,7 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         simple=rest.simple.turn,
         why=rest.why.show,
         all_orders=screen.all_orders,
-        enlarge=screen.enlarge,
+        enlarge=screen.panes.enlarge,
         diagnostics=lambda: rest.diagnostics.show(navigation.robot),
         audit=rest.audit_log.show,
         go_to_time=partial(rest.palette.show, "@"),

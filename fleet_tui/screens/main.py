@@ -35,6 +35,7 @@ from fleet_tui.widgets.bindings import bindings, textual_key
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
+from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.screens.rest import Rest
@@ -189,11 +190,6 @@ class MainScreen(Screen[None]):
     def all_orders(self) -> None:
         """Show the selected robot's orders, or all robots'."""
         self._all_orders = not self._all_orders
-        self.tick()
-
-    def enlarge(self) -> None:
-        """Give the focused pane its whole column, or all of them their places."""
-        self.panes.enlarge()
         self.tick()
 
     async def action_key(self, id_: str) -> None:

@@ -80,6 +80,8 @@ class Rest:
             if time_line is not None:
                 self.inked.append(time_line)
                 await screen.mount(time_line, before="#hints")
+        has_few_colours = not screen.app.is_headless and screen.app.console.color_system == "standard"
+        self.map.picture.hatch(screen.app.ansi_color or has_few_colours)
         screen.set_focus(self.map)
         screen.files.open()
 

@@ -21,7 +21,7 @@ class Panes(Container):
     def __init__(self, robots: int) -> None:
         self.fleet = RowsPane(id="fleet", rows=robots)
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
-        self.page = RowsPane(id="robot")
+        self.page = RowsPane(id="page")
         self.page.can_focus = False
         super().__init__(Container(id="map"), self.fleet, self.alarms, self.queue, self.page, id="panes")
         self._alone = ""
@@ -50,8 +50,9 @@ class Panes(Container):
     def _share_out(self, wanted: Wanted) -> None:
         """Give the panes their heights. In tiny and simple layouts the style sheet does it."""
         screen = self.screen
-        by_sheet = self.has_class("-simple") or screen.has_class("-tiny") or screen.has_class("-flat")
         lines, is_wide = self.app.size.height - OTHERS, screen.has_class("-wide")
+        is_small = screen.has_class("-tiny") or screen.has_class("-flat")
+        by_sheet = is_small or (self.has_class("-simple") and not is_wide)
         alone = "" if by_sheet else self._alone
         if by_sheet:
             heights: tuple[int, ...] = ()
