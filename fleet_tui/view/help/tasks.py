@@ -47,7 +47,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("palette",), "Type record, for fleet-tui replay"),
     ),
     "Get around": (
-        (("next_pane",), "Next pane"),
+        (("next_pane", "enlarge"), "Next pane; whole column, back"),
         (("menu",), "Menu of the row: all it offers"),
         (("palette",), "Find any action, robot, place"),
         (("back", "quit"), "One level back; quit"),
