@@ -25,7 +25,7 @@ for command in (config, *orders.commands.values()):
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="JSON output; schema in docs/status.md.")
+@click.option("--json", "as_json", is_flag=True, help="JSON output; schema in docs/status-json.md.")
 @click.option("--watch", is_flag=True, help="Keep running and print changes (JSON Lines with --json).")
 @click.option("--oneline", is_flag=True, help="One line for a status bar.")
 @timeout(5.0)
