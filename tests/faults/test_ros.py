@@ -79,8 +79,8 @@ async def test_roscore_restarted_behind_a_living_rosbridge(server: RosbridgeServ
 async def test_a_robot_that_is_off_is_asked_for_ever_more_seldom(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(subscriber, "FIRST_AGAIN", 0.5)
-    monkeypatch.setattr(subscriber, "FOR_EACH_TOPIC", 0.0)
+    monkeypatch.setattr(subscriber, "FIRST_RENEWAL", 0.5)
+    monkeypatch.setattr(subscriber, "PER_TOPIC", 0.0)
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(ready)
         server.bridge.muted.update(

@@ -5,7 +5,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import Held
-from fleet_tui.rules.commands.keeping import HELD_BY_OTHERS, to_keep
+from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
 """Variance of x and y in square metres above which localisation is lost, and below which it is back."""
@@ -36,7 +36,7 @@ def held_orders(state: FleetState, robot: Robot, _held: Held) -> Condition | Non
     """Raise for orders held here until the operator releases them."""
     if not robot.held:
         return None
-    kept = sum(1 for _ in to_keep(state, robot))
+    kept = sum(1 for _ in orders_to_save(state, robot))
     if not kept:
         return None
     text = f"{robot.held}: {kept} order{'s' * (kept > 1)} waiting here, resume to continue"

@@ -18,7 +18,7 @@ from fleet_tui.model.order import PENDING
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.keeping import all_orders, clearable
+from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.route_checks import (
     floor_mismatch,

@@ -19,7 +19,7 @@ from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest, listed_end
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.confirmation import find_order, is_given_again
-from fleet_tui.rules.commands.keeping import next_id
+from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.commands.pauses import is_overtaken
 from fleet_tui.text.durations import age

@@ -23,7 +23,7 @@ from fleet_tui.model.order import OrderState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
-from fleet_tui.rules.commands.keeping import next_to_send, waiting
+from fleet_tui.rules.commands.local_queue import next_to_send, waiting
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.lines.questions import question
 from fleet_tui.view.tables.fleet import fleet_table
