@@ -55,11 +55,11 @@ class Track:
         until = FIRST_AT + seconds
         if until < self.at:
             return False
-        leap_at = self.at + LONGEST_SILENCE
+        jump_at = self.at + LONGEST_SILENCE
         while (at := FIRST_AT + self._ticks / TICKS_PER_SECOND) <= until:
-            if at > leap_at:
+            if at > jump_at:
                 self._ticks = max(self._ticks, int(seconds * TICKS_PER_SECOND))
-                leap_at = math.inf
+                jump_at = math.inf
                 continue
             self.at = at
             self._tick()
@@ -70,8 +70,8 @@ class Track:
         if self.at >= self._keyframe_at:
             self._file.begin_member()
             self._keyframe()
-        heard, self._received = self._received, {}
-        for link, at in heard.items():
+        received, self._received = self._received, {}
+        for link, at in received.items():
             self.on_event(LinkHeard(link, at))
         self.on_event(TimePassed(self.at, self.wall))
         self._ticks += 1

@@ -222,9 +222,9 @@ def test_a_full_disk_is_said_and_what_was_not_written_is_written_later(
 def test_a_disk_is_not_tried_at_every_record(tmp_path: Path, disk: BadDisk) -> None:
     disk.full = True
     audit = Audit(disk, ANA)
-    audit.tell("one")
+    audit.log_console("one")
     disk.full = False
-    audit.tell("two")
+    audit.log_console("two")
     assert audit.notes != [] and not (tmp_path / FILE_NAME).exists()
     assert audit.close(known_fleet()) == 0  # the last chance is taken
     assert [one.change for one in read(tmp_path)] == ["one", "two", "closed"]
@@ -237,7 +237,7 @@ def test_what_waits_has_a_bound_and_what_is_lost_is_counted(
     disk.full = True
     audit = Audit(disk, ANA)
     for n in range(25):
-        audit.tell(f"n{n}")
+        audit.log_console(f"n{n}")
     disk.full = False
     assert audit.close(known_fleet()) == 0
     found = read(tmp_path)
@@ -275,7 +275,7 @@ def test_a_slow_disk_holds_nobody_for_long(
     audit = Audit(disk, ANA)
     began = time.monotonic()
     for n in range(20):
-        audit.tell(f"n{n}")
+        audit.log_console(f"n{n}")
     assert time.monotonic() - began < 0.3
     becomes(lambda: disk.path.exists() and len(read(tmp_path)) == 20)
 
@@ -292,9 +292,9 @@ def test_one_slow_line_leaves_no_command_before_its_own(
     audit = Audit(disk, ANA)
     with monkeypatch.context() as patched:
         patched.setattr(disk, "append", slowly)
-        audit.tell("slow")
+        audit.log_console("slow")
     for n in range(20):
-        audit.tell(f"n{n}")
+        audit.log_console(f"n{n}")
         assert read(tmp_path)[-1].change == f"n{n}"
 
 
@@ -370,7 +370,7 @@ def test_an_error_of_our_own_does_not_end_the_writing(
     with monkeypatch.context() as patched:
         patched.setattr(disk, "append", lambda _line: 1 / 0)
         audit = Audit(disk, ANA)
-        audit.tell("one")
+        audit.log_console("one")
         assert audit.notes == ["audit: not written: ZeroDivisionError('division by zero')"]
     becomes(lambda: audit.notes == [])
     assert [one.change for one in read(tmp_path)] == ["one"]

@@ -104,7 +104,7 @@ def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
         yield Problem("paused", f"{robot.name} is {how}", blocks=False)
 
 
-def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+def unconfirmable_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that the progress of an order can be seen."""
     if not isinstance(command, PlaceOrder) or robot.heard is None or not state.is_online(robot):
         return
@@ -171,7 +171,7 @@ CHECKS: tuple[Check, ...] = (
     not_in_queue,
     nothing_to_clear,
     silent,
-    unheard_queue,
+    unconfirmable_queue,
     paused,
     floor_mismatch,
 )

@@ -45,7 +45,7 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("no link", f"no connection to {link.url}{why}", since=link.since)
 
 
-def unheard(state: FleetState, robot: Robot) -> Reason | None:
+def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is offline while the link is up."""
     if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None

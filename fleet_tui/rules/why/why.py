@@ -35,11 +35,11 @@ from fleet_tui.rules.why.robot import (
     obstacle,
     own_late_pause,
     paused,
+    silent_robot,
     stale_pose,
-    unheard,
 )
 
-DEAF: tuple[Rule, ...] = (no_link, unheard)
+DEAF: tuple[Rule, ...] = (no_link, silent_robot)
 """If one of these holds, everything else is an earlier report."""
 
 RULES: tuple[Rule, ...] = (
