@@ -183,7 +183,7 @@ class _Conversion:
 
 
 def _frame(framer: Framer, raw: bytes) -> tuple[bytes, str]:
-    """Return the frame of a message, or the reason that there is none."""
+    """Return the frame of a message, or the reason that it has none."""
     try:
         return framer.frame(raw), ""
     except Exception as problem:  # noqa: BLE001  # a hostile message leads rosbags into errors of every kind

@@ -48,7 +48,7 @@ class FleetLink:
         )
         self._writer.before_tick.append(self._waiting_orders.tick)
         self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
-        """What came over each link, for whoever looks; it changes all the time."""
+        """Traffic of each link, updated continuously, for the diagnostics screen."""
 
     def open(self) -> None:
         """Connect, and start the clock ticks."""

@@ -32,9 +32,9 @@ class QueueFile:
         self._folder, self._me = folder, f"{operator}@{socket.gethostname()}"
         self._lock: int | None = None
         self.owner = self._me
-        """Who keeps orders: name@host."""
+        """The console that keeps orders, as name@host."""
         self.problem = ""
-        """Why what is kept would not outlive this console, empty while it does."""
+        """The reason that waiting orders would not survive this console, empty if they do."""
 
     def claim(self) -> bool:
         """Become the console that keeps orders, unless another one is."""

@@ -34,12 +34,12 @@ class Services:
         self._calls, self._wanted = calls, wanted
         self._types: dict[str, str] = {}
         self._confirmed: set[str] = set()
-        """Services whose types were told on this connection, and are right."""
+        """Services whose types rosapi has confirmed on this connection."""
         self._seen: set[str] = set()
         self._missing: set[str] = set()
         self._missed_once: set[str] = set()
         self._absent: set[str] = set()
-        """Robots of which rosapi listed no service, though they may speak."""
+        """Robots without a service listed by rosapi, although they may send messages."""
         self._active: set[str] = set()
         self._rosapi_answered = False
         self._master_was_lost = False
@@ -47,7 +47,7 @@ class Services:
         self._listed = asyncio.Event()
         self._task: asyncio.Task[None] | None = None
         self.changed: Callable[[], None] = lambda: None
-        """Called when services have gone, or are there again."""
+        """Called when services disappear or reappear."""
 
     @property
     def unregistered(self) -> list[str]:
@@ -102,7 +102,7 @@ class Services:
             self._task = None
 
     def on_master_lost(self) -> None:
-        """Note that the ROS master was gone: a new one knows none of the earlier nodes."""
+        """Note that the ROS master was lost: a new one knows none of the earlier nodes."""
         self._master_was_lost = True
 
     def on_answer(self, service: str, values: object, result: bool) -> None:

@@ -50,10 +50,10 @@ class Subscriber:
         self._robots = {robot for feed in self._feeds for robot in feed.robots}
         self._first_renewal = FIRST_RENEWAL + PER_TOPIC * len(self._feeds)
         self.types: dict[str, str] = {}
-        """Type by topic, as rosapi told last; empty where it doesn't."""
+        """Type by topic, as last listed by rosapi; empty if it does not answer."""
         self._refused: set[str] = set()
         self._as_json: set[str] = set()
-        """Maps that never came as CBOR."""
+        """Maps that never arrived as CBOR."""
         self._json_timer: asyncio.TimerHandle | None = None
         self._map: Feed | None = None
         self._watched: frozenset[Feed] = frozenset()

@@ -29,7 +29,8 @@ class Writer:
         self.loop = network_loop()
         self.before_tick: list[Callable[[float], None]] = []
         self.backlogs: list[Callable[[float], float]] = []
-        """Each tells how many seconds the oldest message of a connection has waited to be read."""
+        """Functions that return the seconds for which the oldest message of a connection has waited to be
+        read."""
         self._ticker: asyncio.Future[None] | None = None
         self._tidied = time.monotonic()
         self._tidy = freeze

@@ -32,7 +32,7 @@ class _StartupRequest(NamedTuple):
 
 
 class StartupRequests:
-    """Holds requests until the link of their robots is up, or the time is over."""
+    """Holds requests until the link of their robots is up, or the time limit has passed."""
 
     def __init__(self, give: Give, refuse: Callable[[str], None]) -> None:
         """`refuse` is called with the reason that a request is not sent."""
@@ -57,7 +57,7 @@ class StartupRequests:
                 self._give(ready)
 
     def _hold_starting(self, state: FleetState, one: _StartupRequest) -> Request | None:
-        """Keep the commands whose link is still starting, whatever the other links do."""
+        """Hold the commands whose link is still starting, independently of the other links."""
         commands = one.request.commands
         starting = tuple(command for command in commands if _is_starting(state, command))
         if starting:

@@ -48,8 +48,8 @@ async def listen(
     until: float,
     drawn: Iterable[str] = (),
 ) -> ListeningResult:
-    """Listen to all topics together until each has enough messages, or the time is over. `adapters` by robot;
-    `drawn`: floors whose live map is not needed."""
+    """Listen to all topics together until each has enough messages, or the time limit has passed. `adapters`
+    by robot; `drawn`: floors whose live map is not needed."""
     asked = list(_to_subscribe(wanted, rosapi, drawn))
     count = -(-len(asked) // SHARE)
     wires = [BridgeConnection(bridge, adapters) for _ in range(count)]

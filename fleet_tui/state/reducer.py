@@ -55,7 +55,7 @@ def _without_ended(state: FleetState) -> FleetState:
 
 
 def _left(state: FleetState, robot: Robot) -> Robot:
-    """Return a robot without the goals that are gone."""
+    """Return a robot without its lost goals."""
     link = state.links[robot.link]
     earliest, latest = RELISTED_WITHIN
     is_due = link.phase is Phase.UP and earliest <= state.now - link.since < latest

@@ -15,7 +15,7 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, Resum
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.local_queue import SOMEBODY_ELSE, foreign, waiting
+from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, foreign, waiting
 from fleet_tui.simulator.faults import play
 from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.rosbridge import connection
@@ -128,7 +128,7 @@ async def test_a_foreign_goal_replaces_ours_and_holds_what_waits(site: MoveBaseS
         site.navigation().give(*FAR)
         ended = await reached(store, first.id, Stage.REPLACED, Stage.CANCELLED_ELSEWHERE, Stage.FAILED)
         assert ended.stage is Stage.REPLACED
-        await store.until(lambda state: robot(state).held == SOMEBODY_ELSE)
+        await store.until(lambda state: robot(state).held == ANOTHER_CLIENT)
 
 
 async def test_a_node_that_was_started_anew_has_lost_its_goals(site: MoveBaseSite) -> None:

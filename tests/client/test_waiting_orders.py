@@ -18,7 +18,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import OrderState, at_vertices
-from fleet_tui.rules.commands.local_queue import SOMEBODY_ELSE, waiting, waiting_orders_of
+from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, waiting, waiting_orders_of
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from fleet_tui.simulator.ros.goals import CANCELED
 from fleet_tui.transports.rosbridge import connection
@@ -160,7 +160,7 @@ async def test_while_someone_else_drives_the_queue_is_held(site: Site) -> None:
         await store.until(lambda state: state.robots[R0].orders.open)
         second = link.submit(site.to("Receiving"))
         await reached(store, second, Stage.WAITING)
-        state = await store.until(held(SOMEBODY_ELSE))
+        state = await store.until(held(ANOTHER_CLIENT))
         await store.until(lambda state: [one for one in state.alarms if one.key[1] == "held"])
         await store.until(lambda state: not state.robots[R0].orders.open)
         assert record_of(store.state, second).stage is Stage.WAITING and state.robots[R0].held

@@ -53,10 +53,8 @@ def was_active(active: ActiveConditions, robot: str, link: str, kind: str) -> bo
 def without_floods(
     state: FleetState, found: Sequence[Condition], active: ActiveConditions
 ) -> list[Condition]:
-    """Return the due conditions, with those of many robots as one.
-
-    A robot stays where it was counted first until its condition is over.
-    """
+    """Return the due conditions, with those of many robots as one. A robot stays in its first group until its
+    condition ends."""
     due: list[Condition] = []
     kinds: dict[Key, list[Condition]] = defaultdict(list)
     for condition in found:

@@ -15,8 +15,8 @@ from fleet_tui.rules.commands.goals import own_ids
 
 PREFIX = "k"
 """Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
-SOMEBODY_ELSE = "another client drives"
-HELD_BY_OTHERS = (SOMEBODY_ELSE, "someone else drives")
+ANOTHER_CLIENT = "another client drives"
+HELD_BY_OTHERS = (ANOTHER_CLIENT, "someone else drives")
 """The second is that of older recordings."""
 
 _WELL = frozenset({Stage.DONE})
@@ -161,7 +161,7 @@ def _held(state: FleetState, robot: Robot) -> str:
 
 def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
     if foreign(state, robot):
-        yield SOMEBODY_ELSE
+        yield ANOTHER_CLIENT
     if state.links[robot.link].phase is not Phase.UP:
         yield "the link was lost"
     elif not state.is_online(robot):
