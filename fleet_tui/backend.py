@@ -37,7 +37,7 @@ class Backend(Protocol):
     def submit(self, command: Command) -> str:
         """Send a command now or not at all. Returns the reason that it can't be tried."""
 
-    def tell(self, event: Event) -> str:
+    def post(self, event: Event) -> str:
         """Apply an event from outside the link. Returns the reason that it is rejected."""
 
     def show_map(self, robot: str, floor: str) -> None:
@@ -60,7 +60,7 @@ class OpenLinks(Protocol):
     def submit(self, command: Command) -> object:
         """Send a command now or not at all."""
 
-    def tell(self, event: Event) -> None:
+    def post(self, event: Event) -> None:
         """Apply an event from outside the link."""
 
     def show_map(self, robot: str, floor: str) -> None:
@@ -96,7 +96,7 @@ def connect_live(
     from fleet_tui.maps.floor_files import load_floors
 
     for loaded in load_floors(config):
-        link.tell(loaded)
+        link.post(loaded)
 
 
 class LiveBackend:
@@ -140,10 +140,10 @@ class LiveBackend:
         self.links.submit(command)
         return ""
 
-    def tell(self, event: Event) -> str:
+    def post(self, event: Event) -> str:
         """Apply an event, none before the links are open."""
         if self.links is not None:
-            self.links.tell(event)
+            self.links.post(event)
         return ""
 
     def show_map(self, robot: str, floor: str) -> None:

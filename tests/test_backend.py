@@ -21,7 +21,7 @@ class CalledLinks:
     def submit(self, command: Command) -> None:
         self.calls.append(command)
 
-    def tell(self, event: Event) -> None:
+    def post(self, event: Event) -> None:
         self.calls.append(event)
 
     def show_map(self, robot: str, floor: str) -> None:

@@ -34,7 +34,7 @@ class QueryProbe(NamedTuple):
     remedy: str
 
 
-class HeardProbe(NamedTuple):
+class MessageProbe(NamedTuple):
     """Messages of the feed `key`: `judge` gets the number of messages and the events of the last readable
     one, None if it had none; it returns None if it has nothing to add to the topic itself."""
 
@@ -50,4 +50,4 @@ class BridgeProbe(NamedTuple):
     judge: Callable[[int, str], Diagnosis]
 
 
-Probe = ActionProbe | QueryProbe | HeardProbe | BridgeProbe
+Probe = ActionProbe | QueryProbe | MessageProbe | BridgeProbe

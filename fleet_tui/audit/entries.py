@@ -31,13 +31,13 @@ class Origin:
         """A record signed with this origin. `wall` is Unix seconds."""
         fields |= {"operator": self.operator, "console": self.console, "run": self.run, "demo": self.demo}
         kept: dict[str, Any] = {
-            name: _kept(value) if isinstance(value, str) else value for name, value in fields.items()
+            name: _truncated(value) if isinstance(value, str) else value for name, value in fields.items()
         }
         time = datetime.fromtimestamp(wall).astimezone().isoformat(timespec="milliseconds")
         return AuditRecord(version=VERSION, time=time, **kept)
 
 
-def _kept(text: str) -> str:
+def _truncated(text: str) -> str:
     """Truncate a text, and drop characters that JSON readers reject: half a surrogate pair."""
     text = text if len(text) <= TEXT_KEPT else text[: TEXT_KEPT - 1] + "…"
     return text if text.isascii() else text.encode(errors="backslashreplace").decode()
@@ -49,9 +49,9 @@ def command_records(
     """Return each step that a command made. `wall` converts monotonic to Unix time."""
     if before.commands is after.commands:
         return
-    told = {record.id: len(record.steps) for record in before.commands}
+    known = {record.id: len(record.steps) for record in before.commands}
     for record in after.commands:
-        for step in record.steps[told.get(record.id, 0) :]:
+        for step in record.steps[known.get(record.id, 0) :]:
             yield _of_step(origin, after, record, step, wall(step.at))
     yield from _summaries(origin, before, after, wall)
 

@@ -70,7 +70,7 @@ class Audit:
         self.file, self.origin = file, origin
         self._waiting: deque[bytes] = deque()
         self._taken = self._done = self._lost = 0
-        """Records so far: taken, of these written or given up; and those that are lost and not told of."""
+        """Numbers of records: taken; of these written or dropped; lost without being counted as taken."""
         self._problem = ""
         self._begun = math.inf
         """Since when a line is being written (monotonic)."""
@@ -98,7 +98,7 @@ class Audit:
         commands = command_records(self.origin, before, after, lambda at: wall - (now - at))
         self._take(itertools.chain(commands, alarm_records(self.origin, before, after, wall)))
 
-    def tell(self, change: str, words: str = "") -> None:
+    def log_console(self, change: str, words: str = "") -> None:
         """Write an event of the console itself."""
         self._take([self._of_console(change, words)])
 
@@ -106,7 +106,7 @@ class Audit:
         """Write the last record of every open command. Returns the number of records that could not be
         written."""
         self._take(closing_records(self.origin, state, time.time()))
-        self.tell("closed")
+        self.log_console("closed")
         with self._changed:
             self._closed = True
             self._changed.notify_all()
@@ -122,7 +122,7 @@ class Audit:
                 return
             try:
                 for record in records:
-                    self._keep(encode(record))
+                    self._append(encode(record))
             except Exception:
                 # Whatever fails here, dispatch continues.
                 LOG.exception("audit")
@@ -130,7 +130,7 @@ class Audit:
             self._changed.notify_all()
             self._wait()
 
-    def _keep(self, line: bytes) -> None:
+    def _append(self, line: bytes) -> None:
         if len(self._waiting) >= WAITING:
             self._waiting.popleft()
             self._lost += 1
@@ -179,7 +179,7 @@ class Audit:
                 self._problem = ""
                 if self._lost:
                     words = f"{self._lost} records before this one were not written"
-                    self._keep(encode(self._of_console("lost", words)))
+                    self._append(encode(self._of_console("lost", words)))
                     self._lost = 0
             self._changed.notify_all()
 
@@ -203,7 +203,9 @@ def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> 
     """Keep the log of a console in the state folder while it runs. Lines missing at the end are reported on
     stderr, which must not be in use by a screen by then."""
     audit = Audit(AuditFile(folder / FILE_NAME), new_origin(config, demo))
-    audit.tell("opened", f"fleet-tui {__version__}" + (", read-only" if config.operator.read_only else ""))
+    audit.log_console(
+        "opened", f"fleet-tui {__version__}" + (", read-only" if config.operator.read_only else "")
+    )
     store.watchers.append(audit.watch)
     try:
         yield audit
@@ -211,10 +213,10 @@ def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> 
         store.watchers.remove(audit.watch)
         missing = audit.close(store.state)
         if missing:
-            _say(f"audit: {missing} record{'s' * (missing != 1)} not written: {audit.problem}")
+            _warn(f"audit: {missing} record{'s' * (missing != 1)} not written: {audit.problem}")
 
 
-def _say(text: str) -> None:
+def _warn(text: str) -> None:
     LOG.error("%s", text)
     with suppress(OSError, ValueError):  # stderr may be gone
         sys.stderr.write(f"{sanitize(text)}\n")

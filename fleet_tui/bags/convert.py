@@ -138,7 +138,7 @@ class _Conversion:
             return
         self._report.messages += 1
         for link, _ in self._chosen.by_topic[connection.topic]:
-            track.heard(link, frame, framer.is_binary)
+            track.on_received(link, frame, framer.is_binary)
 
     def _framer(self, track: Track, connection: Any) -> Framer | None:
         """Return the writer of a connection's messages, None if its type can't be read."""
@@ -159,7 +159,7 @@ class _Conversion:
 
     def _reject(self, track: Track, topic: str, text: str) -> None:
         for _, one in self._chosen.by_topic[topic]:
-            track.told(MessageRejected(one.robot, truncate(text)))
+            track.on_event(MessageRejected(one.robot, truncate(text)))
 
     def _begin(self, wall: float) -> Track:
         name, config = self._bag.path.name, public(self._config)
@@ -168,9 +168,9 @@ class _Conversion:
         origin = Origin("", OF_BAG + name, "")
         track = Track(self._file, self._config, self._first_state(wall), origin, wall)
         for loaded in load_floors(self._config):
-            track.told(loaded)
+            track.on_event(loaded)
         for robot, problem in self._chosen.refused:
-            track.told(MessageRejected(robot, problem))
+            track.on_event(MessageRejected(robot, problem))
         return track
 
     def _first_state(self, wall: float) -> FleetState:
@@ -183,7 +183,7 @@ class _Conversion:
 
 
 def _frame(framer: Framer, raw: bytes) -> tuple[bytes, str]:
-    """Return the frame of a message, or the reason that there is none."""
+    """Return the frame of a message, or the reason that it has none."""
     try:
         return framer.frame(raw), ""
     except Exception as problem:  # noqa: BLE001  # a hostile message leads rosbags into errors of every kind

@@ -8,7 +8,7 @@ from fleet_tui.model.events import Event, LinkHeard, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.part_file import PartFile
 from fleet_tui.recording.play.frames import Frames
-from fleet_tui.recording.records import Heard, Keyframe, Mark, Packer, Record, Told, encode
+from fleet_tui.recording.records import EventRecord, Keyframe, Mark, Packer, ReceivedFrame, Record, encode
 
 FIRST_AT = 1.0
 """Monotonic seconds at its beginning."""
@@ -31,7 +31,7 @@ class Track:
         self._file, self._origin, self._begun_wall = file, origin, wall
         self._frames, self._packer = Frames(config), Packer()
         self._ticks = 0
-        self._heard: dict[str, float] = {}
+        self._received: dict[str, float] = {}
         self._keyframe()
 
     @property
@@ -39,15 +39,15 @@ class Track:
         """Return the current Unix time."""
         return self._begun_wall + self.at - FIRST_AT
 
-    def heard(self, link: str, frame: bytes, is_binary: bool) -> None:
+    def on_received(self, link: str, frame: bytes, is_binary: bool) -> None:
         """Record a frame received now."""
-        self._heard[link] = self.at
+        self._received[link] = self.at
         text, data = ("", frame) if is_binary else (frame.decode(), b"")
-        self._take(Heard(self.at, self.wall, link, "topics", text, data, is_binary))
+        self._take(ReceivedFrame(self.at, self.wall, link, "topics", text, data, is_binary))
 
-    def told(self, event: Event) -> None:
+    def on_event(self, event: Event) -> None:
         """Record an event of now."""
-        self._take(Told(self.at, self.wall, event))
+        self._take(EventRecord(self.at, self.wall, event))
 
     def advance(self, seconds: float) -> bool:
         """Advance the time to a number of seconds after the beginning. False if that is past: then it
@@ -55,11 +55,11 @@ class Track:
         until = FIRST_AT + seconds
         if until < self.at:
             return False
-        leap_at = self.at + LONGEST_SILENCE
+        jump_at = self.at + LONGEST_SILENCE
         while (at := FIRST_AT + self._ticks / TICKS_PER_SECOND) <= until:
-            if at > leap_at:
+            if at > jump_at:
                 self._ticks = max(self._ticks, int(seconds * TICKS_PER_SECOND))
-                leap_at = math.inf
+                jump_at = math.inf
                 continue
             self.at = at
             self._tick()
@@ -70,10 +70,10 @@ class Track:
         if self.at >= self._keyframe_at:
             self._file.begin_member()
             self._keyframe()
-        heard, self._heard = self._heard, {}
-        for link, at in heard.items():
-            self.told(LinkHeard(link, at))
-        self.told(TimePassed(self.at, self.wall))
+        received, self._received = self._received, {}
+        for link, at in received.items():
+            self.on_event(LinkHeard(link, at))
+        self.on_event(TimePassed(self.at, self.wall))
         self._ticks += 1
 
     def _take(self, record: Record) -> None:

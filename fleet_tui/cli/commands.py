@@ -25,9 +25,9 @@ for command in (config, *orders.commands.values()):
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="JSON output; schema in docs/status.md.")
-@click.option("--watch", is_flag=True, help="Keep running and print changes (JSON Lines with --json).")
-@click.option("--oneline", is_flag=True, help="One line for a status bar.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/status-json.md.")
+@click.option("--watch", is_flag=True, help="Keep running and print changes (with --json as JSON Lines).")
+@click.option("--oneline", is_flag=True, help="Print one line, for a status bar.")
 @timeout(5.0)
 @fleet
 @merged
@@ -54,7 +54,7 @@ def status(
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="JSON output; schema in docs/commands.md.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/kinds.md.")
 @common
 @merged
 def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
@@ -65,11 +65,13 @@ def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="JSON output; schema in docs/doctor.md.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/doctor.md.")
 @click.option(
     "--robot", metavar="ROBOT", default="", help="Check only this robot, its bridge and its floors."
 )
-@click.option("--bundle", is_flag=True, help="Also pack report, recordings, log and audit log for a ticket.")
+@click.option(
+    "--bundle", is_flag=True, help="Also pack the report, recordings, log and audit log for a ticket."
+)
 @timeout(20.0)
 @fleet
 @merged
@@ -114,9 +116,13 @@ def _pack(config: Config, said: list[str], as_json: bool) -> None:
 @headless.command()
 @click.argument("file", type=FileName(path_type=Path))
 @click.option("--for", "seconds", type=DurationParam(), default="366d", help="Stop after 45s, 30m, 8h, ...")
-@click.option("--rotate-mb", type=click.FloatRange(1), help="Start a new file after this many MB.")
-@click.option("--rotate-every", type=DurationParam(), help="Start a new file after 30m, 1h, ...")
-@click.option("--keep", type=click.IntRange(0), help="Number of files to keep, 0: all.")
+@click.option(
+    "--rotate-mb", type=click.FloatRange(1), help="Start a new file every N megabytes.", metavar="N"
+)
+@click.option("--rotate-every", type=DurationParam(), help="Start a new file every 30m, 1h, ...")
+@click.option(
+    "--keep", type=click.IntRange(0), help="Keep only the newest N files; 0 keeps all.", metavar="N"
+)
 @click.option(
     "--timeout", type=click.FloatRange(0.1), help="Stop if there is no link after this many seconds."
 )
@@ -133,8 +139,8 @@ def record(
     keep: int | None,
     timeout: float | None,
 ) -> None:
-    """Record all received messages to FILE until Ctrl-C or SIGTERM. Sends no commands. Exit code 0: recorded,
-    3: no link."""
+    """Record all wire traffic to FILE until Ctrl-C or SIGTERM. Sends no commands. Exit code 0: recorded, 1:
+    FILE cannot be created, 3: no link."""
     from fleet_tui.cli.chosen import chosen
     from fleet_tui.cli.record import record as run
     from fleet_tui.log_file import log_to_file
@@ -154,10 +160,15 @@ def record(
 
 @headless.command()
 @click.argument("words", nargs=-1)
-@click.option("--robot", default="", help="Only records of this robot.")
-@click.option("--since", default="", metavar="TIME", help="30m, 2h, 7d, 12:00 or 2024-05-31T12:00.")
-@click.option("--csv", "as_csv", is_flag=True, help="CSV for a spreadsheet.")
-@click.option("--demo", is_flag=True, help="Records of the demo instead of real fleets.")
+@click.option("--robot", default="", help="Show only records of this robot.")
+@click.option(
+    "--since",
+    default="",
+    metavar="TIME",
+    help="Show only records since 30m, 2h, 7d (ago), 12:00 or 2024-05-31T12:00.",
+)
+@click.option("--csv", "as_csv", is_flag=True, help="Print CSV for a spreadsheet.")
+@click.option("--demo", is_flag=True, help="Show records of demos instead of those of real fleets.")
 @common
 @merged
 def audit(
@@ -169,7 +180,7 @@ def audit(
     as_csv: bool,
     demo: bool,
 ) -> None:
-    """Print commands and their outcomes, newest first. WORDS filter as in the console's audit log."""
+    """Print commands and their outcomes, newest first. WORDS filter records as in the console's audit log."""
     from fleet_tui.cli.audit import write_records
 
     named = {"robot": robot, "since": since}

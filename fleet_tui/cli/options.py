@@ -38,7 +38,7 @@ WITH_VALUE = ("--config", "--drawing", "--url")
 
 
 def with_url(args: list[str]) -> list[str]:
-    """Convert an address in place of a command into its option."""
+    """Convert an address in place of a command to `--url`."""
     skip = False
     for n, arg in enumerate(args):
         if skip or arg.startswith("-"):
@@ -53,7 +53,7 @@ def common(command: F) -> F:
     command = click.option(
         "--config", "config_file", type=FileName(), metavar="FILE", help="Use this configuration file."
     )(command)
-    return click.option("--debug", is_flag=True, help="Show tracebacks, log everything.")(command)
+    return click.option("--debug", is_flag=True, help="Show tracebacks and log everything.")(command)
 
 
 class Address(click.types.StringParamType):
@@ -68,14 +68,14 @@ class Address(click.types.StringParamType):
 
 def fleet(command: F) -> F:
     """Add `--url` as an alternative to `--config`, for commands that talk to robots."""
-    text = "Discover the fleet on this bridge; no configuration needed."
+    text = "Discover the fleet behind this address; needs no configuration."
     return click.option("--url", type=Address(), metavar="URL", help=text)(common(command))
 
 
 def drawing_mode(command: F) -> F:
     """Add `--drawing`."""
     modes = click.Choice(["auto", "braille", "half-block", "ascii"])
-    return click.option("--drawing", type=modes, help="Drawing mode of the map.")(command)
+    return click.option("--drawing", type=modes, help="Draw the map in this mode.")(command)
 
 
 def screen(command: F) -> F:
@@ -87,7 +87,9 @@ def screen(command: F) -> F:
 def timeout(seconds: float) -> Callable[[F], F]:
     """Add the maximum duration of a command."""
     limits = click.FloatRange(0.1, 3600)
-    return click.option("--timeout", type=limits, default=seconds, show_default=True, help="Seconds.")
+    return click.option(
+        "--timeout", type=limits, default=seconds, show_default=True, help="Maximum seconds to wait."
+    )
 
 
 def merged(run: Callable[..., None]) -> Callable[..., None]:

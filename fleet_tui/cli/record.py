@@ -113,7 +113,7 @@ class _Watch:
 
 def _load_maps(config: Config, link: FleetLink) -> None:
     for loaded in load_maps(config):
-        link.tell(loaded)
+        link.post(loaded)
 
 
 def _has_no_map(state: FleetState, robot: str, floor: str) -> bool:

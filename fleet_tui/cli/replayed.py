@@ -29,10 +29,14 @@ def replayed() -> None:
     type=click.FloatRange(0.25, 64),
     default=1.0,
     show_default=True,
-    help="Playback speed factor.",
+    help="Play at this multiple of the recorded speed.",
 )
 @click.option(
-    "--at", "start", default="", metavar="TIME", help="12:04:31, 2024-05-31T12:04:31, +90s or +1m30s."
+    "--at",
+    "start",
+    default="",
+    metavar="TIME",
+    help="Start at 12:04:31, 2024-05-31T12:04:31, +90s or +1m30s.",
 )
 @screen
 @common

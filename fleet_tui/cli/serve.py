@@ -16,11 +16,15 @@ def served() -> None:
 
 @served.command()
 @click.option(
-    "--port", type=click.IntRange(0, 65535), default=8000, show_default=True, help="Port; 0 takes a free one."
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=8000,
+    show_default=True,
+    help="Listen on this port; 0 picks a free one.",
 )
-@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
-@click.option("--allow-commands", is_flag=True, help="Allow commands; without it the browser only watches.")
-@click.option("--demo", is_flag=True, help="A separate simulated fleet for each tab.")
+@click.option("--host", default="127.0.0.1", show_default=True, help="Listen on this address.")
+@click.option("--allow-commands", is_flag=True, help="Allow commands; by default the console is read-only.")
+@click.option("--demo", is_flag=True, help="Serve a separate simulated fleet in each tab.")
 @drawing_mode
 @fleet
 @merged
@@ -34,7 +38,7 @@ def serve(
     demo: bool,
     drawing: str | None,
 ) -> None:
-    """Serve the console to a browser; by default on this machine only and read-only."""
+    """Serve the console to web browsers, by default read-only and only on this machine."""
     command = [sys.executable, "-m", "fleet_tui", *(["demo"] if demo else [])]
     command += _address(url, config_file, demo, allow_commands, debug) if url else _file(config_file, demo)
     command += [] if allow_commands else ["--read-only"]

@@ -24,9 +24,9 @@ class WaitingStore(Store):
         super().__init__(state)
         self._told = threading.Condition()
 
-    def tell(self, event: Event) -> None:
+    def apply(self, event: Event) -> None:
         """Apply one event, and wake the waiting thread."""
-        super().tell(event)
+        super().apply(event)
         with self._told:
             self._told.notify_all()
 
@@ -46,7 +46,7 @@ def session(
     link.open()
     try:
         for loaded in load_graphs(config):
-            link.tell(loaded)
+            link.post(loaded)
         yield link, store
     finally:
         link.close()

@@ -32,35 +32,35 @@ ALL_FAULTS = FAULT_LIST + "".join(
 
 
 def _faults(command: F) -> F:
-    """Return the configured faults of the simulator."""
+    """Add `--fault`."""
     return click.option(
         "--fault",
         default="",
         metavar="NAME[:ROBOT],...",
-        help="Faults, for all robots or for one; see below.",
+        help="Simulate these faults, of all robots or of one; see below.",
     )(command)
 
 
 def _simulation(command: F) -> F:
-    """Return the settings of the simulator, except faults."""
+    """Add `--speed` and `--fault`."""
     speed = click.option(
         "--speed",
         type=click.FloatRange(0.1, 100.0),
         default=1.0,
         show_default=True,
-        help="Simulation speed factor; message rates stay the same.",
+        help="Run the simulated time this many times as fast; message rates stay the same.",
     )
     return speed(_faults(command))
 
 
 def _ros(command: F) -> F:
-    """Return the version of ROS; by default the usual one of the robots."""
+    """Add `--ros`."""
     return click.option(
         *("--ros", "ros"),
         type=click.Choice(["1", "2"]),
         default=None,
-        show_default="default of the kind",
-        help="ROS version.",
+        show_default="depends on the kind",
+        help="Simulate a bridge of this ROS version.",
     )(command)
 
 
@@ -72,7 +72,7 @@ def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) ->
 
 
 def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None:
-    """Announce the running servers. Before that, a port may be unavailable, and no file is written."""
+    """Write the graphs and print the addresses: only now, as a port may have been unavailable."""
     from fleet_tui.simulator.navigating.graph_file import write_graphs
 
     if graph_file:
@@ -87,14 +87,14 @@ def simulated() -> None:
 
 
 def _kind(command: F) -> F:
-    """Return the kind of the simulated robots."""
+    """Add `--kind`."""
     return click.option(
         *("--kind", "kind"),
         default=USUAL,
         callback=_known_kind,
         metavar="|".join(WORDS),
         show_default=True,
-        help=f"Kind of robot; {MIXED}: all kinds in turn, on two bridges.",
+        help=f"Simulate robots of this kind; {MIXED}: all kinds in turn, on two bridges.",
     )(command)
 
 
@@ -111,8 +111,8 @@ def _check(kind: str, robots: int, ros: str | None) -> None:
 
 @simulated.command(epilog=ALL_FAULTS)
 @_kind
-@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
-@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True, help="Number of robots.")
+@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True, help="Number of floors.")
 @_ros
 @_simulation
 @screen
@@ -150,22 +150,30 @@ def demo(
 
 @simulated.command(epilog=ALL_FAULTS)
 @_kind
-@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True)
-@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True)
+@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True, help="Number of robots.")
+@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True, help="Number of floors.")
 @click.option(
     "--port",
     type=click.IntRange(0, LAST_PORT),
     default=9090,
     show_default=True,
-    help=f"Port; 0 takes a free one. A {MIXED} fleet also takes the next one.",
+    help=f"Listen on this port; 0 picks a free one. A {MIXED} fleet also takes the next port.",
 )
 @click.option(
-    "--rate", type=click.FloatRange(0.1, 100), default=10.0, show_default=True, help="Poses per second."
+    "--rate",
+    type=click.FloatRange(0.1, 100),
+    default=10.0,
+    show_default=True,
+    help="Poses per second and robot.",
 )
-@click.option("--seed", type=int, default=1, show_default=True)
+@click.option("--seed", type=int, default=1, show_default=True, help="Seed of the random numbers.")
 @click.option("--stop-with-stdin", is_flag=True, hidden=True)
 @click.option(
-    "--first", type=click.IntRange(0, 9999), default=0, show_default=True, help="Number of the first robot."
+    "--first",
+    type=click.IntRange(0, 9999),
+    default=0,
+    show_default=True,
+    help="Number in the first robot's name.",
 )
 @click.option(
     "--graph-file",

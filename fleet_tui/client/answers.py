@@ -25,7 +25,7 @@ WORST = (Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN)
 def decoded(tap: Tap | None, link: str, payload: bytes, is_binary: bool) -> operations.Operation | None:
     """Record and decode a frame of a command connection; None if it contains nothing for the console."""
     if tap is not None:
-        tap.heard(link, "commands", payload, is_binary, time.monotonic())
+        tap.on_received(link, "commands", payload, is_binary, time.monotonic())
     try:
         return None if is_binary else operations.decode(payload)
     except WireError as problem:
@@ -83,10 +83,10 @@ class Answers:
         self, command: Command, outgoing: ServiceCall, response: ServiceResponse, sent_at: float
     ) -> None:
         """Extract the other facts in an answer, besides the result of the command."""
-        self._services.answered(outgoing.address, response.values, response.result)
+        self._services.on_answer(outgoing.address, response.values, response.result)
         robot, adapter = self._writer.store.state.robots[command.robot], self._adapters[command.robot]
         for fact in adapter.learned(outgoing, response.values, robot, sent_at, time.monotonic()):
-            self._writer.take(fact)
+            self._writer.apply(fact)
 
     async def _answer(self, command_id: int, call: PendingCall) -> ServiceResponse:
         try:

@@ -31,7 +31,7 @@ class Backlog:
         self._arrived: deque[tuple[float, int]] = deque()
         """When how many bytes had arrived in all, read or not."""
         self._newest: dict[str, tuple[float, Frame]] = {}
-        """By topic: since when a frame waits, and the newest one. What waits longest is first."""
+        """By topic: the time since which a frame waits, and the newest frame. The longest wait is first."""
         self._timer: asyncio.TimerHandle | None = None
         self._age = 0.0
 

@@ -8,8 +8,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 
 from fleet_tui.adapters.adapter import ActionGoal, Adapter, Outgoing, Publication, ServiceCall
-from fleet_tui.adapters.answers import said
 from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.service_outcome import said
 from fleet_tui.client.answers import Answers, decoded
 from fleet_tui.client.calls import Calls, PendingCall
 from fleet_tui.client.goal_channel import Goals
@@ -22,7 +22,7 @@ from fleet_tui.errors import CommandError, LinkError
 from fleet_tui.model.commands import UNANSWERED, Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
-from fleet_tui.rules.commands.keeping import withdrawn
+from fleet_tui.rules.commands.local_queue import withdrawn
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.rosbridge.connection import Connection
 
@@ -63,7 +63,7 @@ class CommandChannel:
         self._publishing = Publishing(self.connection, advertised)
         self._answers = Answers(self._calls, self._services, adapters, writer, timeout, self._advance)
         self._heartbeat = Heartbeat(
-            link, self._calls, self._services, telemetry.counter.round_trips, writer.take
+            link, self._calls, self._services, telemetry.counter.round_trips, writer.apply
         )
 
     def on_connecting(self) -> None:
@@ -92,7 +92,7 @@ class CommandChannel:
     def on_sent(self, payload: bytes) -> None:
         """Report a sent call to the tap."""
         if self._writer.tap is not None:
-            self._writer.tap.sent(self._link, "commands", payload)
+            self._writer.tap.on_sent(self._link, "commands", payload)
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """Ignore it: no answer to a command is that large."""
@@ -139,7 +139,7 @@ class CommandChannel:
         elif not isinstance(command, PlaceOrder):  # which is taken when the robot lists it
             self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
 
-    def send_again(self, command: Command) -> None:
+    def resend(self, command: Command) -> None:
         """Send a command once more; its answers are not reported."""
         with suppress(LinkError, CommandError):
             for _, call in self._send(self._outgoing(command, 0, 0.0)):
@@ -191,7 +191,7 @@ class CommandChannel:
         level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
         LOG.log(level, "command %d: %s %s", command_id, stage.value, truncate(words))
         at = time.monotonic() if at is None else at
-        self._writer.take(CommandAdvanced(command_id, stage, at, words, name))
+        self._writer.apply(CommandAdvanced(command_id, stage, at, words, name))
 
     def close(self) -> None:
         """Close permanently; open commands end as unknown."""

@@ -6,10 +6,10 @@ import time
 from collections.abc import Mapping
 from functools import partial
 
-from fleet_tui.client.keeper import Keeper
 from fleet_tui.client.link import BridgeLink
 from fleet_tui.client.queue_file import QueueFile
 from fleet_tui.client.tap import Tap
+from fleet_tui.client.waiting_orders import WaitingOrders
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.access import access_problems
 from fleet_tui.config.fleet import adapters_of
@@ -43,38 +43,40 @@ class FleetLink:
         adapters = adapters_of(config)
         self._links = {name: BridgeLink(name, config, adapters, self._writer) for name in config.bridges}
         new_id = partial(next, self._ids)
-        self._keeper = Keeper(queue, store, self._writer.take, self._send, self._send_again, new_id)
-        self._writer.before_tick.append(self._keeper.look)
+        self._waiting_orders = WaitingOrders(
+            queue, store, self._writer.apply, self._send, self._resend, new_id
+        )
+        self._writer.before_tick.append(self._waiting_orders.tick)
         self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
-        """What came over each link, for whoever looks; it changes all the time."""
+        """Traffic of each link, updated continuously, for the diagnostics screen."""
 
     def open(self) -> None:
         """Connect, and start the clock ticks."""
         self._writer.start()
-        self._writer.loop.call_soon_threadsafe(self._keeper.load)
+        self._writer.loop.call_soon_threadsafe(self._waiting_orders.load)
         for link in self._links.values():
             link.open()
 
-    def tell(self, event: Event) -> None:
+    def post(self, event: Event) -> None:
         """Apply an event from outside the link to the store."""
-        self._writer.tell(event)
+        self._writer.post(event)
 
     def submit(self, command: Command) -> int:
         """Send a command now or not at all. Returns its id; its end is reported exactly once."""
         given_at = time.monotonic()
         command_id = next(self._ids)
-        self.tell(CommandIssued(command_id, command, given_at, time.time()))
+        self.post(CommandIssued(command_id, command, given_at, time.time()))
         if self._read_only:
             reason = "this console is read-only"
-            self.tell(CommandAdvanced(command_id, Stage.NOT_SENT, given_at, reason))
+            self.post(CommandAdvanced(command_id, Stage.NOT_SENT, given_at, reason))
         elif self._store.state.robots[command.robot].kind.keeps_goals:
-            self._writer.loop.call_soon_threadsafe(self._keep_or_send, command_id, command, given_at)
+            self._writer.loop.call_soon_threadsafe(self._queue_or_send, command_id, command, given_at)
         else:
             self._links[self._store.state.robots[command.robot].link].submit(command_id, command, given_at)
         return command_id
 
-    def _keep_or_send(self, command_id: int, command: Command, given_at: float) -> None:
-        if not self._keeper.takes(command_id, command, given_at):
+    def _queue_or_send(self, command_id: int, command: Command, given_at: float) -> None:
+        if not self._waiting_orders.handles(command_id, command, given_at):
             kind = self._store.state.robots[command.robot].kind
             self._send(command_id, given_now(command, kind), given_at)
 
@@ -83,9 +85,9 @@ class FleetLink:
         link = self._links[self._store.state.robots[command.robot].link]
         link.submit_now(command_id, command, given_at)
 
-    def _send_again(self, command: Command) -> None:
+    def _resend(self, command: Command) -> None:
         """Send a command once more. On the loop."""
-        self._links[self._store.state.robots[command.robot].link].send_again(command)
+        self._links[self._store.state.robots[command.robot].link].resend(command)
 
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to the live map of one robot's floor only; an empty floor for none."""
@@ -102,5 +104,5 @@ class FleetLink:
         """Close every connection."""
         for link in self._links.values():
             link.close()
-        self._writer.loop.call_soon_threadsafe(self._keeper.close)
+        self._writer.loop.call_soon_threadsafe(self._waiting_orders.close)
         self._writer.stop()

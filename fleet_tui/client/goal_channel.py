@@ -16,7 +16,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.navigation_events import GoalAnswered
-from fleet_tui.rules.commands.keeping import withdrawn
+from fleet_tui.rules.commands.local_queue import withdrawn
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
@@ -77,7 +77,7 @@ class GoalChannel:
     def on_sent(self, payload: bytes) -> None:
         """Report a sent goal to the tap."""
         if self._writer.tap is not None:
-            self._writer.tap.sent(self._link, "commands", payload)
+            self._writer.tap.on_sent(self._link, "commands", payload)
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """Ignore it: no end of a goal is that large."""
@@ -133,7 +133,7 @@ class Goals:
         if stage is Stage.REFUSED:
             self._advance(command_id, stage, words)
         else:
-            self._writer.take(GoalAnswered(command_id, stage, time.monotonic(), words))
+            self._writer.apply(GoalAnswered(command_id, stage, time.monotonic(), words))
 
     def close(self) -> None:
         """Close all connections permanently; goals go on."""

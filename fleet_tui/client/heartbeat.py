@@ -30,9 +30,9 @@ class Heartbeat:
         calls: Calls,
         services: Services,
         round_trips: RoundTrips,
-        tell: Callable[[CommandPathChanged], None],
+        report: Callable[[CommandPathChanged], None],
     ) -> None:
-        self._link, self._calls, self._services, self._tell = link, calls, services, tell
+        self._link, self._calls, self._services, self._report = link, calls, services, report
         self._round_trips = round_trips
         self._connected = False
         self._told: CommandPathChanged | None = None
@@ -46,7 +46,7 @@ class Heartbeat:
         told = CommandPathChanged(self._link, path, reason, self._connected)
         if told != self._told:
             self._told = told
-            self._tell(told)
+            self._report(told)
 
     def start(self) -> None:
         """Start beating: the connection is open. A pause need not wait for the first answer."""
@@ -70,13 +70,13 @@ class Heartbeat:
         self._answered_at = time.monotonic()
         words = response.values if isinstance(response.values, str) else ""
         if "unable to communicate with master" in words.lower():
-            self._services.master_gone()
+            self._services.on_master_lost()
             self._set(CommandPath.DEAD, "no ROS master")
             return
         was_dead, self.path = self.path is CommandPath.DEAD, CommandPath.ALIVE
         self._refresh()
         if was_dead or self.path is CommandPath.UNREGISTERED:
-            self._services.look()
+            self._services.query()
 
     def _refresh(self) -> None:
         """Report whether the robots' services exist, if the bridge answers at all."""
@@ -111,5 +111,5 @@ class Heartbeat:
                 self._round_trips.take(now - began, now)
             beats += 1
             if beats % LOOK_EVERY == 0:
-                self._services.look()
+                self._services.query()
             await asyncio.sleep(EVERY)

@@ -31,9 +31,9 @@ class Latched:
         self._reading, self._wanted = reading, wanted
         self._subscribe, self._unsubscribe = subscribe, unsubscribe
         self._volatile: set[str] = set()
-        """Topics that are asked for without `qos`. What worked stays, on later connections too."""
+        """Topics that are subscribed without `qos`, also on later connections."""
         self._counts: dict[str, int] = {}
-        """By topic: how many messages had come when it was asked for on this connection."""
+        """By topic: the number of messages received before it was subscribed on this connection."""
         self._task: asyncio.Task[None] | None = None
 
     def wants_qos(self, topic: str) -> bool:

@@ -52,9 +52,9 @@ class BridgeLink:
         """Send a command, on the loop."""
         self._commands.submit(command_id, command, given_at)
 
-    def send_again(self, command: Command) -> None:
+    def resend(self, command: Command) -> None:
         """Send a command once more, on the loop: only the first attempt is reported."""
-        self._commands.send_again(command)
+        self._commands.resend(command)
 
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to the live map of one robot's floor only; an empty name for none."""

@@ -14,7 +14,7 @@ FILE, LOCK = "queue.json", "queue.lock"
 LARGEST = 2**24
 
 
-class Kept(msgspec.Struct, frozen=True):
+class WaitingOrder(msgspec.Struct, frozen=True):
     """An order that waits for its robot behind the bridge at `url`; `wall` is the Unix time at which it was
     given, `floor` the floor."""
 
@@ -32,9 +32,9 @@ class QueueFile:
         self._folder, self._me = folder, f"{operator}@{socket.gethostname()}"
         self._lock: int | None = None
         self.owner = self._me
-        """Who keeps orders: name@host."""
+        """The console that keeps orders, as name@host."""
         self.problem = ""
-        """Why what is kept would not outlive this console, empty while it does."""
+        """The reason that waiting orders would not survive this console, empty if they do."""
 
     def claim(self) -> bool:
         """Become the console that keeps orders, unless another one is."""
@@ -57,14 +57,14 @@ class QueueFile:
         os.pwrite(handle, self._me.encode(), 0)
         return True
 
-    def load(self) -> list[Kept]:
+    def load(self) -> list[WaitingOrder]:
         """Return the kept orders; an unreadable file is reported as a problem and kept under another name."""
         if self._folder is None or self._lock is None:
             return []
         path = self._folder / FILE
         try:
             with path.open("rb") as file:
-                return msgspec.json.decode(file.read(LARGEST), type=list[Kept])
+                return msgspec.json.decode(file.read(LARGEST), type=list[WaitingOrder])
         except FileNotFoundError:
             return []
         except (OSError, msgspec.MsgspecError) as problem:
@@ -76,7 +76,7 @@ class QueueFile:
                 self.problem = f"{path} unreadable: {error.strerror}"
             return []
 
-    def save(self, kept: list[Kept]) -> None:
+    def save(self, kept: list[WaitingOrder]) -> None:
         """Save the kept orders atomically."""
         if self._folder is None or self._lock is None:
             return

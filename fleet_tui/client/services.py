@@ -15,10 +15,10 @@ from fleet_tui.text.limits import truncate
 
 LOG = logging.getLogger(__name__)
 
-SETTLES = 0.5
+SETTLE_TIME = 0.5
 """Seconds on a new connection for which commands wait for the types of services."""
 ROSAPI_TIMEOUT = 5.0
-AGAIN = 5.0
+RETRY_AFTER = 5.0
 """Seconds after which rosapi is asked again if it did not answer: it may have been busy."""
 
 
@@ -33,67 +33,67 @@ class Services:
         """`wanted` are the services by name."""
         self._calls, self._wanted = calls, wanted
         self._types: dict[str, str] = {}
-        self._sure: set[str] = set()
-        """Services whose types were told on this connection, and are right."""
+        self._confirmed: set[str] = set()
+        """Services whose types rosapi has confirmed on this connection."""
         self._seen: set[str] = set()
-        self._gone: set[str] = set()
-        self._missed: set[str] = set()
+        self._missing: set[str] = set()
+        self._missed_once: set[str] = set()
         self._absent: set[str] = set()
-        """Robots of which rosapi listed no service, though they may speak."""
-        self._speak: set[str] = set()
+        """Robots without a service listed by rosapi, although they may send messages."""
+        self._active: set[str] = set()
         self._rosapi_answered = False
-        self._master_was_gone = False
-        self._begun = -SETTLES
-        self._told = asyncio.Event()
+        self._master_was_lost = False
+        self._begun = -SETTLE_TIME
+        self._listed = asyncio.Event()
         self._task: asyncio.Task[None] | None = None
         self.changed: Callable[[], None] = lambda: None
-        """Called when services have gone, or are there again."""
+        """Called when services disappear or reappear."""
 
     @property
     def unregistered(self) -> list[str]:
         """The robots whose services existed and no longer do, by name."""
-        return sorted({self._wanted[name].robot for name in self._gone})
+        return sorted({self._wanted[name].robot for name in self._missing})
 
     @property
     def is_total(self) -> bool:
         """Tell whether that holds for every robot whose services were ever seen."""
-        return bool(self._gone) and self._gone == self._seen
+        return bool(self._missing) and self._missing == self._seen
 
     @property
     def without_any(self) -> list[str]:
         """The robots that send messages but never had a service, by name."""
-        return sorted(self._absent & self._speak)
+        return sorted(self._absent & self._active)
 
-    def heard(self, robots: Collection[str]) -> None:
+    def note_active(self, robots: Collection[str]) -> None:
         """Record the robots that send messages."""
-        if not self._absent <= self._speak and self._absent & set(robots) - self._speak:
-            self._speak |= set(robots)
+        if not self._absent <= self._active and self._absent & set(robots) - self._active:
+            self._active |= set(robots)
             self.changed()
 
-    def look(self) -> None:
+    def query(self) -> None:
         """Query rosapi, unless a query is open."""
         if self._task is None or self._task.done():
-            self._task = asyncio.ensure_future(self._look())
+            self._task = asyncio.ensure_future(self._query())
 
-    def doubt_types(self) -> None:
+    def recheck_types(self) -> None:
         """Query the types again: a new connection may lead to other nodes. The earlier types hold until the
         answer: no call is sent in between."""
-        self._sure.clear()
+        self._confirmed.clear()
         self.stop()
         self._begun = time.monotonic()
-        self._told.clear()
-        self.look()
+        self._listed.clear()
+        self.query()
 
     @property
     def is_new(self) -> bool:
         """Tell whether this connection has no list yet, and is too new to go without."""
-        is_young = self._task is None or time.monotonic() - self._begun < SETTLES
-        return is_young and not self._told.is_set()
+        is_young = self._task is None or time.monotonic() - self._begun < SETTLE_TIME
+        return is_young and not self._listed.is_set()
 
     async def settle(self) -> None:
         """Wait for the first query, up to its time limit."""
         with suppress(TimeoutError):
-            await asyncio.wait_for(self._told.wait(), SETTLES)
+            await asyncio.wait_for(self._listed.wait(), SETTLE_TIME)
 
     def stop(self) -> None:
         """Stop querying."""
@@ -101,26 +101,26 @@ class Services:
             self._task.cancel()
             self._task = None
 
-    def master_gone(self) -> None:
-        """Note that the ROS master was gone: a new one knows none of the earlier nodes."""
-        self._master_was_gone = True
+    def on_master_lost(self) -> None:
+        """Note that the ROS master was lost: a new one knows none of the earlier nodes."""
+        self._master_was_lost = True
 
-    def answered(self, service: str, values: object, result: bool) -> None:
+    def on_answer(self, service: str, values: object, result: bool) -> None:
         """Take an answer to a call of a robot's service as evidence of its existence."""
         if service not in self._wanted:
             return
         if not result and _does_not_exist(values):
-            self._set_gone(self._gone | ({service} & self._seen))
-            self.look()
+            self._set_missing(self._missing | ({service} & self._seen))
+            self.query()
         elif result:
             robot = self._wanted[service].robot
             self._seen.add(service)
             self._absent.discard(robot)
-            self._set_gone({name for name in self._gone if self._wanted[name].robot != robot})
+            self._set_missing({name for name in self._missing if self._wanted[name].robot != robot})
 
-    def _set_gone(self, gone: set[str]) -> None:
-        if gone != self._gone:
-            self._gone = gone
+    def _set_missing(self, missing: set[str]) -> None:
+        if missing != self._missing:
+            self._missing = missing
             self.changed()
 
     def mismatch(self, service: str) -> str:
@@ -132,10 +132,10 @@ class Services:
         if same_type(found, expected):
             return ""
         # Another node may offer it by now: the next call uses the current type.
-        self.look()
+        self.query()
         return f"{service} has type {found}, not {expected}"
 
-    async def _look(self) -> None:
+    async def _query(self) -> None:
         while True:
             try:
                 await self._take_services(await self._ask("services", {}))
@@ -144,36 +144,36 @@ class Services:
             except LinkError:
                 return
             else:
-                self._told.set()
+                self._listed.set()
                 return
-            await asyncio.sleep(AGAIN)
+            await asyncio.sleep(RETRY_AFTER)
 
     async def _take_services(self, response: ServiceResponse) -> None:
         if not response.result or not isinstance(response.values, dict):
-            if self._rosapi_answered and self._master_was_gone and _does_not_exist(response.values):
+            if self._rosapi_answered and self._master_was_lost and _does_not_exist(response.values):
                 # rosapi is a node like the robots': the new master knows none of them.
-                self._set_gone(set(self._seen))
+                self._set_missing(set(self._seen))
             return
         listed = response.values.get("services")
         if not isinstance(listed, list):
             return
         there = self._wanted.keys() & {name for name in listed if isinstance(name, str)}
-        self._rosapi_answered, self._master_was_gone = True, False
+        self._rosapi_answered, self._master_was_lost = True, False
         self._seen |= there
         ever = {self._wanted[name].robot for name in self._seen}
         absent, self._absent = self._absent, {one.robot for one in self._wanted.values()} - ever
-        self._sure &= there
+        self._confirmed &= there
         self._miss(self._seen - there)
         if absent != self._absent:
             self.changed()
-        await self._ask_types([name for name in self._wanted if name in there - self._sure])
+        await self._ask_types([name for name in self._wanted if name in there - self._confirmed])
 
     def _miss(self, missing: set[str]) -> None:
         """Drop services that two queries in a row missed: a bridge that just started lists only some."""
-        first, self._missed = missing - self._missed - self._gone, missing
-        self._set_gone(missing - first)
+        first, self._missed_once = missing - self._missed_once - self._missing, missing
+        self._set_missing(missing - first)
         if first:
-            asyncio.get_running_loop().call_later(AGAIN, self.look)
+            asyncio.get_running_loop().call_later(RETRY_AFTER, self.query)
 
     async def _ask_types(self, names: Iterable[str]) -> None:
         for name in names:
@@ -182,7 +182,7 @@ class Services:
             if response.result and isinstance(found, str) and found:
                 self._types[name] = truncate(found)
                 if same_type(found, self._wanted[name].type):
-                    self._sure.add(name)
+                    self._confirmed.add(name)
 
     async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse:
         """Query rosapi. Raises LinkError."""

@@ -15,7 +15,7 @@ LOG = logging.getLogger(__name__)
 
 LOOK_AFTER, FOR_EACH_TOPIC = 4.0, 0.03
 """Seconds after which a published topic should have delivered: a bridge subscribes one by one."""
-AGAIN = 2.0
+RETRY_AFTER = 2.0
 """Seconds between checks whether a package that seemed missing delivers after all."""
 ROSAPI_TIMEOUT = 2.0
 MOST_ASKED = 20
@@ -32,10 +32,10 @@ class Sourcing:
         wanted: Iterable[Feed],
         reading: FrameReader,
         types: Callable[[], Mapping[str, str]],
-        tell: Callable[[MessagesUnsourced], None],
+        report: Callable[[MessagesUnsourced], None],
     ) -> None:
         """`types` returns the type of each topic as the bridge spells it."""
-        self._link, self._calls, self._reading, self._tell = link, calls, reading, tell
+        self._link, self._calls, self._reading, self._report = link, calls, reading, report
         self._types = types
         # On a topic published only on change, silence proves nothing.
         self._wanted = [one for one in wanted if not (one.large or one.silent)]
@@ -68,12 +68,12 @@ class Sourcing:
             for one in self._wanted
         ]
         package = unsourced_package(listening) or ""
-        self._tell(MessagesUnsourced(self._link, package))
+        self._report(MessagesUnsourced(self._link, package))
         lacking = [one for one in silent if self._type(one).partition("/")[0] == package]
         while lacking:
-            await asyncio.sleep(AGAIN)
+            await asyncio.sleep(RETRY_AFTER)
             if any(self._count(one) != before[one.address] for one in lacking):
-                self._tell(MessagesUnsourced(self._link, ""))
+                self._report(MessagesUnsourced(self._link, ""))
                 return
 
     def _type(self, one: Feed) -> str:

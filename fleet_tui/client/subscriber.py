@@ -27,10 +27,10 @@ CBOR_PATIENCE_ROS2 = 8.0
 # A bridge behind which roscore was restarted stays silent until subscribed again. A robot that is only
 # switched off is subscribed again repeatedly, at doubling intervals. Seconds; a real bridge takes
 # 20 ms for each topic, and has not finished before that.
-FIRST_AGAIN, FOR_EACH_TOPIC, LONGEST_AGAIN = 8.0, 0.03, 64.0
+FIRST_RENEWAL, PER_TOPIC, LONGEST_INTERVAL = 8.0, 0.03, 64.0
 # The bridge subscribes in ROS again only when no client holds the topic. Consoles notice a silence at about
 # the same time, and unsubscribe for a quarter of the time they waited, up to this many seconds: together.
-LONGEST_LET_GO = 8.0
+LONGEST_RELEASE = 8.0
 
 
 class Subscriber:
@@ -43,32 +43,32 @@ class Subscriber:
         feeds: Iterable[Feed],
         adapters: Mapping[str, Adapter],
         reading: FrameReader,
-        tell: Callable[[events.Event], None],
+        report: Callable[[events.Event], None],
     ) -> None:
-        self._connection, self._calls, self._reading, self._tell = connection, calls, reading, tell
+        self._connection, self._calls, self._reading, self._report = connection, calls, reading, report
         self._feeds, self._adapters = tuple(feeds), adapters
         self._robots = {robot for feed in self._feeds for robot in feed.robots}
-        self._first_again = FIRST_AGAIN + FOR_EACH_TOPIC * len(self._feeds)
+        self._first_renewal = FIRST_RENEWAL + PER_TOPIC * len(self._feeds)
         self.types: dict[str, str] = {}
-        """Type by topic, as rosapi told last; empty where it doesn't."""
+        """Type by topic, as last listed by rosapi; empty if it does not answer."""
         self._refused: set[str] = set()
         self._as_json: set[str] = set()
-        """Maps that never came as CBOR."""
-        self._plainly: asyncio.TimerHandle | None = None
+        """Maps that never arrived as CBOR."""
+        self._json_timer: asyncio.TimerHandle | None = None
         self._map: Feed | None = None
         self._watched: frozenset[Feed] = frozenset()
         self.log_subscription = LogSubscription(connection, self._ask_types)
         self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
-        self._asked: dict[str, float] = {}
+        self._subscribed_at: dict[str, float] = {}
         self._patience: dict[str, float] = {}
         self._task: asyncio.Task[None] | None = None
 
     def start(self, now: float) -> None:
         """Subscribe to all topics: the bridge keeps nothing from before. `now` is monotonic, in seconds."""
-        self._reading.maps_heard.clear()
+        self._reading.maps_received.clear()
         self._refused.clear()
         self._patience.clear()
-        self._asked = dict.fromkeys(self._robots, now)
+        self._subscribed_at = dict.fromkeys(self._robots, now)
         self._task = asyncio.ensure_future(self._begin())
 
     async def _begin(self) -> None:
@@ -77,7 +77,7 @@ class Subscriber:
         self.log_subscription.subscribe(self.types)
         self._subscribe_to(self._robots)
         if self._is_ros2:
-            self._latched.start(self._of_latched(), FOR_EACH_TOPIC)
+            self._latched.start(self._of_latched(), PER_TOPIC)
 
     @property
     def _is_ros2(self) -> bool:
@@ -98,40 +98,42 @@ class Subscriber:
     def stop(self) -> None:
         """Cancel pending requests after the connection is lost."""
         self._latched.stop()
-        if self._plainly is not None:
-            self._plainly.cancel()
+        if self._json_timer is not None:
+            self._json_timer.cancel()
         if self._task is not None:
             self._task.cancel()
 
-    def look(self, now: float, spoke: Mapping[str, float]) -> None:
-        """Subscribe again for robots that are silent for long; `spoke` has the last message time of each
-        (monotonic)."""
+    def check(self, now: float, last_message: Mapping[str, float]) -> None:
+        """Subscribe again for robots that have been silent for long; `last_message` is by robot, in monotonic
+        seconds."""
         if self._task is None or not self._task.done() or not self._connection.is_connected:
             return
-        silent = {robot for robot in self._robots if self._is_silent(robot, now, spoke.get(robot, 0.0))}
+        silent = {
+            robot for robot in self._robots if self._is_silent(robot, now, last_message.get(robot, 0.0))
+        }
         if not silent:
             return
         LOG.info("silent, subscribing again: %s", " ".join(sorted(silent)))
-        let_go = min(LONGEST_LET_GO, max(map(self._waits, silent)) / 4)
+        release_time = min(LONGEST_RELEASE, max(map(self._interval, silent)) / 4)
         for robot in silent:
-            self._asked[robot] = now
+            self._subscribed_at[robot] = now
             # A random delay brings consoles together that did not start to wait together.
-            self._patience[robot] = min(LONGEST_AGAIN, self._waits(robot) * random.uniform(1.8, 2.2))
-        self._task = asyncio.ensure_future(self._renew(silent, let_go))
+            self._patience[robot] = min(LONGEST_INTERVAL, self._interval(robot) * random.uniform(1.8, 2.2))
+        self._task = asyncio.ensure_future(self._renew(silent, release_time))
 
-    def _waits(self, robot: str) -> float:
-        return self._patience.get(robot, self._first_again)
+    def _interval(self, robot: str) -> float:
+        return self._patience.get(robot, self._first_renewal)
 
-    def _is_silent(self, robot: str, now: float, spoke: float) -> bool:
-        asked = self._asked[robot]
-        if spoke > asked:
+    def _is_silent(self, robot: str, now: float, last_message: float) -> bool:
+        subscribed_at = self._subscribed_at[robot]
+        if last_message > subscribed_at:
             self._patience.pop(robot, None)
-        return now - max(spoke, asked) > self._waits(robot)
+        return now - max(last_message, subscribed_at) > self._interval(robot)
 
-    async def _renew(self, robots: Set[str], let_go: float) -> None:
+    async def _renew(self, robots: Set[str], release_time: float) -> None:
         for wanted in self._of(robots):
             self._unsubscribe(wanted)
-        await asyncio.sleep(let_go)
+        await asyncio.sleep(release_time)
         self.types = await self._ask_types()
         self._subscribe_to(robots)
 
@@ -169,7 +171,7 @@ class Subscriber:
             if wanted.address not in self._refused:
                 self._refused.add(wanted.address)
                 self._reading.counter.topics[wanted.address].not_subscribed = problem
-                self._tell(events.MessageRejected(wanted.robot, problem))
+                self._report(events.MessageRejected(wanted.robot, problem))
             return
         self._reading.counter.topics[wanted.address].not_subscribed = ""
         topic = wanted.address
@@ -188,10 +190,10 @@ class Subscriber:
         # If rosapi answers, it shows whether there is a map at all.
         if asked.compression == "cbor" and (topic in self.types or not self.types):
             patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
-            self._plainly = asyncio.get_running_loop().call_later(patience, self._ask_plainly, wanted)
+            self._json_timer = asyncio.get_running_loop().call_later(patience, self._request_as_json, wanted)
 
-    def _ask_plainly(self, wanted: Feed) -> None:
-        if self._map is wanted and wanted.address not in self._reading.maps_heard:
+    def _request_as_json(self, wanted: Feed) -> None:
+        if self._map is wanted and wanted.address not in self._reading.maps_received:
             self._unsubscribe(wanted)
             self._as_json.add(wanted.address)
             self._subscribe(wanted)
@@ -230,4 +232,4 @@ class Subscriber:
         if wanted is not None and self._connection.is_connected:
             self._subscribe(wanted)
             if self._is_ros2:
-                self._latched.start([wanted], FOR_EACH_TOPIC)
+                self._latched.start([wanted], PER_TOPIC)

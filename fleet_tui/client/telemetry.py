@@ -32,15 +32,15 @@ from fleet_tui.transports.rosbridge.connection import Connection
 LOG = logging.getLogger(__name__)
 
 # Larger frames are decoded off the loop, so that small ones don't wait.
-HEAVY_BYTES = 100_000
+LARGE_FRAME = 100_000
 # Seconds until the frame of a large map and the map before it are unreferenced.
-TIDY_AFTER = 1.0
+TRIM_AFTER = 1.0
 # Bytes of frames that wait to be decoded: more are dropped.
 MOST_WAITING = 64 * 2**20
 # Topics of which every message counts, not only the newest.
 LOGS = frozenset({ROSOUT, DIAGNOSTICS})
 # Seconds between checks for silent robots.
-LOOK_EVERY = 0.2
+CHECK_EVERY = 0.2
 
 
 class Telemetry:
@@ -51,9 +51,9 @@ class Telemetry:
         self._writer = writer
         self._logged: set[str] = set()
         self._waiting = 0
-        self._heard = self._told_heard = self._spoke = 0.0
-        self._robots_spoke: dict[str, float] = {}
-        self._next_look = 0.0
+        self._received_at = self._reported_at = self._active_at = 0.0
+        self._last_messages: dict[str, float] = {}
+        self._next_check = 0.0
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         bridge = config.bridge(link)
         feeds = feeds_of(config, adapters, link)
@@ -66,24 +66,24 @@ class Telemetry:
         self._targets = [feed for feed in feeds if feed.wanted_for == "target"]
         self.services = Services(self._calls, services_of(config, adapters, link))
         self._sourcing = Sourcing(
-            link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.take
+            link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )
         self.show_map = self._subscriber.show_map
         self.subscribe_logs = self._subscriber.log_subscription.listen
         self.counter = self._reading.counter
         self._fragments = Fragments(int(bridge.max_message_mb * 1e6))
         self._backlog = Backlog(self.connection, self._reading, self._read_frame)
-        writer.before_tick.append(self._look)
+        writer.before_tick.append(self._tick)
         writer.backlogs.append(self._backlog.age)
 
-    def _look(self, now: float) -> None:
-        if self._heard > self._told_heard:
-            self._told_heard = self._heard
-            self._writer.take(events.LinkHeard(self._link, self._heard))
-        if now > self._next_look:
-            self._next_look = now + LOOK_EVERY
-            self._subscriber.look(now, self._robots_spoke)
-            self.services.heard(self._robots_spoke)
+    def _tick(self, now: float) -> None:
+        if self._received_at > self._reported_at:
+            self._reported_at = self._received_at
+            self._writer.apply(events.LinkHeard(self._link, self._received_at))
+        if now > self._next_check:
+            self._next_check = now + CHECK_EVERY
+            self._subscriber.check(now, self._last_messages)
+            self.services.note_active(self._last_messages)
             self._subscriber.watch(feed for feed in self._targets if self._wants_target(feed.robot))
 
     def _wants_target(self, robot: str) -> bool:
@@ -94,20 +94,20 @@ class Telemetry:
 
     def silence(self) -> float:
         """Seconds since the last message on this connection, 0 before the first."""
-        return time.monotonic() - self._spoke if self._spoke else 0.0
+        return time.monotonic() - self._active_at if self._active_at else 0.0
 
     def on_connecting(self) -> None:
         """Report that a connection attempt has begun."""
-        self._writer.take(events.LinkChanged(self._link, time.monotonic(), Phase.CONNECTING))
+        self._writer.apply(events.LinkChanged(self._link, time.monotonic(), Phase.CONNECTING))
 
     def on_open(self) -> None:
         """Subscribe to all topics."""
         now = time.monotonic()
         self.counter.opened()
-        self._writer.take(events.LinkChanged(self._link, now, Phase.UP))
-        self._spoke = 0.0
+        self._writer.apply(events.LinkChanged(self._link, now, Phase.UP))
+        self._active_at = 0.0
         self._subscriber.start(now)
-        self.services.doubt_types()
+        self.services.recheck_types()
         self._sourcing.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
@@ -120,13 +120,13 @@ class Telemetry:
         self._calls.on_lost()
         now = time.monotonic()
         self.counter.lost(reason, now)
-        self._writer.take(events.LinkChanged(self._link, now, Phase.WAITING, reason, now + next_try_in))
+        self._writer.apply(events.LinkChanged(self._link, now, Phase.WAITING, reason, now + next_try_in))
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Decode a frame here, or off the loop if it is large."""
-        self._heard = self._spoke = time.monotonic()
-        if len(payload) < HEAVY_BYTES:
-            frame = payload, is_binary, self._heard
+        self._received_at = self._active_at = time.monotonic()
+        if len(payload) < LARGE_FRAME:
+            frame = payload, is_binary, self._received_at
             topic = "" if is_binary else topic_of(payload)
             if topic in self._reading.counter.topics and topic not in LOGS:
                 self._backlog.put(topic, frame)
@@ -140,10 +140,10 @@ class Telemetry:
             return
         self._waiting += len(payload)
         loop = asyncio.get_running_loop()
-        work = loop.run_in_executor(self._decoder, self._reading.read, payload, is_binary, self._heard)
-        work.add_done_callback(partial(self._take_late, payload, is_binary, self._heard))
+        work = loop.run_in_executor(self._decoder, self._reading.read, payload, is_binary, self._received_at)
+        work.add_done_callback(partial(self._take_late, payload, is_binary, self._received_at))
         if len(payload) > WORTH_A_PROCESS:
-            work.add_done_callback(lambda _: loop.call_later(TIDY_AFTER, trim))
+            work.add_done_callback(lambda _: loop.call_later(TRIM_AFTER, trim))
 
     def _read_frame(self, frame: Frame) -> None:
         self._take_frame(*frame, self._reading.read(*frame))
@@ -156,33 +156,33 @@ class Telemetry:
     def on_sent(self, payload: bytes) -> None:
         """Report a sent frame to the tap."""
         if self._writer.tap is not None:
-            self._writer.tap.sent(self._link, "topics", payload)
+            self._writer.tap.on_sent(self._link, "topics", payload)
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """Report the message that is too large, its size, and the setting that lets it in."""
-        self._heard = self._spoke = time.monotonic()
-        for event in self._reading.too_large(head, is_binary, size, self._heard):
+        self._received_at = self._active_at = time.monotonic()
+        for event in self._reading.too_large(head, is_binary, size, self._received_at):
             self._take(event)
 
     def _take_frame(self, payload: bytes, is_binary: bool, at: float, read: Read) -> None:
         """Apply the events of a frame that arrived at `at`. Only whole messages are recorded, not
         fragments."""
         if self._writer.tap is not None and not isinstance(read, operations.Fragment):
-            self._writer.tap.heard(self._link, "topics", payload, is_binary, at)
+            self._writer.tap.on_received(self._link, "topics", payload, is_binary, at)
         if isinstance(read, operations.ServiceResponse):
             self._calls.on_response(read)
         elif isinstance(read, operations.Fragment):
             self._put_together(read)
         else:
             for event in read:
-                self._tell(event)
+                self._apply(event)
 
-    def _tell(self, event: events.Event) -> None:
+    def _apply(self, event: events.Event) -> None:
         if isinstance(event, events.MessageRejected | events.FrameRejected):
             self._log_once(event.text)
         elif isinstance(event, events.Telemetry | Live):
-            self._robots_spoke[event.robot] = event.at
-        self._writer.store.tell(event)
+            self._last_messages[event.robot] = event.at
+        self._writer.store.apply(event)
 
     def _put_together(self, piece: operations.Fragment) -> None:
         try:
@@ -198,7 +198,7 @@ class Telemetry:
         """Apply the events of a message; report an unreadable or unrequested one."""
         if isinstance(rejected, events.MessageRejected | events.FrameRejected):
             self._log_once(rejected.text)
-        self._writer.take(rejected)
+        self._writer.apply(rejected)
 
     def _log_once(self, text: str) -> None:
         text = truncate(text)

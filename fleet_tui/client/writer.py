@@ -29,7 +29,8 @@ class Writer:
         self.loop = network_loop()
         self.before_tick: list[Callable[[float], None]] = []
         self.backlogs: list[Callable[[float], float]] = []
-        """Each tells how many seconds the oldest message of a connection has waited to be read."""
+        """Functions that return the seconds for which the oldest message of a connection has waited to be
+        read."""
         self._ticker: asyncio.Future[None] | None = None
         self._tidied = time.monotonic()
         self._tidy = freeze
@@ -51,7 +52,7 @@ class Writer:
                 for look in self.before_tick:
                     look(now)
                 behind = max([now - due, *(age(now) for age in self.backlogs)])
-                self.take(TimePassed(now, time.time(), behind if behind > TICK else 0.0))
+                self.apply(TimePassed(now, time.time(), behind if behind > TICK else 0.0))
                 if now - self._tidied > TIDY_EVERY:
                     self._tidied = now
                     self._tidy()
@@ -62,15 +63,15 @@ class Writer:
             due = time.monotonic() + TICK
             await asyncio.sleep(TICK)
 
-    def take(self, event: Event) -> None:
+    def apply(self, event: Event) -> None:
         """Apply an event without a frame. On the loop."""
         if self.tap is not None:
-            self.tap.told(event)
-        self.store.tell(event)
+            self.tap.on_event(event)
+        self.store.apply(event)
 
-    def tell(self, event: Event) -> None:
+    def post(self, event: Event) -> None:
         """Apply an event without a frame. From any thread."""
-        self.loop.call_soon_threadsafe(self.take, event)
+        self.loop.call_soon_threadsafe(self.apply, event)
 
     def stop(self) -> None:
         """Stop the clock ticks."""

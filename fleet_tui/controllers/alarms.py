@@ -45,8 +45,8 @@ class AlarmResponses:
         self._store, self._backend, self._notices, self._navigation = store, backend, notices, navigation
         self._pane, self._open_menu, self._why, self._keys, self._clock = pane, open_menu, why, keys, clock
 
-    def _tell(self, event: Event) -> None:
-        if problem := self._backend.tell(event):
+    def _post(self, event: Event) -> None:
+        if problem := self._backend.post(event):
             self._notices.say(problem)
 
     def acknowledge(self) -> None:
@@ -57,14 +57,14 @@ class AlarmResponses:
         if time.monotonic() - self._cleared_at() < LOOK:
             self._notices.say("that alarm has just cleared: press again for the marked one")
             return
-        self._tell(AlarmAcknowledged(*key))
+        self._post(AlarmAcknowledged(*key))
         if key in fresh and len(fresh) > 1:
             following = [*fresh[fresh.index(key) + 1 :], *fresh]
             self._pane.listing.cursor = following[0]
 
     def acknowledge_all(self) -> None:
         """Acknowledge every alarm."""
-        self._tell(AlarmAcknowledged())
+        self._post(AlarmAcknowledged())
 
     def menu(self, source: str, kind: str) -> None:
         """List the actions for an alarm."""
@@ -93,10 +93,10 @@ class AlarmResponses:
     def _answers(self, alarm: Alarm) -> Iterator[Entry]:
         if alarm.needs_acknowledgement:
             key = " ".join(self._keys["acknowledge"])
-            yield f"Acknowledge ({key})", partial(self._tell, AlarmAcknowledged(*alarm.key))
+            yield f"Acknowledge ({key})", partial(self._post, AlarmAcknowledged(*alarm.key))
         if alarm.stage is AlarmStage.SHELVED:
-            yield "Unshelve", partial(self._tell, AlarmUnshelved(*alarm.key))
+            yield "Unshelve", partial(self._post, AlarmUnshelved(*alarm.key))
         state = self._store.state
         seconds = state.limits.shelve_for
         shelved = AlarmShelved(*alarm.key, state.now + seconds)
-        yield f"Shelve for {age(seconds)}", partial(self._tell, shelved)
+        yield f"Shelve for {age(seconds)}", partial(self._post, shelved)

@@ -7,13 +7,13 @@ from functools import partial
 from msgspec.structs import replace
 
 from fleet_tui.backend import Backend
-from fleet_tui.controllers.held import Held
 from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.startup_requests import StartupRequests
 from fleet_tui.model.commands import Command
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import SAME_WITHIN, acceptable, problems, repeated
-from fleet_tui.rules.commands.keeping import hold_all
+from fleet_tui.rules.commands.local_queue import hold_all
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, question
@@ -31,14 +31,14 @@ class Dispatch:
         self._store, self._backend, self._notices, self._ask = store, backend, notices, ask
         self.permissions = permissions
         self.given: dict[tuple[Command, ...], float] = {}
-        self._held = Held(self._give_held, notices.say)
+        self._startup = StartupRequests(self._give_waiting, notices.say)
 
     def arm(self) -> None:
         """Enable or disable commands from this console, including the orders that wait here."""
         armed = not self.permissions.armed
         self.permissions = replace(self.permissions, armed=armed)
-        for held in () if armed else hold_all(self._store.state, "this console is not armed"):
-            self._backend.tell(held)
+        for hold in () if armed else hold_all(self._store.state, "this console is not armed"):
+            self._backend.post(hold)
         self._notices.say("this console is armed" if armed else "this console is not armed")
 
     def _problems(self, request: Request) -> list[Problem]:
@@ -59,7 +59,7 @@ class Dispatch:
 
     def _give_able(self, request: Request, sent: Callable[[], None]) -> str:
         may_send = self.permissions.armed and not self.permissions.read_only
-        ready = self._held.hold(self._store.state, request, time.monotonic()) if may_send else request
+        ready = self._startup.hold(self._store.state, request, time.monotonic()) if may_send else request
         if ready != request:
             self._notices.note("waiting for the link")
         if ready is None:
@@ -67,13 +67,13 @@ class Dispatch:
             return ""
         return self._give_now(ready, sent)
 
-    def _give_held(self, request: Request) -> None:
+    def _give_waiting(self, request: Request) -> None:
         if problem := self._give_now(request, lambda: None):
             self._notices.say(problem)
 
-    def release_held(self) -> None:
+    def release_startup(self) -> None:
         """Send the requests that waited for the link, once it is up."""
-        self._held.release(self._store.state, time.monotonic())
+        self._startup.release(self._store.state, time.monotonic())
 
     def _give_now(self, request: Request, sent: Callable[[], None]) -> str:
         found = self._problems(request)

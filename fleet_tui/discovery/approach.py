@@ -34,7 +34,7 @@ class Approach:
         self._port = parts.port or (443 if bridge.is_secure else 80)
         self._key = key or f"{link_key(name)}.url"
         self.step = STEPS[0]
-        """What is being tried."""
+        """The current step."""
 
     async def walk(self) -> AsyncIterator[Finding]:
         """Return one finding for each step; the first failure is the last step."""

@@ -61,7 +61,7 @@ class TopicFacts:
     """Measurements of one topic. Seconds: `waited` for it, `first_after` the subscribe, `age` of the last.
 
     `event` is the last readable message, `problem` the error of another. `lag`: the least of arrival by our
-    clock minus the robot's stamp, `late`: the last of it beyond the least. `again`: it was subscribed once
+    clock minus the robot's stamp, `late`: the last of it beyond the least. `retried`: it was subscribed once
     more, with default options; `fragmented`: bytes of a fragmented message; `held_by`: the bridge's node, if
     it still held the topic after we unsubscribed; `complaint`: the message about it in the bridge's log.
     """
@@ -78,7 +78,7 @@ class TopicFacts:
     problem: str = ""
     lag: float | None = None
     late: float | None = None
-    again: bool = False
+    retried: bool = False
     fragmented: int = 0
     held_by: str = ""
     complaint: str = ""

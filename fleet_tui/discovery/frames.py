@@ -37,10 +37,10 @@ async def hear_frames(
         return {}
     with suppress(TimeoutError):
         async with asyncio.timeout(min(WITHIN, until - time.monotonic())):
-            while not all(one.count for one in wire.heard.values()) and not wire.lost:
-                wire.came.clear()
-                await wire.came.wait()
-    events = [one.event for one in wire.heard.values()]
+            while not all(one.count for one in wire.listening.values()) and not wire.lost:
+                wire.arrived.clear()
+                await wire.arrived.wait()
+    events = [one.event for one in wire.listening.values()]
     return {one.robot: one.frame_id.lstrip("/") for one in events if isinstance(one, PoseReported)}
 
 

@@ -23,7 +23,7 @@ from fleet_tui.model.events import Event, GraphReceived, PoseReported
 from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.transports.rosbridge.connection import Connection
 
-HEAVY_BYTES = 100_000
+LARGE_FRAME = 100_000
 QUEUE = 100  # log lines that the bridge queues for us
 NAMED = re.compile(r'"topic":\s*"(?P<topic>[^"]+)"')
 FROZEN = "accepts connections but does not respond: restart it"
@@ -46,7 +46,7 @@ class TopicListening:
     problem: str = ""
     lag: float | None = None
     late: float | None = None
-    again: bool = False
+    retried: bool = False
     fragmented: int = 0
     held_by: str = ""
 
@@ -88,7 +88,7 @@ class TopicListening:
             problem=self.problem,
             lag=self.lag,
             late=self.late,
-            again=self.again,
+            retried=self.retried,
             fragmented=self.fragmented,
             held_by=self.held_by,
         )
@@ -100,17 +100,17 @@ class BridgeConnection:
     def __init__(self, bridge: Link, adapters: Mapping[str, Adapter] = MappingProxyType({})) -> None:
         self.connection = Connection(bridge, self)
         self.adapters = adapters
-        """By robot, of those whose topics are heard."""
+        """By robot, for the robots whose topics are subscribed."""
         self.lost = ""
-        """Why there is no connection."""
-        self.heard: dict[str, TopicListening] = {}
-        """What has come, by topic."""
+        """The reason that there is no connection."""
+        self.listening: dict[str, TopicListening] = {}
+        """Received messages, by topic."""
         self.complaints: dict[str, str] = {}
-        """What the bridge's log says of a topic that it did not subscribe to."""
+        """Messages of the bridge's log on topics that it did not subscribe to."""
         self.behind = 0.0
-        """Seconds by which we were late at most to look at it."""
-        self.came = asyncio.Event()
-        """Set whenever something has come, or nothing more will."""
+        """Maximum delay in seconds with which this process read messages."""
+        self.arrived = asyncio.Event()
+        """Set whenever a message has arrived, and when no more will."""
         self._settled = asyncio.Event()
         self._calls = Calls(self.connection)
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
@@ -137,19 +137,19 @@ class BridgeConnection:
     def subscribe(self, wanted: Feed, type_: str, latched: bool) -> None:
         """Subscribe to every message of a topic. Raises LinkError."""
         read = self.adapters[wanted.robot].read
-        self.heard[wanted.address] = TopicListening(wanted, time.monotonic(), read)
+        self.listening[wanted.address] = TopicListening(wanted, time.monotonic(), read)
         compression = "cbor" if wanted.large else "none"
         subscription = Subscription(wanted.address, type_, compression=compression, latched=latched)
         self.connection.send(operations.subscribe(subscription))
 
-    def let_go(self, topic: str) -> None:
+    def unsubscribe(self, topic: str) -> None:
         """Unsubscribe from a topic. Raises LinkError."""
         self.connection.send(operations.unsubscribe(topic))
 
-    def ask_plainly(self, wanted: Feed, type_: str) -> None:
+    def subscribe_plainly(self, wanted: Feed, type_: str) -> None:
         """Subscribe to a topic once more, as JSON and with the bridge's own QoS. Raises LinkError."""
         topic = wanted.address
-        self.heard[topic].again = True
+        self.listening[topic].retried = True
         self.connection.send(operations.subscribe(Subscription(topic, type_)))
 
     def subscribe_logs(self, type_: str) -> None:
@@ -174,12 +174,12 @@ class BridgeConnection:
         self.connection.shut()
         self._calls.on_lost()
         self._settled.set()
-        self.came.set()
+        self.arrived.set()
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Take an answer or a message; long ones are read off the loop."""
         at = time.monotonic()
-        if len(payload) < HEAVY_BYTES:
+        if len(payload) < LARGE_FRAME:
             self._answered(self._read(payload, is_binary, at))
             return
         loop = asyncio.get_running_loop()
@@ -191,8 +191,8 @@ class BridgeConnection:
             read = operations.decode_cbor(payload) if is_binary else operations.decode(payload)
         except WireError:
             return None
-        if isinstance(read, operations.Publish) and read.topic in self.heard:
-            self.heard[read.topic].take(read.msg, at)
+        if isinstance(read, operations.Publish) and read.topic in self.listening:
+            self.listening[read.topic].take(read.msg, at)
         elif isinstance(read, operations.Publish) and read.topic == ROSOUT:
             self._overheard(read.msg, at)
         elif isinstance(read, operations.Fragment):
@@ -208,11 +208,11 @@ class BridgeConnection:
     def _fragment(self, piece: operations.Fragment) -> None:
         """Record the size of a fragmented message, by its first fragment."""
         named = NAMED.search(piece.data.replace("\\/", "/")) if piece.num == 0 else None
-        if named and named["topic"] in self.heard:
-            self.heard[named["topic"]].fragmented = len(piece.data) * piece.total
+        if named and named["topic"] in self.listening:
+            self.listening[named["topic"]].fragmented = len(piece.data) * piece.total
 
     def _answered(self, response: operations.ServiceResponse | None) -> None:
-        self.came.set()
+        self.arrived.set()
         if response is not None:
             self._calls.on_response(response)
 
@@ -222,7 +222,7 @@ class BridgeConnection:
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """Record at its topic that a message over the limit of the config was dropped."""
         plain = head.replace(rb"\/", b"/")
-        for topic, heard in self.heard.items():
+        for topic, heard in self.listening.items():
             if topic.encode() in plain:
                 heard.count += 1
                 heard.faults += 1

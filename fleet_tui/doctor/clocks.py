@@ -11,7 +11,7 @@ LATE = 0.5  # seconds by which poses grow older during the measurement
 BEHIND = 0.3  # seconds of our own delay, above which others are not judged
 MOST_MESSAGES = {1: 4000, 2: 500}  # per second of one bridge, as measured
 WRONG = 1.0  # seconds by which a clock may be off
-LONG_AGO = 1e8  # a robot that says 1973 or earlier counts from the start of a simulation
+LONG_AGO = 1e8  # a stamp of 1973 or earlier counts from the start of a simulation
 
 
 def round_trip_finding(facts: BridgeFacts) -> Finding:

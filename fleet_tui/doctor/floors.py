@@ -73,17 +73,17 @@ def _size(frame: MapFrame) -> str:
     return f"{frame.width} x {frame.height} px, {frame.resolution:.3g} m each"
 
 
-def _sizes(floor: FloorEntry, by: str, map_: MapFrame, told: MapFrame, tied: bool) -> Finding:
+def _sizes(floor: FloorEntry, by: str, map_: MapFrame, reported: MapFrame, tied: bool) -> Finding:
     """Judge whether the picture and map_metadata describe one map; a plain image has only its size."""
-    same = (map_.width, map_.height) == (told.width, told.height)
+    same = (map_.width, map_.height) == (reported.width, reported.height)
     if same and tied:
-        pixel = told.resolution
+        pixel = reported.resolution
         same = abs(map_.resolution - pixel) < 1e-4 * pixel and all(
             abs(one - other) < pixel
             for one, other in (
-                (map_.origin.x, told.origin.x),
-                (map_.origin.y, told.origin.y),
-                (map_.origin.yaw, told.origin.yaw),
+                (map_.origin.x, reported.origin.x),
+                (map_.origin.y, reported.origin.y),
+                (map_.origin.yaw, reported.origin.yaw),
             )
         )
     if same:
@@ -92,7 +92,7 @@ def _sizes(floor: FloorEntry, by: str, map_: MapFrame, told: MapFrame, tied: boo
         floor.name,
         "map size",
         Verdict.FAIL,
-        f"map {_place(map_)}, map_metadata{by} {_place(told)}",
+        f"map {_place(map_)}, map_metadata{by} {_place(reported)}",
         "use the map the robots drive by, or restart their map server",
     )
 
@@ -131,11 +131,12 @@ Placed = PoseReported | LocalisationReported
 
 
 def place_finding(
-    config: Config, pose: Placed, grids: Mapping[str, OccupancyGrid | None], floors: list[str], told: str
+    config: Config, pose: Placed, grids: Mapping[str, OccupancyGrid | None], floors: list[str], reported: str
 ) -> Finding:
-    """Judge whether a robot is on a map it knows. `told`: its floor, if its frame means none."""
+    """Judge whether a robot is on a map it knows. `reported`: the floor by its own report, if its frame means
+    none."""
     if isinstance(pose, LocalisationReported):
-        return _place_on(pose, grids, floors, told)
+        return _place_on(pose, grids, floors, reported)
     frame = pose.frame_id.lstrip("/")
     floor = next((floor for floor in config.floors if floor.frame == frame), None)
     if floor is None:

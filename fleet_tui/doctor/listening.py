@@ -17,7 +17,7 @@ from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
 
 CONNECT_WITHIN = 4.0
-LOOK_EVERY = 0.05  # seconds
+CHECK_EVERY = 0.05  # seconds
 # Minimum and maximum seconds of listening to topics: a little longer than a robot may be silent
 # and still be online.
 AT_LEAST, AT_MOST = 1.5, 6.0
@@ -27,12 +27,12 @@ ENOUGH = 3  # messages of a topic for its rate; poses are the frequent ones
 ENOUGH_FAST = 10
 # Seconds after which a floor's topic is unsubscribed, and for how long, so that the bridge forgets its
 # QoS; and the number of them whose subscribers are queried meanwhile.
-FIRST_TRY, LET_GO, MOST_HELD = 2.0, 0.7, 20
+FIRST_TRY, RELEASE_TIME, MOST_HELD = 2.0, 0.7, 20
 
 Asked = list[tuple[Feed, str]]
 
 
-class Listened(NamedTuple):
+class ListeningResult(NamedTuple):
     """All topics, the reason that a connection was lost meanwhile, and our own maximum delay in seconds."""
 
     topics: list[TopicFacts]
@@ -47,16 +47,16 @@ async def listen(
     rosapi: RosapiFacts,
     until: float,
     drawn: Iterable[str] = (),
-) -> Listened:
-    """Listen to all topics together until each has enough messages, or the time is over. `adapters` by robot;
-    `drawn`: floors whose live map is not needed."""
-    asked = list(_worth_hearing(wanted, rosapi, drawn))
+) -> ListeningResult:
+    """Listen to all topics together until each has enough messages, or the time limit has passed. `adapters`
+    by robot; `drawn`: floors whose live map is not needed."""
+    asked = list(_to_subscribe(wanted, rosapi, drawn))
     count = -(-len(asked) // SHARE)
     wires = [BridgeConnection(bridge, adapters) for _ in range(count)]
     try:
-        await asyncio.gather(*(_hear(wire, asked[n::count], rosapi, until) for n, wire in enumerate(wires)))
+        await asyncio.gather(*(_listen(wire, asked[n::count], rosapi, until) for n, wire in enumerate(wires)))
         now = time.monotonic()
-        heard = {topic: one.facts(now) for wire in wires for topic, one in wire.heard.items()}
+        heard = {topic: one.facts(now) for wire in wires for topic, one in wire.listening.items()}
         complaints = {topic: words for wire in wires for topic, words in wire.complaints.items()}
         lost = next((wire.lost for wire in wires if wire.lost), "")
     finally:
@@ -64,10 +64,10 @@ async def listen(
             wire.close()
     found = (heard.get(one.address) or TopicFacts(one) for one in wanted)
     topics = [replace(one, complaint=complaints.get(one.topic, "")) for one in found]
-    return Listened(topics, lost, max((wire.behind for wire in wires), default=0.0))
+    return ListeningResult(topics, lost, max((wire.behind for wire in wires), default=0.0))
 
 
-def _worth_hearing(
+def _to_subscribe(
     wanted: Iterable[Feed], rosapi: RosapiFacts, drawn: Iterable[str]
 ) -> Iterator[tuple[Feed, str]]:
     """Return the topics to subscribe to, with the bridge's spelling of the type. A wrong type, or a topic
@@ -87,7 +87,7 @@ def _worth_hearing(
         yield one, types.get(topic, type_)
 
 
-async def _hear(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float) -> None:
+async def _listen(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float) -> None:
     if await wire.connect(min(CONNECT_WITHIN, until - time.monotonic())):
         return
     with suppress(LinkError):
@@ -95,18 +95,20 @@ async def _hear(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, unti
             wire.subscribe_logs(rosapi.topics[ROSOUT])
         await _subscribe(wire, topics, rosapi.ros != 1, until)
         ours = min(until, time.monotonic() + AT_MOST)
-        again = asyncio.ensure_future(_ask_again(wire, topics, rosapi, ours))
+        retry = asyncio.ensure_future(_retry_silent(wire, topics, rosapi, ours))
         await _wait(wire, [one for one, _ in topics], ours)
-        await again
+        await retry
 
 
 async def _wait(wire: BridgeConnection, topics: list[Feed], until: float) -> None:
     least = time.monotonic() + AT_LEAST
     while time.monotonic() < until and not wire.lost:
         asleep = time.monotonic()
-        await asyncio.sleep(LOOK_EVERY)
-        wire.behind = max(wire.behind, time.monotonic() - asleep - LOOK_EVERY)
-        enough = all(wire.heard[one.address].count >= _enough(one) for one in topics if not _may_wait(one))
+        await asyncio.sleep(CHECK_EVERY)
+        wire.behind = max(wire.behind, time.monotonic() - asleep - CHECK_EVERY)
+        enough = all(
+            wire.listening[one.address].count >= _enough(one) for one in topics if not _may_wait(one)
+        )
         if enough and time.monotonic() > least:
             return
 
@@ -122,10 +124,10 @@ async def _subscribe(wire: BridgeConnection, topics: Asked, latched: bool, until
             wire.subscribe(one, type_, latched and one.latched)
         await wire.beat(max(0.1, until - time.monotonic()))
         for one, _ in batch:
-            wire.heard[one.address].since = time.monotonic()
+            wire.listening[one.address].since = time.monotonic()
 
 
-async def _ask_again(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float) -> None:
+async def _retry_silent(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float) -> None:
     """Subscribe with default options to a floor's silent topics, to find the reason. Raises LinkError.
 
     A bridge of ROS 2 chooses the QoS once, for all its clients, and sends nothing binary that is larger than
@@ -139,19 +141,19 @@ async def _ask_again(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts,
     if not silent:
         return
     for one, _ in silent:
-        wire.let_go(one.address)
-    await asyncio.sleep(LET_GO)
+        wire.unsubscribe(one.address)
+    await asyncio.sleep(RELEASE_TIME)
     for one, _ in silent[:MOST_HELD] if not rosapi.problem else ():
         topic = one.address
         holders = await subscribers(wire, topic, until)
-        wire.heard[topic].held_by = next((node for node in holders if "rosbridge" in node), "")
+        wire.listening[topic].held_by = next((node for node in holders if "rosbridge" in node), "")
     for one, type_ in silent:
-        wire.ask_plainly(one, type_)
+        wire.subscribe_plainly(one, type_)
     await _wait(wire, [one for one, _ in silent], until)
 
 
 def _is_silent(wire: BridgeConnection, wanted: Feed) -> bool:
-    heard = wire.heard[wanted.address]
+    heard = wire.listening[wanted.address]
     return not heard.count and not heard.fragmented
 
 

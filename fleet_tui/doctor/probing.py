@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import assert_never
 
-from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, HeardProbe, QueryProbe
+from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, MessageProbe, QueryProbe
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict, nearest
@@ -30,8 +30,8 @@ def probe_findings(robot: str, facts: BridgeFacts) -> Iterator[Finding]:
                 yield _action(robot, probe, facts)
             case QueryProbe():
                 yield _query(robot, probe, facts)
-            case HeardProbe():
-                yield from _heard(robot, probe, facts)
+            case MessageProbe():
+                yield from _messages(robot, probe, facts)
             case BridgeProbe():
                 pass
             case _:
@@ -71,7 +71,7 @@ def _query(robot: str, probe: QueryProbe, facts: BridgeFacts) -> Finding:
     return Finding(robot, probe.check, Verdict.WARN, other, probe.remedy, values)
 
 
-def _heard(robot: str, probe: HeardProbe, facts: BridgeFacts) -> Iterator[Finding]:
+def _messages(robot: str, probe: MessageProbe, facts: BridgeFacts) -> Iterator[Finding]:
     """Judge the messages of a robot that is online; unreadable ones are listed at the topic."""
     topics = facts.of(robot)
     for one in topics if any(one.count for one in topics) else ():

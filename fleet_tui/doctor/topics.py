@@ -101,7 +101,7 @@ def _topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
         return _finding(facts, Verdict.OK, f"{expected}, not subscribed: one source is enough", type=there)
     if bridge.lost and not facts.count:
         return _finding(facts, Verdict.SKIPPED, f"the link was lost: {bridge.lost}")
-    return _what_came(config, facts, bridge)
+    return _received(config, facts, bridge)
 
 
 def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
@@ -141,7 +141,7 @@ def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFac
     )
 
 
-def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
+def _received(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     rosapi = bridge.rosapi
     nodes = rosapi.publishers.get(facts.topic)
     values = {
@@ -155,12 +155,12 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
         "age_s": None if facts.age is None else round(facts.age, 2),
         "first_after_s": None if facts.first_after is None else round(facts.first_after, 3),
     }
-    if facts.fragmented or (facts.again and facts.count):
-        verdict, measured, remedy = _asked_again(facts, rosapi)
+    if facts.fragmented or (facts.retried and facts.count):
+        verdict, measured, remedy = _received_on_retry(facts, rosapi)
     elif facts.count:
         verdict, measured, remedy = _judged(config, facts, bridge)
     else:
-        verdict, measured, remedy = _nothing_came(facts, rosapi)
+        verdict, measured, remedy = _nothing_received(facts, rosapi)
     if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
         table = bridge.table(facts.wanted.robot)
         remedy += f" ({UNSEEN}: check [{table}.topics] {facts.wanted.key} and its type)"
@@ -172,7 +172,7 @@ def _what_came(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Findin
     return _finding(facts, verdict, f"{measured}{by}", remedy, **values)
 
 
-def _asked_again(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
+def _received_on_retry(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
     """Return the reason that a floor's topic arrived only with default options, or fragmented."""
     if facts.fragmented:
         binary = "never as cbor, " if facts.wanted.large else ""
@@ -190,7 +190,7 @@ def _asked_again(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, 
     )
 
 
-def _nothing_came(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
+def _nothing_received(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
     key = facts.wanted.key
     had_time = facts.waited >= LONG_ENOUGH and not facts.complaint
     if had_time and rosapi.lists_action_of(facts.topic):

@@ -190,8 +190,8 @@ def advance(
 
 
 def acknowledge(alarms: Sequence[Alarm], source: str, kind: str) -> tuple[Alarm, ...]:
-    """Return the alarms after one of them, or with an empty `kind` all, were acknowledged. One that is over
-    goes."""
+    """Return the alarms after the acknowledgement of one, or with an empty `kind` of all. An alarm that is
+    over is removed."""
     seen = (
         _stepped(alarm, AlarmStep.ACKNOWLEDGE) if not kind or alarm.key == (source, kind) else alarm
         for alarm in alarms

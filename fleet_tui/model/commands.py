@@ -204,7 +204,7 @@ class CommandRecord(Struct, frozen=True):
 
     @property
     def is_decided(self) -> bool:
-        """Tell whether its outcome is known. After that, an order continues until it is done or gone."""
+        """Tell whether its outcome is known. After that, an order continues until its end."""
         return self.stage not in OPEN
 
     @property

@@ -49,7 +49,7 @@ class Flow:
     def __init__(self) -> None:
         self.count = self.bytes = 0
         self.at: float | None = None
-        """When it came last."""
+        """The time of the last message."""
         self._marks: deque[tuple[float, int, int]] = deque(maxlen=MARKS)
         self._mark = -inf
 
@@ -131,7 +131,7 @@ class TopicCounter(Flow):
         self.last: Raw | None = None
         self.bad: BadMessage | None = None
         self.not_subscribed = ""
-        """Why it is not asked for, empty where it is."""
+        """The reason that it is not subscribed, empty if it is."""
 
     def heard(self, payload: bytes, is_binary: bool, at: float) -> None:
         """Count a frame."""
@@ -183,7 +183,7 @@ class LinkCounter:
     def __init__(self, name: str, topics: Iterable[TopicCounter]) -> None:
         self.name = name
         self.topics = {topic.topic: topic for topic in topics}
-        """Those that are asked for, in that order, and no others ever."""
+        """The subscribed topics in their order; the set never changes."""
         self.all = Flow()
         """Every frame on the connection for telemetry."""
         self.round_trips = RoundTrips()
@@ -200,7 +200,7 @@ class LinkCounter:
         """The newest of them."""
         self.log: deque[LogLine] = deque(maxlen=LOG_LINES)
         self.logged = 0
-        """How many lines of the robots' log ever came."""
+        """The number of lines of the robots' log received so far."""
         self.health: dict[str, PartDiagnosis] = {}
         self._is_up = False
 

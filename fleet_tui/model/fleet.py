@@ -84,7 +84,7 @@ class FleetState(Struct, frozen=True, eq=False):
         return robot.obstacle is not None and robot.obstacle.value > least
 
     def is_obstructed(self, robot: Robot) -> bool:
-        """Tell whether a fresh report says that it is in lasting contact with an obstacle."""
+        """Tell whether a fresh report shows lasting contact with an obstacle."""
         return self.was_obstructed(robot) and self.is_fresh(robot, "obstacle")
 
     def pause(self, robot: Robot) -> bool | None:

@@ -90,7 +90,7 @@ class Order(Struct, frozen=True):
 
     @property
     def is_over(self) -> bool:
-        """Tell whether it is over and only still listed."""
+        """Tell whether it has ended and is still listed."""
         return self.state in OVER
 
     @property

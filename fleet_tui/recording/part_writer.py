@@ -17,15 +17,15 @@ from fleet_tui.recording.gzip_members import LONGEST_LINE
 from fleet_tui.recording.part_files import PartFiles, PartLimits
 from fleet_tui.recording.records import (
     VERSION,
-    Heard,
+    EventRecord,
     Keyframe,
     Lost,
     Mark,
     Packer,
+    ReceivedFrame,
     Record,
     RecordingHeader,
-    Sent,
-    Told,
+    SentFrame,
     encode,
     encode_all,
     plain,
@@ -62,19 +62,19 @@ class PartWriter:
         """Read both clocks: one may have been set."""
         self._offset = time.time() - time.monotonic()
 
-    def heard(self, at: float, link: str, channel: str, payload: bytes, binary: bool) -> None:
+    def received(self, at: float, link: str, channel: str, payload: bytes, binary: bool) -> None:
         """Record a received frame."""
         came = at if at < self._at else None
         text, data = _as_text(payload)
-        self._add(Heard(*self._times(at), link, channel, text, data, binary, came), len(payload))
+        self._add(ReceivedFrame(*self._times(at), link, channel, text, data, binary, came), len(payload))
 
     def sent(self, at: float, link: str, channel: str, payload: bytes) -> None:
         """Record a sent frame."""
-        self._add(Sent(*self._times(at), link, channel, *_as_text(payload)), len(payload))
+        self._add(SentFrame(*self._times(at), link, channel, *_as_text(payload)), len(payload))
 
-    def told(self, at: float, event: Event) -> None:
+    def event(self, at: float, event: Event) -> None:
         """Record an event."""
-        self._add(Told(*self._times(at), event))
+        self._add(EventRecord(*self._times(at), event))
 
     def changed(self, at: float, before: FleetState, after: FleetState) -> None:
         """Record the change of a command or an alarm."""
@@ -86,7 +86,7 @@ class PartWriter:
     def missed(self, at: float, records: int, why: str) -> None:
         """Count records lost before they arrived here."""
         self.lose(why, records)
-        self._tell_lost(at)
+        self._record_loss(at)
 
     def keyframe(self, at: float, state: FleetState) -> None:
         """Record the whole state. A new file may begin here."""
@@ -100,7 +100,7 @@ class PartWriter:
         if is_first or self._keeps(self.files.turn(at)):
             self._unsure = 0
             self._add(record, len(record.state))
-            self._tell_lost(at)
+            self._record_loss(at)
             self._write_lines()
 
     def flush(self, whole: bool = False) -> None:
@@ -141,7 +141,7 @@ class PartWriter:
         if self._waiting > AT_ONCE:
             self._write_lines()
 
-    def _tell_lost(self, at: float) -> None:
+    def _record_loss(self, at: float) -> None:
         if self._lost and self.files.is_open:
             LOG.warning("recording: %d records missing: %s", self._lost, self._why)
             self._add(Lost(*self._times(at), self._lost, self._why))

@@ -34,7 +34,7 @@ LAST_WORDS = 1.0
 
 
 class Recorder:
-    """A tap. `heard`, `sent`, `told` and `watch` are called on the network loop, the rest from any thread."""
+    """A tap. `on_...` and `watch` are called on the network loop, the rest from any thread."""
 
     def __init__(
         self, first: Path, config: Config, store: Store, origin: Origin, limits: PartLimits = USUAL
@@ -76,15 +76,15 @@ class Recorder:
         """Return the current files, the oldest first."""
         return list(self._writer.files.paths)
 
-    def heard(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
+    def on_received(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
         """Take a frame that arrived at `at`."""
-        self._take(len(payload), self._writer.heard, at, link, channel, payload, is_binary)
+        self._take(len(payload), self._writer.received, at, link, channel, payload, is_binary)
 
-    def sent(self, link: str, channel: str, payload: bytes) -> None:
+    def on_sent(self, link: str, channel: str, payload: bytes) -> None:
         """Take a sent frame."""
         self._take(len(payload), self._writer.sent, time.monotonic(), link, channel, payload)
 
-    def told(self, event: Event) -> None:
+    def on_event(self, event: Event) -> None:
         """Take an event before the store gets it."""
         at = time.monotonic()
         if (
@@ -94,7 +94,7 @@ class Recorder:
             or self._dropped
         ):
             self._take_keyframe(at)
-        self._take(0, self._writer.told, at, event)
+        self._take(0, self._writer.event, at, event)
 
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Take the change of a command or an alarm."""

@@ -17,15 +17,15 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueHeld
 from fleet_tui.recording.gzip_members import Lines, open_plain
 from fleet_tui.recording.records import (
-    Heard,
+    EventRecord,
     Keyframe,
     Lost,
     Mark,
+    ReceivedFrame,
     Record,
     RecordingError,
     RecordingHeader,
-    Sent,
-    Told,
+    SentFrame,
     decode,
 )
 
@@ -155,9 +155,9 @@ class _Names(NamedTuple):
     def check(self, record: Record) -> None:
         """Raise RecordingError for an unknown link, floor or robot."""
         match record:
-            case Heard(link=link) | Sent(link=link):
+            case ReceivedFrame(link=link) | SentFrame(link=link):
                 known = link in self.links
-            case Told(event=event):
+            case EventRecord(event=event):
                 known = self._has(event)
             case _:
                 known = True

@@ -77,7 +77,7 @@ class LinkFrame(Struct, frozen=True, omit_defaults=True):
     data: bytes = b""
 
 
-class Heard(LinkFrame, frozen=True, omit_defaults=True, tag="heard", tag_field="kind"):
+class ReceivedFrame(LinkFrame, frozen=True, omit_defaults=True, tag="heard", tag_field="kind"):
     """A received frame. `came` is its arrival, if that was before `at`: a large frame is decoded off the
     loop."""
 
@@ -90,11 +90,11 @@ class Heard(LinkFrame, frozen=True, omit_defaults=True, tag="heard", tag_field="
         return self.data or self.text.encode()
 
 
-class Sent(LinkFrame, frozen=True, omit_defaults=True, tag="sent", tag_field="kind"):
+class SentFrame(LinkFrame, frozen=True, omit_defaults=True, tag="sent", tag_field="kind"):
     """A sent frame. Those with a secret are not recorded."""
 
 
-class Told(Struct, frozen=True, tag="told", tag_field="kind"):
+class EventRecord(Struct, frozen=True, tag="told", tag_field="kind"):
     """An event without a frame."""
 
     at: float
@@ -119,7 +119,7 @@ class Lost(Struct, frozen=True, tag="lost", tag_field="kind"):
     why: str
 
 
-Record = RecordingHeader | Keyframe | Heard | Sent | Told | Mark | Lost
+Record = RecordingHeader | Keyframe | ReceivedFrame | SentFrame | EventRecord | Mark | Lost
 
 
 class _Cells(Struct, frozen=True):
@@ -186,7 +186,7 @@ def encode_all(records: list[Any], packer: Packer) -> bytes:
 
 def plain(record: Record, packer: Packer) -> Any:
     """Return a record in a form in which every number can be written."""
-    if isinstance(record, Told):
+    if isinstance(record, EventRecord):
         return _spelled(msgspec.to_builtins(record, enc_hook=packer, str_keys=True))
     return record
 

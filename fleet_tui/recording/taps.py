@@ -24,17 +24,17 @@ class Taps:
         self._recorders = tuple(one for one in self._recorders if one is not recorder)
         recorder.close()
 
-    def heard(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
+    def on_received(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
         """Take a received frame."""
         for recorder in self._recorders:
-            recorder.heard(link, channel, payload, is_binary, at)
+            recorder.on_received(link, channel, payload, is_binary, at)
 
-    def sent(self, link: str, channel: str, payload: bytes) -> None:
+    def on_sent(self, link: str, channel: str, payload: bytes) -> None:
         """Take a sent frame."""
         for recorder in self._recorders:
-            recorder.sent(link, channel, payload)
+            recorder.on_sent(link, channel, payload)
 
-    def told(self, event: Event) -> None:
+    def on_event(self, event: Event) -> None:
         """Take an event."""
         for recorder in self._recorders:
-            recorder.told(event)
+            recorder.on_event(event)

@@ -16,7 +16,7 @@ class Listening:
     robot: str
     type: str
     publishers: int | None
-    heard: bool
+    received: bool
 
 
 def unsourced_package(topics: Iterable[Listening]) -> str | None:
@@ -26,14 +26,14 @@ def unsourced_package(topics: Iterable[Listening]) -> str | None:
     package stays silent, of robots with other active topics.
     """
     published = [topic for topic in topics if topic.publishers != 0]
-    awake = {topic.robot for topic in published if topic.heard}
-    silent, heard = list[str](), set[str]()
+    awake = {topic.robot for topic in published if topic.received}
+    silent, received = list[str](), set[str]()
     for topic in published:
         package = topic.type.partition("/")[0]
-        if topic.heard:
-            heard.add(package)
+        if topic.received:
+            received.add(package)
         elif topic.robot in awake:
             silent.append(package)
-    suspects = [package for package in silent if package not in heard | ALWAYS_THERE]
+    suspects = [package for package in silent if package not in received | ALWAYS_THERE]
     package = max(suspects, key=suspects.count, default="")
     return package if suspects.count(package) >= FEWEST else None

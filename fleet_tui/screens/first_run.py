@@ -127,7 +127,7 @@ class FirstRun(RowsScreen):
 def _found(site: DiscoveredSite) -> Asked:
     """Return the text of the result. Raises FleetError if no robot was found."""
     names, floors = [robot.name for robot in site.config.robots], [floor.name for floor in site.config.floors]
-    more = [_listed(names), _listed(floors), "Enter opens the console. No commands sent before."]
+    more = [_listed(names), _listed(floors), "Enter opens the console. No commands are sent before that."]
     return Asked(site.bridge.shown, site.summary, tuple(more), is_found=True, is_over=True)
 
 

@@ -111,7 +111,7 @@ class MainScreen(Screen[None]):
 
     def tick(self) -> None:
         """Show the newest state."""
-        self.dispatch.release_held()
+        self.dispatch.release_startup()
         state, robot = self.store.state, self.navigation.robot
         if self.is_complete:
             self._show_floor(state)

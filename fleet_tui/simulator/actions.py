@@ -1,4 +1,4 @@
-"""Goals that clients give to action servers through the bridge, and what they are told of them."""
+"""Goals that clients send to action servers through the bridge, with their feedback and results."""
 
 import asyncio
 import time
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
     from fleet_tui.simulator.sessions.operations import Operation
     from fleet_tui.simulator.sessions.session import Session
 
-REMEMBERED = 1000  # goals of clients who wait for their end
-SOUGHT = 1.0  # seconds for which the bridge looks for an action server
+REMEMBERED = 1000  # goals whose clients wait for the result
+SOUGHT = 1.0  # seconds for which the bridge waits for an action server to appear
 
 Ended = asyncio.Future[None]
-"""Done once the client has been told the result."""
+"""Done once the result has been sent to the client."""
 
 
 @dataclass(eq=False)
 class _Given:
-    """A goal that a client gave."""
+    """A goal that a client sent."""
 
     session: "Session"
     operation: "Operation"
@@ -55,7 +55,7 @@ class ActionDesk:
         return [name for name, (_, server) in self._servers.items() if server.alive]
 
     def send(self, session: "Session", operation: "Operation") -> Ended:
-        """Give a goal of a client's."""
+        """Pass a client's goal to its action server."""
         name = resolve(operation["action"])
         fleet, server = self._servers.get(name, (None, None))
         try:
@@ -76,7 +76,7 @@ class ActionDesk:
         return given.ended
 
     def cancel(self, session: "Session", operation: "Operation") -> None:
-        """Cancel a goal that this very client gave, the newest of this id. Raises BridgeError."""
+        """Cancel the newest goal of this id that the same client sent. Raises BridgeError."""
         for given in reversed(self._given):
             if given.session is session and given.operation.get("id") == operation.get("id"):
                 given.server.cancel(given.goal.id, 0)
@@ -84,7 +84,7 @@ class ActionDesk:
         raise BridgeError(f"No goal with id {operation.get('id')} to cancel")
 
     def tell_feedback(self) -> None:
-        """Tell the clients who want to know how their goals get on."""
+        """Send feedback to the clients that asked for it."""
         for given in self._given:
             if given.operation.get("feedback") and given.server.alive and not given.goal.over:
                 values = given.fleet.feedback(given.server, given.goal, self._dialect)
@@ -92,7 +92,7 @@ class ActionDesk:
                     self._tell(given.session, given.operation, "action_feedback", {"values": values})
 
     def tell_results(self) -> None:
-        """Tell the clients how their goals ended; of a server that is dead nothing ever comes."""
+        """Send the results of ended goals; a dead server never sends any."""
         for given in list(self._given):
             if not given.server.alive:
                 self._given.remove(given)
@@ -102,7 +102,7 @@ class ActionDesk:
                 given.ended.set_result(None)
 
     def gone(self, session: "Session") -> None:
-        """Forget a client; its goals go on."""
+        """Forget a client; its goals continue."""
         self._given = [given for given in self._given if given.session is not session]
 
     def _type(self, asked: str) -> str:

@@ -1,4 +1,4 @@
-"""Service calls under way."""
+"""Service calls in progress."""
 
 import asyncio
 from typing import TYPE_CHECKING, Any
@@ -21,13 +21,13 @@ def response(operation: "Operation", values: Any, result: bool) -> Frame:
 
 
 class Call:
-    """A client's call: answers are sent until the bridge gives it up after `limit` seconds (None: never)."""
+    """A client's call: answers are sent until the bridge abandons it after `limit` seconds (None: never)."""
 
     def __init__(self, session: "Session", operation: "Operation", limit: float | None) -> None:
         self.operation = operation
         self.given_up = False
         self.over: asyncio.Future[None] = asyncio.get_running_loop().create_future()
-        """Done once the client has its answer, or will never have one."""
+        """Done once the answer has been sent, or none will be."""
         self._session = session
         self._timer: asyncio.TimerHandle | None = None
         if limit is not None:
@@ -42,7 +42,7 @@ class Call:
             self._end()
 
     def reply_in(self, seconds: float, frame: Frame) -> None:
-        """The same, after so many seconds."""
+        """Send a frame as the answer after `delay` seconds."""
         asyncio.get_running_loop().call_later(seconds, self.reply, frame)
 
     def answer(self, values: Any, result: bool = True) -> None:
@@ -55,5 +55,5 @@ class Call:
         self._end()
 
     def _end(self) -> None:
-        if not self.over.done():  # some answers come twice
+        if not self.over.done():  # the fault `twice` answers twice
             self.over.set_result(None)

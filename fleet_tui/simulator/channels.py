@@ -1,4 +1,4 @@
-"""The bridge's own subscriptions: one for each topic, shared by all clients that asked for it."""
+"""The bridge's own subscriptions: one per topic, shared by all clients that subscribed to it."""
 
 import zlib
 from collections.abc import Iterator, Mapping
@@ -36,7 +36,7 @@ class Channel:
     sessions: set["Session"] = field(default_factory=set)
 
     def hears(self, topic: Topic, dialect: Dialect) -> bool:
-        """Tell whether anything that is published there comes through."""
+        """Tell whether this subscription receives what is published on a topic."""
         return self.type == dialect.short(topic.type) and (topic.latched or not self.demanding)
 
 
@@ -60,7 +60,7 @@ class Channels:
         return channel.sessions if channel else set()
 
     def types(self) -> Mapping[str, str]:
-        """The topics that are subscribed to, with the types that were asked for."""
+        """The subscribed topics, with the requested types."""
         message = self._dialect.message_type
         return {resolve(name): message(channel.type) for name, channel in self._channels.items()}
 
@@ -83,7 +83,7 @@ class Channels:
         channel.sessions.add(session)
 
     def leave(self, session: "Session", name: str, age: float) -> bool:
-        """Unsubscribe a client, and say whether it was the last."""
+        """Unsubscribe a client; return whether it was the last."""
         channel = self._channels[name]
         channel.sessions.discard(session)
         if not channel.sessions:
@@ -99,11 +99,11 @@ class Channels:
         return FIRST + (LAST - FIRST) * (zlib.crc32(topic.name.encode()) % 100) / 100
 
     def hears(self, name: str, topic: Topic) -> bool:
-        """Tell whether what is published on a topic comes through to those who hold it under this name."""
+        """Tell whether clients that subscribed under this name receive what is published on a topic."""
         return self._channels[name].hears(topic, self._dialect)
 
     def durable(self, name: str) -> bool:
-        """Tell whether latched values come through."""
+        """Tell whether the subscription receives latched values."""
         return self._channels[name].durable
 
     def _type(self, name: str, wanted: str | None, topic: Topic | None) -> str:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from fleet_tui.simulator.faults.wire import Play
 
 Line = tuple[int, str, str]
-"""A line of the log: level as ROS 1 counts, node and words."""
+"""A line of the log: level in ROS 1's numbers, node and text."""
 
 
 class Body(Protocol):
@@ -22,14 +22,14 @@ class Body(Protocol):
     name: str
     index: int
     silence: float
-    """Seconds for which nothing of it is published."""
+    """Seconds for which none of the robot's topics are published."""
 
 
 class Fleet(Protocol):
-    """Robots of one kind, and what they say and understand."""
+    """Robots of one kind: the topics they publish, and the messages, services and goals they accept."""
 
     faults: "Mapping[str, tuple[str, Play]]"
-    """The faults of such robots, by name: the text of the help, and how it is played on one."""
+    """The faults of such robots, by name: the help text, and the function that applies it to a robot."""
     troubles: list[Callable[[float], None]]
     """Called at every step with the seconds that pass."""
 
@@ -42,19 +42,19 @@ class Fleet(Protocol):
         """The action servers by name."""
 
     def step(self, dt: float) -> None:
-        """Let dt seconds pass."""
+        """Advance the time by dt seconds."""
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterable[Topic]:
         """Every topic; the maps were loaded at this wall time."""
 
     def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
-        """The topics that are listened to: name -> type, and what takes a message."""
+        """The topics to which robots subscribe: name -> type, and the function that receives a message."""
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
-        """The feedback of an action on a goal, None where it says nothing."""
+        """Return the feedback on a goal, None if the action sends none."""
 
     def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
-        """The result of a goal that is over, None while it can't be heard."""
+        """Return the result of an ended goal, None while the robot is silent."""
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
         """The services by name."""
@@ -63,10 +63,10 @@ class Fleet(Protocol):
         """The answer of a service; `args` complete and of the right types."""
 
     def news(self, dialect: Dialect) -> Iterable[tuple[str, Payload]]:
-        """Topics and messages of what has changed since the last look."""
+        """Return topics and messages for the changes since the last call."""
 
     def lines(self) -> Iterable[Line]:
-        """The lines about everything that happened since the last look."""
+        """Return the log lines for everything that happened since the last call."""
 
     def health(self) -> Iterable[Message]:
-        """Entries of /diagnostics about every robot that can be heard."""
+        """Return the entries of /diagnostics for every robot that is not silent."""

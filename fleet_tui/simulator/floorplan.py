@@ -16,8 +16,8 @@ WIDTH, HEIGHT = 800, 520  # cells: 40 x 26 m
 ORIGIN = (-2.0, -3.0)  # the world's x, y of the lower left corner
 UNKNOWN, FREE, OCCUPIED = -1, 0, 100
 
-AISLE = 0.8  # metres kept free on both sides of the way between two vertices
-SETBACK = 1.3  # metres between the middle of an aisle and what stands beside it
+AISLE = 0.8  # metres kept free on both sides of an edge
+SETBACK = 1.3  # metres between the middle of an aisle and the racks beside it
 PASSAGE = 0.9  # metres at least between racks or pallets
 THICK = 0.15  # metres of an inner wall
 

@@ -28,7 +28,7 @@ def _as_list(value: Any) -> Any:
     if isinstance(value, np.ndarray):
         if value.dtype == np.uint8:
             return base64.standard_b64encode(value.tobytes()).decode()
-        # An array of fixed length on ROS 2: its NaN and Infinity stand bare in the text.
+        # An array of fixed length on ROS 2: the real bridge writes its NaN and Infinity as bare words.
         if value.dtype.kind == "f":
             return msgspec.Raw(json.dumps(value.tolist(), separators=(",", ":")).encode())
         return value.tolist()

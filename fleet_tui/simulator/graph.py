@@ -44,5 +44,5 @@ class SimGraph:
         return found
 
     def path(self, start: int, end: int) -> tuple[int, ...]:
-        """The shortest way as vertex ids, both ends included; empty if there is none."""
+        """Return the shortest path as vertex ids, both ends included; empty if none exists."""
         return shortest_path(self._ways, start, end)

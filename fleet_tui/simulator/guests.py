@@ -53,7 +53,7 @@ class Guests:
         self._advertised: dict[str, set[Session]] = {}
         self._unsourced = unsourced
         self.connects_in = 0.0
-        """Seconds after which robots hear a client that has begun to publish a topic."""
+        """Seconds from a client's advertisement until robots receive its messages."""
         self._since: dict[tuple[Session, str], float] = {}
 
     def owns(self, name: str) -> bool:
@@ -65,7 +65,7 @@ class Guests:
         return service in self._offers
 
     def advertise(self, session: "Session", name: str, type_: str, latched: bool) -> None:
-        """Let a client publish a topic. Raises ServiceError."""
+        """Advertise a topic for a client. Raises ServiceError."""
         name = resolve(name)
         short = self._dialect.short(type_)
         package = short.partition("/")[0]
@@ -84,7 +84,7 @@ class Guests:
                 name, told, lambda _now: Payload({}), None, False, latched, lambda: nothing
             )
             self._advertised[name] = set()
-        if name in self._advertised:  # else a robot publishes it too, and goes on
+        if name in self._advertised:  # otherwise a robot publishes it as well, and continues
             self._advertised[name].add(session)
 
     def unadvertise(self, session: "Session", name: str) -> None:
@@ -113,11 +113,11 @@ class Guests:
         return name, payload
 
     def connected(self, session: "Session", name: str) -> bool:
-        """Tell whether robots hear what a client publishes on a topic."""
+        """Tell whether robots receive a client's messages on a topic."""
         return time.monotonic() - self._since[session, name] >= self.connects_in
 
     def offer(self, session: "Session", name: str, type_: str) -> None:
-        """Let a client offer a service. Raises ServiceError."""
+        """Advertise a service for a client. Raises ServiceError."""
         for defined, (request, _) in SERVICES.items():
             told = self._dialect.service_type(defined)
             if type_ in (told, self._dialect.short(told)):
@@ -145,7 +145,7 @@ class Guests:
         offer.session.reply(to_json({"op": "call_service", "id": id_, "service": service, "args": request}))
 
     def answered(self, operation: "Operation") -> None:
-        """Bring a client's answer to the one who called."""
+        """Pass a client's answer to the caller."""
         offer = self._offers.get(resolve(operation["service"]))
         call = offer.waiting.pop(str(operation.get("id")), None) if offer else None
         if call is not None:

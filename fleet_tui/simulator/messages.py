@@ -76,7 +76,7 @@ def raw_payload(dialect: Dialect, type_: str, now: float, value: Message) -> Pay
 
 
 def float32(value: float) -> float:
-    """The value as it looks after a float32 field."""
+    """Return a value rounded to float32."""
     return float(struct.unpack("f", struct.pack("f", value))[0])
 
 

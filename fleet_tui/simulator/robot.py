@@ -1,4 +1,4 @@
-"""One simulated robot: what it does is a generator that moves on by STEP seconds at each `next`."""
+"""One simulated robot: its work is a generator that advances by STEP seconds at each `next`."""
 
 import math
 import random
@@ -11,7 +11,7 @@ from fleet_tui.simulator.warehouse import Building, SimFloor
 STEP = 0.05  # seconds of world time per step
 SPEED = 1.1  # m/s
 TURN = 1.5  # rad/s, in place
-LOADING = 3.0  # seconds to take or leave the cargo
+LOADING = 3.0  # seconds to load or unload
 RIDE = 6.0  # seconds in the elevator
 
 DRAIN, DRAIN_STANDING, CHARGE = 0.05, 0.01, 0.5  # per cent per second
@@ -21,16 +21,16 @@ Work = Iterator[None]
 
 
 def robot_numbers(robots: int, first: int, step: int) -> range:
-    """The numbers in the names of so many robots, from `first` on, each `step`th."""
+    """Return the numbers in the names of `robots` robots, from `first`, in steps of `step`."""
     return range(first, first + robots * step, step)
 
 
 class Obstructed:
-    """A robot before which obstacles come and go; the attribute without an underscore is for tests."""
+    """A robot with obstacles that appear and disappear; the attribute without an underscore is for tests."""
 
     _rng: random.Random
     _obstacle_in: float
-    """Seconds until the next one of its own."""
+    """Seconds until the next random obstacle."""
     _obstacle_for = 0.0
     obstacle = 0.0
     """Seconds in front of an obstacle, 0 = none."""
@@ -40,7 +40,7 @@ class Obstructed:
         self.obstacle, self._obstacle_for = STEP, math.inf
 
     def _blocked(self, one_may_come: bool) -> bool:
-        """Tell whether an obstacle is in the way now; it stays 2 to 8 s and comes about once a minute."""
+        """Tell whether an obstacle is in the way; it appears about once a minute and stays for 2 to 8 s."""
         if self.obstacle == 0.0:
             if not one_may_come:
                 return False
@@ -74,17 +74,17 @@ class SimRobot(Obstructed):
         self.vertex = vertex
         """The id of the vertex it reached last."""
         self.bound: int | None = None
-        """The id of the vertex it is on the way to now, or None at `vertex`."""
+        """The id of the vertex it drives to, None while it is at `vertex`."""
         self.pose = Pose(*self._spot(vertex), yaw=rng.uniform(-math.pi, math.pi))
         self.battery = rng.uniform(28.0, 33.0) if index == 1 and not quiet else rng.uniform(45.0, 95.0)
         self.cargo = False
         self.paused = False
         self.idle = 0.0
-        """Seconds since it has nothing to do."""
+        """Seconds since it became idle."""
         self.silence = 0.0
-        """Seconds for which nothing of it is published."""
+        """Seconds for which none of the robot's topics are published."""
         self.stuck = False
-        """Whether it stands still as long as it has an order in process."""
+        """Whether it does not move while it has an order in process."""
         self.orders: list[SimOrder] = []
         self.ended: list[SimOrder] = []
         """Orders that are over and still reported."""
@@ -95,7 +95,7 @@ class SimRobot(Obstructed):
 
     @property
     def floor(self) -> SimFloor:
-        """The floor it stands on."""
+        """Return its floor."""
         return self._building.floor_of(self.vertex)
 
     @property
@@ -112,7 +112,7 @@ class SimRobot(Obstructed):
             self._start_anew()
 
     def drop(self, ids: set[int]) -> int:
-        """Forget these orders, driven or not, and say how many there were. Cargo stays on board."""
+        """Remove these orders and return their number. Cargo stays on board."""
         gone = [order for order in self.orders if order.id in ids]
         self.orders = [order for order in self.orders if order.id not in ids]
         if any(order.status == "W" for order in gone):
@@ -120,7 +120,7 @@ class SimRobot(Obstructed):
         return len(gone)
 
     def step(self) -> None:
-        """Live on for STEP seconds."""
+        """Advance by STEP seconds."""
         self.silence = max(0.0, self.silence - STEP)
         self._use_battery()
         held = self.paused or (self.stuck and self.current_order_id != -1)
@@ -156,14 +156,14 @@ class SimRobot(Obstructed):
         self.orders.remove(order)
 
     def _charge(self) -> Work:
-        """Dock until the battery is full, or, where orders are waiting, until it is no longer low."""
+        """Dock until the battery is full, or if orders are waiting, until it is no longer low."""
         self.idle = 0.0
         yield from self._drive(self.floor.vertex_of("charger"))
         while self.battery < (LOW if self.orders else FULL):
             yield
 
     def _drive(self, target: int) -> Work:
-        """Drive the shortest way. A way between two vertices, once begun, is driven to its end."""
+        """Drive the shortest path. An edge that was begun is driven to its end."""
         if self.bound is not None:
             yield from self._go(self.bound)
         for vertex in self._building.graph.path(self.vertex, target)[1:]:

@@ -13,7 +13,7 @@ from fleet_tui.simulator.ros.typedefs import action_typedefs, message_typedefs, 
 from fleet_tui.simulator.ros_types import NodeDiedError, ServiceType, service_type
 
 FLEET, BRIDGE, ROSAPI = "/fleet", "/rosbridge_websocket", "/rosapi"
-HIDDEN = "/_action/"  # what an action consists of, nobody is told
+HIDDEN = "/_action/"  # topics and services inside an action are not listed
 OF_THE_BRIDGE = ("/client_count", "/connected_clients", "/rosout")
 Values = dict[str, Any]
 
@@ -131,7 +131,7 @@ class RosapiServer:
                 return {"type": known.name if known else ""}
             case "service_host":
                 return {"host": "localhost" if known else ""}
-            case "service_providers":  # whatever its argument's name says, it asks for a type
+            case "service_providers":  # in spite of its name, this argument is a type
                 named = self._for_type("services_for_type", service)["services"]
                 return {"providers": sorted({self._offering(name) for name in named})}
         return {"node": self._offering(service) if known else ""}

@@ -1,4 +1,4 @@
-"""The simulator as a process of its own: serves until it is told to stop."""
+"""The simulator as a separate process: serves until it is stopped."""
 
 import asyncio
 import os
@@ -61,7 +61,7 @@ def _fleets(bridge: SitedBridge, floors: int, seed: int) -> list[Fleet]:
 async def _serve(
     servers: Sequence[RosbridgeServer], announce: Callable[[Sequence[str]], None], stop_with_stdin: bool
 ) -> bool:
-    """Serve until something ends it, and say whether that was Ctrl-C."""
+    """Serve until stopped; return whether that was by Ctrl-C."""
     stopped = stopped_by_signal()
     try:
         for server in servers:

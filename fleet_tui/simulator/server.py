@@ -1,4 +1,4 @@
-"""Serves simulated fleets the way rosbridge_server serves a fleet, faults included, with doors for tests."""
+"""Serves simulated fleets as rosbridge_server serves a real one, faults included, with access for tests."""
 
 import asyncio
 import errno
@@ -75,7 +75,7 @@ class RosbridgeServer:
         return next(fleet.world for fleet in self.fleets if isinstance(fleet, OhFleet))
 
     async def start(self) -> None:
-        """Listen and let the world run. Raises FleetError where the port can't be had."""
+        """Listen and run the world. Raises FleetError if the port is unavailable."""
         await self._listen()
         self._life = asyncio.create_task(self._live())
 
@@ -113,8 +113,8 @@ class RosbridgeServer:
         return f"ws://{self._host}:{self._port}"
 
     async def restart_bridge(self, down: float = 0.0) -> None:
-        """End the bridge with all its connections and start it again on the same port after `down` seconds;
-        the robots live on."""
+        """Stop the bridge with all its connections and restart it on the same port after `down` seconds; the
+        robots keep running."""
         assert self._server is not None
         self._server.close()
         await self.drop_clients()
@@ -124,13 +124,13 @@ class RosbridgeServer:
         await self._listen()
 
     async def drop_clients(self) -> None:
-        """Abort every connection, as a bridge does that is killed, and wait until all are gone."""
+        """Abort every connection, like a killed bridge, and wait until all are closed."""
         connections = [session.connection for session in self._sessions]
         self.abort_clients()
         await asyncio.gather(*(connection.wait_closed() for connection in connections))
 
     def abort_clients(self) -> None:
-        """The same, without waiting."""
+        """Abort every connection without waiting."""
         for session in self._sessions:
             session.connection.transport.abort()
 

@@ -1,4 +1,4 @@
-"""Answers service calls as the bridge words them, with doors through which tests make them fail."""
+"""Answers service calls with the bridge's texts, with switches for tests to make them fail."""
 
 import asyncio
 import time
@@ -30,9 +30,9 @@ class ServiceDesk:
     """The services of all robots and rosapi's. Its attributes are for tests to read and change."""
 
     capacity: float | None = None
-    """Messages a second that the bridge carries, the others wait; None = any number."""
+    """Messages a second that the bridge carries; further ones wait. None: no limit."""
     master_alive = True
-    """False: every call fails while topics go on."""
+    """False: every call fails, topics continue."""
     rosapi_alive = True
     """False: rosapi's services do not exist."""
     _busy_until = 0.0
@@ -48,22 +48,22 @@ class ServiceDesk:
         self.robots: dict[str, Body] = {name: one for fleet in fleets for name, one in fleet.robots.items()}
         """The robots of all fleets by name."""
         self.types = {topic.name: topic.type for topic in topics.values() if HIDDEN not in topic.name}
-        """What rosapi tells of the topics."""
+        """The types of topics as rosapi lists them."""
         self.calls: list[tuple[str, Values]] = []
         """Every call that arrived with its args, rosapi's left out; the newest last."""
         self.silent_services: set[str] = set()
         """Services that are never answered and do nothing."""
         self.frozen: dict[str, float] = {}
-        """Services whose node wakes only so many seconds after a call."""
+        """Services whose node reacts only this many seconds after a call."""
         self.answers: dict[str, Callable[[Values], Values]] = {}
         """Answers instead of the world's, made from the args; a ServiceError makes the call fail."""
         self.deliveries: dict[str, Callable[[Call, Frame], None]] = {}
-        """How the answers of a service are brought to the client, where not at once."""
+        """Functions that deliver the answers of a service, if not immediately."""
         self.unsourced: set[str] = set()
-        """Packages that the bridge doesn't have: it can handle none of their messages and services."""
+        """Packages that the bridge lacks: it cannot handle their messages and services."""
         self.offered = {name: type_ for fleet in fleets for name, type_ in fleet.services(dialect).items()}
         self.call_timeout = dialect.call_timeout
-        """Seconds after which a call is given up that names no limit, None = never."""
+        """Seconds after which a call without a limit is abandoned, None: never."""
         self.actions = ActionDesk(fleets, dialect, self.unsourced)
         self._connect(subscribed)
 
@@ -86,7 +86,7 @@ class ServiceDesk:
         return next(fleet for fleet in self.fleets if robot in fleet.robots)
 
     def call(self, session: Session, operation: Operation) -> Call | None:
-        """Answer a call once its node is awake, unless the bridge has given it up before."""
+        """Answer a call once its node reacts, unless the bridge has abandoned it before."""
         service, limit = resolve(operation["service"]), self.call_timeout
         if self.dialect.call_timeout is not None and operation.get("timeout") is not None:
             if not isinstance(operation["timeout"], (int, float)):
@@ -100,7 +100,8 @@ class ServiceDesk:
         return call
 
     def in_turn(self, send: Callable[[], None], delay: float = 0.0) -> None:
-        """Send a message `delay` seconds after the bridge has got to it: at once, unless it is overloaded."""
+        """Send a message `delay` seconds after the bridge has reached it, which is at once unless it is
+        overloaded."""
         if self.capacity is not None:
             now = time.monotonic()
             if self._busy_until - now > WAITING / self.capacity:
@@ -113,7 +114,7 @@ class ServiceDesk:
             send()
 
     def answer(self, operation: Mapping[str, Any]) -> Frame | None:
-        """The frame that answers a call_service operation, None where nothing is ever said."""
+        """Return the frame that answers a call_service operation, None if it is never answered."""
         service, args = resolve(operation["service"]), operation.get("args")
         if not service.startswith("/rosapi/"):
             self.calls.append((service, args if isinstance(args, dict) else {}))
@@ -127,7 +128,7 @@ class ServiceDesk:
         return None if failure is None else response(dict(operation), failure, False)
 
     def carry_out(self, service: str, args: object) -> Values:
-        """Let a robot's service do what it is there for, and return its answer. Raises ServiceError."""
+        """Run a robot's service and return its answer. Raises ServiceError."""
         type_ = self.offered[service]
         package = type_.name.partition("/")[0]
         if package in self.unsourced:

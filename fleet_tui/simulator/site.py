@@ -1,4 +1,4 @@
-"""Sites to simulate: which robots are behind which bridges."""
+"""Sites to simulate: bridges, and the robots behind each."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -54,6 +54,6 @@ def faults_of(bridges: Iterable[SitedBridge]) -> Mapping[str, Faults]:
 
 
 def needs_graph_files(kind: str) -> bool:
-    """Tell whether there are robots whose graph is no topic but a file."""
+    """Tell whether some of the robots have their graph in a file, not in a topic."""
     kinds = KINDS.values() if kind == MIXED else [KINDS[kind]]
     return any(one.graph_files for one in kinds)

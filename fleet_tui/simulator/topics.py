@@ -1,4 +1,4 @@
-"""Publishes topics to those who subscribed, with doors through which tests make them fail."""
+"""Publishes topics to their subscribers, with switches for tests to make them fail."""
 
 import asyncio
 import time
@@ -22,7 +22,7 @@ class TopicDesk:
     """The topics of a bridge, beside its `services`. Its attributes are for tests to read and change."""
 
     one_by_one = False
-    """True: a client's call or goal must be over before its next operation is looked at."""
+    """True: a client's call or goal must end before its next operation is handled."""
 
     def __init__(
         self,
@@ -40,25 +40,25 @@ class TopicDesk:
         self.received: deque[Operation] = deque(maxlen=REMEMBERED)
         """Every operation that arrived; the newest last."""
         self.max_message_size = dialect.max_message_size
-        """Bytes of a message to a client, None = any number."""
+        """Maximum bytes of a message to a client, None: no limit."""
         self.muted: set[str] = set()
         """Topics that are not published."""
         self.orphaned: set[str] = set()
-        """Topics that come no more, as after a restart of roscore, until nobody holds them."""
+        """Topics that are silent, as after a restart of roscore, until no client is subscribed."""
         self.started = time.monotonic()
-        """When the bridge was started."""
+        """The start time of the bridge, monotonic."""
         self.forget_subscriptions()
 
     def note(self, operation: Operation) -> None:
-        """Take note of an operation that arrived."""
+        """Record an operation that arrived."""
         self.received.append(operation)
 
     def forget_subscriptions(self) -> None:
-        """Begin as a bridge to which nobody has subscribed yet."""
+        """Reset the bridge to one without subscriptions."""
         self.channels = Channels(self.dialect, self.topics, self.services.unsourced)
 
     def subscribed(self) -> set[str]:
-        """The topics that somebody is subscribed to."""
+        """Return the topics with at least one subscriber."""
         return set(self._asked())
 
     def subscribers(self, topic: str) -> int:
@@ -75,7 +75,7 @@ class TopicDesk:
         return self.subscribers(topic)
 
     def publish(self, name: str, payload: Payload | None = None) -> None:
-        """Publish a message of a topic, its present one where none is given."""
+        """Publish a message on a topic, its current one by default."""
         topic = self.topics[name]
         for asked in _spellings(name):
             if self.channels.sessions(asked) and self._flows(asked, topic):
@@ -93,7 +93,7 @@ class TopicDesk:
             self.spread()
 
     def spread(self) -> None:
-        """Publish the changes in the fleets since the last time."""
+        """Publish the changes in the fleets since the last call."""
         for fleet in self.fleets:
             for name, payload in fleet.news(self.dialect):
                 self.publish(name, payload)
@@ -110,11 +110,11 @@ class TopicDesk:
         self.publish(ROSOUT, Payload(line))
 
     def join(self, session: Session, operation: Operation) -> None:
-        """Bring a topic to a client, who may have it already. Raises ServiceError."""
+        """Subscribe a client to a topic, perhaps once more. Raises ServiceError."""
         self.channels.join(session, operation, self._age)
 
     def welcome(self, session: Session, topic: str) -> None:
-        """Tell a subscriber the topic's latched value, as soon as the bridge has discovered it."""
+        """Send the topic's latched value to a subscriber, once the bridge has discovered the publisher."""
         known = self.topics.get(resolve(topic))
         if known is not None and known.latched:
             wait = self.channels.delay(known) - self._age

@@ -1,7 +1,5 @@
-"""A believable warehouse, one plan per floor: the same number of a floor always gives the same floor.
-
-Metres throughout, in the frame the robots drive in. The elevator stands at one place on every floor.
-"""
+"""A plausible warehouse with one plan per floor: the same floor number always gives the same floor. All
+lengths are in metres, in the robots' frame. The elevator is at the same place on every floor."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -115,7 +113,7 @@ def _mirror(spot: tuple[float, float]) -> tuple[float, float]:
 
 
 def _neighbours(plan: Plan) -> Iterator[tuple[int, int]]:
-    """Pairs of crossings next to each other, as indexes, the smaller one first."""
+    """Pairs of neighbouring crossings as indexes, the smaller one first."""
     across, count = len(plan.columns), len(plan.columns) * len(plan.rows)
     for index in range(count):
         if (index + 1) % across:

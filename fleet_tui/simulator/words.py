@@ -22,7 +22,7 @@ KEPT = 1000  # lines of the log for late subscribers
 
 
 class Talk:
-    """The log: what is said becomes a message, and is kept for those who subscribe later."""
+    """The log: each line becomes a message, and is kept for late subscribers."""
 
     def __init__(self, dialect: Dialect = ROS1) -> None:
         self._dialect = dialect
@@ -40,13 +40,13 @@ class Talk:
         return line
 
     def latched(self) -> Iterator[Payload]:
-        """The lines for a new subscriber: the last of each node, or all that are kept."""
+        """Return the lines for a new subscriber: the last of each node, or all that are kept."""
         newest = {line["name"]: line for line in self._kept}.values()
         yield from map(Payload, self._kept if self._dialect.keeps_log else newest)
 
 
 def word_topics(fleets: "Sequence[Fleet]", dialect: Dialect, talk: Talk) -> Iterator[Topic]:
-    """The topics; a line of the log is only there at the moment at which it is said."""
+    """The topics; a line of the log is published only once."""
     log = dialect.message_type("rosgraph_msgs/Log")
     yield Topic(ROSOUT, log, lambda _now: Payload({}), latched=True, history=talk.latched)
 

@@ -19,7 +19,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.rules.commands.confirmation import before, confirm
 from fleet_tui.rules.commands.follow_up import follow_up
-from fleet_tui.rules.commands.keeping import next_id
+from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.state.goal_reports import know_stops
 from fleet_tui.text.limits import truncate
 

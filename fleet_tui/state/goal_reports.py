@@ -29,12 +29,12 @@ def apply_goals(robot: Robot, event: navigation_events.GoalFact) -> Robot:
         case navigation_events.PlanReported():
             return _take_plan(robot, event)
         case navigation_events.TargetReported():
-            return _take_target(heard_at(robot, event.at), event)
+            return _take_target(with_sign_of_life(robot, event.at), event)
         case _:
             assert_never(event)
 
 
-def heard_at(robot: Robot, at: float) -> Robot:
+def with_sign_of_life(robot: Robot, at: float) -> Robot:
     """Take a sign of life."""
     return replace(robot, heard=max(robot.heard or at, at))
 

@@ -7,7 +7,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.state.goal_reports import apply_goals, heard_at
+from fleet_tui.state.goal_reports import apply_goals, with_sign_of_life
 from fleet_tui.state.reports import apply_report, set_clock
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
@@ -26,18 +26,18 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
             goes_on = before is not None and before.value.action == event.action
             since = before.value.since if before is not None and goes_on else event.at
             blocked = Blocked(event.action, truncate(event.polygon, LONGEST_NAME), since)
-            return heard_at(replace(robot, blocked=Reading(blocked, event.at)), event.at)
+            return with_sign_of_life(replace(robot, blocked=Reading(blocked, event.at)), event.at)
         case navigation_events.ProgressReported():
             progress = _merged(robot, event.progress)
-            return heard_at(replace(robot, progress=Reading(progress, event.at)), event.at)
+            return with_sign_of_life(replace(robot, progress=Reading(progress, event.at)), event.at)
         case navigation_events.Alive():
-            return heard_at(robot, event.at)
+            return with_sign_of_life(robot, event.at)
         case navigation_events.FloorReported():
             return replace(robot, own_floor=truncate(event.floor, LONGEST_NAME))
         case navigation_events.Unmeasured():
             names = robot.unmeasured
             told = names if event.value in names else (*names, event.value)
-            return heard_at(replace(robot, unmeasured=told), event.at)
+            return with_sign_of_life(replace(robot, unmeasured=told), event.at)
         case _:
             assert_never(event)
 
@@ -63,7 +63,7 @@ def _take_odometry(robot: Robot, event: navigation_events.OdometryReported) -> R
     if robot.anchor is None:
         # It is alive, but its position is unknown.
         clock = robot.clock if event.stamp is None else set_clock(robot.clock, event.at, event.stamp)
-        return heard_at(replace(robot, clock=clock), event.at)
+        return with_sign_of_life(replace(robot, clock=clock), event.at)
     placed = robot.anchor.after(event.pose)
     return apply_report(robot, events.PoseReported(robot.name, event.at, placed, robot.frame_id, event.stamp))
 

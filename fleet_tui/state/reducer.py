@@ -12,7 +12,7 @@ from fleet_tui.model.navigation_events import Navigation
 from fleet_tui.model.robot import Robot, with_fault
 from fleet_tui.rules.alarms.conditions import conditions
 from fleet_tui.rules.alarms.floods import without_floods
-from fleet_tui.rules.commands.keeping import with_held_queues
+from fleet_tui.rules.commands.local_queue import with_held_queues
 from fleet_tui.rules.lag import with_lags
 from fleet_tui.state.command_events import (
     advance_command,
@@ -55,7 +55,7 @@ def _without_ended(state: FleetState) -> FleetState:
 
 
 def _left(state: FleetState, robot: Robot) -> Robot:
-    """Return a robot without the goals that are gone."""
+    """Return a robot without its lost goals."""
     link = state.links[robot.link]
     earliest, latest = RELISTED_WITHIN
     is_due = link.phase is Phase.UP and earliest <= state.now - link.since < latest

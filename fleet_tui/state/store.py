@@ -4,13 +4,13 @@ from collections.abc import Callable
 
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.state.reducer import apply
+from fleet_tui.state import reducer
 
 Watcher = Callable[[FleetState, FleetState], None]
 
 
 class Store:
-    """Holds the newest state. Only the writer's thread calls `tell`; any thread reads `state`, which is one
+    """Holds the newest state. Only the writer's thread calls `apply`; any thread reads `state`, which is one
     reference, swapped whole. A watcher is called with the state before and after an event that changed a
     command or an alarm, before anything else happens."""
 
@@ -18,9 +18,9 @@ class Store:
         self.state = state
         self.watchers: list[Watcher] = []
 
-    def tell(self, event: Event) -> None:
+    def apply(self, event: Event) -> None:
         """Apply one event."""
-        before, self.state = self.state, apply(self.state, event)
+        before, self.state = self.state, reducer.apply(self.state, event)
         if before.commands is not self.state.commands or before.alarms is not self.state.alarms:
             for watcher in self.watchers:
                 watcher(before, self.state)

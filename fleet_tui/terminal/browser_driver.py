@@ -48,7 +48,7 @@ class BrowserDriver(WebDriver):
         super().stop_application_mode()
 
     def run_input_thread(self) -> None:
-        """Read until the server is gone, however suddenly: otherwise nothing would end the console."""
+        """Read until the server ends, even suddenly: nothing else would end the console."""
         super().run_input_thread()
         if not self.exit_event.is_set():
             end_within(PATIENCE, 0)

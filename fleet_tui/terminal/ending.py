@@ -11,7 +11,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 PATIENCE = 1.0
-"""Seconds for an orderly exit. After a signal the process is gone within 2."""
+"""Seconds for an orderly exit. After a signal the process ends within 2."""
 
 LOOK_EVERY = 0.5
 """Seconds between two checks whether the terminal still exists."""

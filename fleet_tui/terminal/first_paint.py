@@ -32,7 +32,7 @@ class FirstPaint:
         app.output.ready = not colour
         self._app, self._mount_rest = app, mount_rest
         self.painted = asyncio.Event()
-        """Set once a picture has gone out."""
+        """Set once a picture has been written."""
         self._finished = False
         self._held = ExitStack()
         self._held.enter_context(app.batch_update())

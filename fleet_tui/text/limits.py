@@ -1,4 +1,4 @@
-"""Limits on input from outside: the rest is cut, visibly. See docs/bounds.md."""
+"""Limits on input from outside: the rest is cut, visibly. See docs/limits.md."""
 
 from collections.abc import Sequence
 

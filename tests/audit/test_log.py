@@ -53,15 +53,15 @@ ORDER = place_order(R0, 1, 2)
 
 def give(store: Store, id_: int, command: Command, *stages: Stage, words: str = "") -> None:
     for fact in commanded(id_, command, *stages, words=words):
-        store.tell(fact)
+        store.apply(fact)
 
 
 def test_a_command_from_the_key_to_its_end(tmp_path: Path) -> None:
     store, _ = watched(tmp_path)
     give(store, 7, ORDER, Stage.SENT, Stage.ACCEPTED)
-    store.tell(tick(T0 + 1))
-    store.tell(queue(T0 + 1, (12, 1, 2, "Q")))
-    store.tell(tick(T0 + 2))
+    store.apply(tick(T0 + 1))
+    store.apply(queue(T0 + 1, (12, 1, 2, "Q")))
+    store.apply(tick(T0 + 2))
     found = read(tmp_path)
     assert [one.change for one in found] == [
         "checked",
@@ -86,16 +86,16 @@ def test_no_state_is_kept_once_its_lines_are_written(tmp_path: Path) -> None:
     give(store, 7, ORDER, Stage.SENT)
     held = held_states()
     for second in range(1, 6):
-        store.tell(tick(T0 + second))
+        store.apply(tick(T0 + second))
     assert held_states() == held
 
 
 def test_the_order_that_was_recognised_and_the_robots_words_are_in_it(tmp_path: Path) -> None:
     store, _ = watched(tmp_path)
-    store.tell(queue(T0))
+    store.apply(queue(T0))
     give(store, 7, ORDER, Stage.SENT, Stage.ACCEPTED, words="ACCEPTED")
-    store.tell(queue(T0 + 1, (12, 1, 2, "Q")))
-    store.tell(tick(T0 + 2))
+    store.apply(queue(T0 + 1, (12, 1, 2, "Q")))
+    store.apply(tick(T0 + 2))
     last = read(tmp_path)[-1]
     assert (last.change, last.order, last.words) == ("confirmed", "12", "seen in the queue as order 12")
     assert read(tmp_path)[-2].words == "ACCEPTED"
@@ -125,16 +125,16 @@ def test_every_kind_of_command(
 def test_the_line_is_there_before_anything_else_happens(tmp_path: Path) -> None:
     """In the link the command is sent after it was told."""
     store, _ = watched(tmp_path)
-    store.tell(CommandIssued(1, ORDER, T0, WALL))
+    store.apply(CommandIssued(1, ORDER, T0, WALL))
     assert [one.change for one in read(tmp_path)] == ["checked"]
 
 
 def test_an_alarm_from_raised_to_cleared(tmp_path: Path) -> None:
     store, _ = watched(tmp_path)
     for fact in (battery(T0 + 1, 15.0), tick(T0 + 1), tick(T0 + 1.1), AlarmAcknowledged()):
-        store.tell(fact)
+        store.apply(fact)
     for fact in (battery(T0 + 2, 80.0), tick(T0 + 2), battery(T0 + 60), tick(T0 + 60)):
-        store.tell(fact)
+        store.apply(fact)
     found = read(tmp_path)
     assert {(one.kind, one.what, one.robot) for one in found} == {("alarm", "battery", R0)}
     assert (found[0].change, found[0].words, found[0].priority) == ("raised", "battery 15 %", "low")
@@ -146,7 +146,7 @@ def test_an_alarm_from_raised_to_cleared(tmp_path: Path) -> None:
 def test_an_alarm_of_a_link_names_its_address(tmp_path: Path) -> None:
     store, _ = watched(tmp_path)
     for fact in (link_lost(T0 + 1), tick(T0 + 1), tick(T0 + 10)):
-        store.tell(fact)
+        store.apply(fact)
     first = read(tmp_path)[0]
     assert (first.kind, first.what, first.change, first.robot) == ("alarm", "link", "raised", "")
     assert (first.link, first.url) == ("rosbridge", "ws://site:9090")
@@ -159,7 +159,7 @@ def test_the_console_itself_and_what_it_leaves_open(tmp_path: Path) -> None:
     with auditing(tmp_path, config, store, demo=True):
         give(store, 1, ORDER, Stage.SENT)
         give(store, 2, ORDER, Stage.NOT_SENT)
-    store.tell(CommandAdvanced(1, Stage.UNKNOWN, T0))
+    store.apply(CommandAdvanced(1, Stage.UNKNOWN, T0))
     found = read(tmp_path)
     assert (found[0].kind, found[0].change) == ("console", "opened")
     assert [(one.id, one.change, one.words) for one in found[-2:]] == [
@@ -222,9 +222,9 @@ def test_a_full_disk_is_said_and_what_was_not_written_is_written_later(
 def test_a_disk_is_not_tried_at_every_record(tmp_path: Path, disk: BadDisk) -> None:
     disk.full = True
     audit = Audit(disk, ANA)
-    audit.tell("one")
+    audit.log_console("one")
     disk.full = False
-    audit.tell("two")
+    audit.log_console("two")
     assert audit.notes != [] and not (tmp_path / FILE_NAME).exists()
     assert audit.close(known_fleet()) == 0  # the last chance is taken
     assert [one.change for one in read(tmp_path)] == ["one", "two", "closed"]
@@ -237,7 +237,7 @@ def test_what_waits_has_a_bound_and_what_is_lost_is_counted(
     disk.full = True
     audit = Audit(disk, ANA)
     for n in range(25):
-        audit.tell(f"n{n}")
+        audit.log_console(f"n{n}")
     disk.full = False
     assert audit.close(known_fleet()) == 0
     found = read(tmp_path)
@@ -275,7 +275,7 @@ def test_a_slow_disk_holds_nobody_for_long(
     audit = Audit(disk, ANA)
     began = time.monotonic()
     for n in range(20):
-        audit.tell(f"n{n}")
+        audit.log_console(f"n{n}")
     assert time.monotonic() - began < 0.3
     becomes(lambda: disk.path.exists() and len(read(tmp_path)) == 20)
 
@@ -292,9 +292,9 @@ def test_one_slow_line_leaves_no_command_before_its_own(
     audit = Audit(disk, ANA)
     with monkeypatch.context() as patched:
         patched.setattr(disk, "append", slowly)
-        audit.tell("slow")
+        audit.log_console("slow")
     for n in range(20):
-        audit.tell(f"n{n}")
+        audit.log_console(f"n{n}")
         assert read(tmp_path)[-1].change == f"n{n}"
 
 
@@ -370,7 +370,7 @@ def test_an_error_of_our_own_does_not_end_the_writing(
     with monkeypatch.context() as patched:
         patched.setattr(disk, "append", lambda _line: 1 / 0)
         audit = Audit(disk, ANA)
-        audit.tell("one")
+        audit.log_console("one")
         assert audit.notes == ["audit: not written: ZeroDivisionError('division by zero')"]
     becomes(lambda: audit.notes == [])
     assert [one.change for one in read(tmp_path)] == ["one"]

@@ -24,7 +24,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import Heard, Told
+from fleet_tui.recording.records import EventRecord, ReceivedFrame
 from fleet_tui.state.reducer import apply
 from tests.support.bag_replay import MAP, battery, made_of, nanoseconds, night, played, pose
 from tests.support.bags import KINDS, WALL, Said, bag_config, written
@@ -106,7 +106,7 @@ def test_it_is_said_that_it_is_a_bag_and_nothing_secret_is_kept(tmp_path: Path) 
     assert report.notes[0].startswith("from ROS bag night.bag: ")
     link = played(recording).links[LINK]
     assert (link.url, link.is_bag, link.commands_connected) == ("rosbag://night.bag", True, False)
-    content = b"".join(record.payload for record in recording.records() if isinstance(record, Heard))
+    content = b"".join(record.payload for record in recording.records() if isinstance(record, ReceivedFrame))
     assert "hidden" not in repr(recording.header) and b"hidden" not in content
 
 
@@ -135,7 +135,7 @@ def ticks(recording: Recording) -> list[float]:
     return [
         record.at
         for record in recording.records()
-        if isinstance(record, Told) and isinstance(record.event, events.TimePassed)
+        if isinstance(record, EventRecord) and isinstance(record.event, events.TimePassed)
     ]
 
 
@@ -197,7 +197,7 @@ def test_bad_data_is_that_of_the_robot_as_it_is_live(form: str, tmp_path: Path) 
     robot = played(recording).robots[R0]
     assert report.messages == 4 and robot.faults == 2
     assert robot.battery is not None and robot.battery.value == 50.0
-    frames = [record.text for record in recording.records() if isinstance(record, Heard)]
+    frames = [record.text for record in recording.records() if isinstance(record, ReceivedFrame)]
     assert frames[1].endswith('"msg":{"data":null}}') and frames[2] == frames[1]
 
 
@@ -277,7 +277,7 @@ def test_each_link_hears_its_own_robots(tmp_path: Path) -> None:
     )
     said = [pose(0), pose(1, 4.0, "robot_1"), pose(3)]
     _, recording = made_of(written(tmp_path, "ros1", said), config, tmp_path / "r.jsonl.gz")
-    heard = [(record.link, record.at) for record in recording.records() if isinstance(record, Heard)]
+    heard = [(record.link, record.at) for record in recording.records() if isinstance(record, ReceivedFrame)]
     assert heard == [(LINK, 1.0), ("north", 2.0), (LINK, 4.0)]
     state = played(recording)
     assert state.links["north"].heard == 2.0 and state.robots["robot_1"].pose is not None

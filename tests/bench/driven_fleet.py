@@ -28,7 +28,7 @@ class DrivenFleet:
         self.store = Store(initial_state(self.config, time.monotonic()))
         self._ticks = 0
         for event in self._start():
-            self.store.tell(event)
+            self.store.apply(event)
 
     def _start(self) -> Iterator[events.Event]:
         now = time.monotonic()
@@ -51,7 +51,7 @@ class DrivenFleet:
         self._world.step(TICK)
         self._ticks += 1
         for event in self._reports(time.monotonic(), time.time()):
-            self.store.tell(event)
+            self.store.apply(event)
 
     def _reports(self, now: float, wall: float) -> Iterator[events.Event]:
         for name, robot in self._world.robots.items():

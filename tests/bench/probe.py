@@ -87,7 +87,7 @@ def poses() -> None:
         shown = {robot.name: robot.clock.stamp for robot in screen.store.state.robots.values() if robot.clock}
         noted["tick"].append((time.monotonic(), time.time(), shown))
 
-    after(Store, "tell", came)
+    after(Store, "apply", came)
     after(MainScreen, "tick", ticked)
     writes()
 

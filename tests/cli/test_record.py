@@ -9,7 +9,7 @@ import pytest
 from fleet_tui.model import events
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import Heard, Keyframe, RecordingError, Sent, Told
+from fleet_tui.recording.records import EventRecord, Keyframe, ReceivedFrame, RecordingError, SentFrame
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import config_file, run, started
 
@@ -36,7 +36,7 @@ async def test_for_a_while(server: RosbridgeServer, folder: Path) -> None:
     recording = open_recording(folder / "x.jsonl.gz")
     assert recording.note == "" and 2.0 < recording.end.at - recording.begin.at < 4.0
     records = list(recording.records())
-    assert {type(record) for record in records} >= {Keyframe, Heard, Sent, Told}
+    assert {type(record) for record in records} >= {Keyframe, ReceivedFrame, SentFrame, EventRecord}
     assert server.bridge.services.calls == []
     assert recording.config.operator.read_only
 
@@ -50,10 +50,10 @@ async def test_maps_are_in_it(server: RosbridgeServer, folder: Path) -> None:
     assert done.code == 0
     recording = open_recording(folder / "x.jsonl.gz")
     records = list(recording.records())
-    told = [record.event for record in records if isinstance(record, Told)]
+    told = [record.event for record in records if isinstance(record, EventRecord)]
     (loaded,) = [event for event in told if isinstance(event, events.FloorMapLoaded)]
     assert loaded.grid is not None and loaded.grid.frame.width == 2
-    sent = [record.text for record in records if isinstance(record, Sent)]
+    sent = [record.text for record in records if isinstance(record, SentFrame)]
     assert any("/robot_0/floor_1/map" in text and '"subscribe"' in text for text in sent)
     assert any("/robot_0/floor_1/map" in text and '"unsubscribe"' in text for text in sent)
     assert not any(
@@ -108,7 +108,7 @@ async def test_no_link_is_3(tmp_path: Path) -> None:
     assert done.code == 3
     assert "ws://127.0.0.1:9: no link: connection refused" in done.out
     recording = open_recording(tmp_path / "x.gz")
-    assert any(isinstance(record, Told) for record in recording.records())
+    assert any(isinstance(record, EventRecord) for record in recording.records())
 
 
 async def test_it_goes_on_when_the_link_is_lost(server: RosbridgeServer, folder: Path) -> None:

@@ -8,14 +8,14 @@ import msgspec
 import pytest
 
 from fleet_tui.client import publishing
-from fleet_tui.client.queue_file import FILE, Kept
+from fleet_tui.client.queue_file import FILE, WaitingOrder
 from fleet_tui.client.services import Services
 from fleet_tui.config.schema import Operator
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, foreign, waiting
+from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, foreign, waiting
 from fleet_tui.simulator.faults import play
 from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.rosbridge import connection
@@ -76,7 +76,7 @@ async def test_a_to_b_is_two_goals_of_one_order(site: MoveBaseSite, tmp_path: Pa
         record = await finished(link, store, order)
         assert robot(store.state).orders.open[0].stops == order.stops
         await store.until(lambda _: (tmp_path / FILE).exists())
-        (kept,) = msgspec.json.decode((tmp_path / FILE).read_bytes(), type=list[Kept])
+        (kept,) = msgspec.json.decode((tmp_path / FILE).read_bytes(), type=list[WaitingOrder])
         assert kept.stops == order.stops[1:]
         ended = await reached(store, record.id, Stage.DONE, Stage.FAILED, Stage.LOST)
     assert ended.stage is Stage.DONE
@@ -128,7 +128,7 @@ async def test_a_foreign_goal_replaces_ours_and_holds_what_waits(site: MoveBaseS
         site.navigation().give(*FAR)
         ended = await reached(store, first.id, Stage.REPLACED, Stage.CANCELLED_ELSEWHERE, Stage.FAILED)
         assert ended.stage is Stage.REPLACED
-        await store.until(lambda state: robot(state).held == SOMEBODY_ELSE)
+        await store.until(lambda state: robot(state).held == ANOTHER_CLIENT)
 
 
 async def test_a_node_that_was_started_anew_has_lost_its_goals(site: MoveBaseSite) -> None:

@@ -7,7 +7,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import OrderState, Stop, at_vertices
-from fleet_tui.rules.commands.keeping import foreign
+from fleet_tui.rules.commands.local_queue import foreign
 from fleet_tui.simulator.nav2.navigation import TO_POSE, WAYPOINTS
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
 from fleet_tui.state import reducer as apply

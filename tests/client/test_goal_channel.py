@@ -7,12 +7,12 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.client import goal_channel
-from fleet_tui.client.keeper import RESTARTED, Keeper
-from fleet_tui.client.queue_file import Kept
+from fleet_tui.client.queue_file import WaitingOrder
+from fleet_tui.client.waiting_orders import RESTARTED, WaitingOrders
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, Stage
 from fleet_tui.model.events import CommandIssued
-from fleet_tui.rules.commands.keeping import waiting
+from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.state.store import Store
 from tests.support.fleets import R0
 from tests.support.links import finished, linked
@@ -69,7 +69,7 @@ async def test_who_begins_to_keep_orders_later_takes_up_what_the_one_before_left
 ) -> None:
     theirs = keeping(tmp_path, "bea")
     assert theirs.claim()
-    theirs.save([Kept(site.server.url, R0, site.to("Base").stops, 1.7e9)])
+    theirs.save([WaitingOrder(site.server.url, R0, site.to("Base").stops, 1.7e9)])
     async with linked(site.config, queue=keeping(tmp_path)) as (link, store):
         await store.until(nav2_ready)
         await finished(link, store, site.to("Consumidores"))
@@ -84,25 +84,25 @@ async def test_what_waits_for_a_robot_that_keeps_its_own_queue_now_stays_in_the_
     site: Site, tmp_path: Path
 ) -> None:
     file = keeping(tmp_path)
-    before = [Kept(site.server.url, R0, site.to("Base").stops, 1.7e9)]
+    before = [WaitingOrder(site.server.url, R0, site.to("Base").stops, 1.7e9)]
     assert file.claim()
     file.save(before)
     state = initial_state(site.config, 0.0)
     changed = replace(state.robots[R0], kind=replace(state.robots[R0].kind, keeps_goals=False))
     store = Store(replace(state, robots={**state.robots, R0: changed}))
-    keeper = Keeper(file, store, store.tell, lambda *_: None, lambda _: None, lambda: 1)
-    keeper.load()
-    keeper.look(0.1)
+    orders = WaitingOrders(file, store, store.apply, lambda *_: None, lambda _: None, lambda: 1)
+    orders.load()
+    orders.tick(0.1)
     assert not store.state.commands and file.load() == before
 
 
 async def test_an_order_given_just_before_the_console_ends_is_kept(site: Site, tmp_path: Path) -> None:
     file = keeping(tmp_path)
     store = Store(initial_state(site.config, 0.0))
-    keeper = Keeper(file, store, store.tell, lambda *_: None, lambda _: None, lambda: 1)
-    keeper.load()
+    orders = WaitingOrders(file, store, store.apply, lambda *_: None, lambda _: None, lambda: 1)
+    orders.load()
     for id_ in (1, 2):
-        store.tell(CommandIssued(id_, site.to("Base"), float(id_), 1.7e9))
-    assert keeper.takes(2, site.to("Base"), 2.0)
-    keeper.close()
+        store.apply(CommandIssued(id_, site.to("Base"), float(id_), 1.7e9))
+    assert orders.handles(2, site.to("Base"), 2.0)
+    orders.close()
     assert file.claim() and [one.robot for one in file.load()] == [R0]

@@ -82,7 +82,7 @@ async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(
 ) -> None:
     """Behind the subscriptions of a large fleet the question runs out: the call must not leave for that."""
     monkeypatch.setattr(services, "ROSAPI_TIMEOUT", 0.2)
-    monkeypatch.setattr(services, "AGAIN", 0.1)
+    monkeypatch.setattr(services, "RETRY_AFTER", 0.1)
     right = server.bridge.services.offered[RESUME]
     server.bridge.services.offered[RESUME] = replace(right, name="nav2_msgs/srv/ManageLifecycleNodes")
     server.bridge.services.silent_services.add("/rosapi/service_type")

@@ -49,7 +49,7 @@ async def test_a_node_that_was_only_slow_is_no_longer_suspected_when_it_speaks(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
-    monkeypatch.setattr(sourcing, "AGAIN", 0.1)
+    monkeypatch.setattr(sourcing, "RETRY_AFTER", 0.1)
     server.bridge.muted.update(
         f"/robot_0/{name}" for name in ("queue", "floor_0/graph", "floor_0/labeled_vertices")
     )

@@ -16,13 +16,13 @@ class Ear:
         self.sent_frames: list[tuple[str, str, bytes]] = []
         self.facts: list[events.Event] = []
 
-    def heard(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
+    def on_received(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
         self.heard_frames.append((link, channel, payload, at))
 
-    def sent(self, link: str, channel: str, payload: bytes) -> None:
+    def on_sent(self, link: str, channel: str, payload: bytes) -> None:
         self.sent_frames.append((link, channel, payload))
 
-    def told(self, event: events.Event) -> None:
+    def on_event(self, event: events.Event) -> None:
         self.facts.append(event)
 
 

@@ -66,7 +66,7 @@ def test_disarmed_while_it_waits_for_the_link_nothing_leaves(command: Command) -
     assert desk.notices.text == "waiting for the link"
     desk.dispatch.permissions = DISARMED
     desk.store.put(ready())
-    desk.dispatch.release_held()
+    desk.dispatch.release_startup()
     assert desk.backend.submitted == []
     assert "not armed" in desk.notices.text
 
@@ -75,5 +75,5 @@ def test_what_waited_leaves_when_the_link_is_there() -> None:
     desk = Desk(fleet(1))
     desk.do(PauseRobot(R0))
     desk.store.put(ready())
-    desk.dispatch.release_held()
+    desk.dispatch.release_startup()
     assert desk.backend.submitted == [PauseRobot(R0)]

@@ -36,13 +36,13 @@ from tests.support.watched_store import config_of
 TIMEOUT = 25.0  # 9 are enough, but not on a busy machine
 FALLS_BEHIND = "on ROS 2 a bridge that falls behind"
 IS_ACTIVE = "/robot_0/lifecycle_manager_navigation/is_active"
-TAKEN_TOO_EARLY = "on ROS 2 a floor's topic that another client took too early"
+TAKEN_TOO_EARLY = "on ROS 2 a floor topic that another client subscribed too early"
 OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
-    "a web server instead": lambda folder: web_server(),
+    "a web server instead of rosbridge": lambda folder: web_server(),
     "a frozen bridge": lambda folder: mute_server(),
     "another WebSocket server": lambda folder: other_websocket(),
     "TLS where ws:// is configured": partial(tls_server, scheme="ws"),
-    "a certificate nobody vouches for": partial(tls_server, scheme="wss"),
+    "an untrusted certificate": partial(tls_server, scheme="wss"),
 }
 
 

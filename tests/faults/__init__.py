@@ -1,1 +1,1 @@
-"""What goes wrong between a console and its robots, one test for each fault (docs/faults.md)."""
+"""Faults between a console and its robots, one test for each (docs/faults.md)."""

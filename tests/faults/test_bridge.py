@@ -27,7 +27,7 @@ UNREGISTERED = "robot nodes not registered: restart them"
 
 @pytest.mark.parametrize(
     ("fault", "made_by"),
-    [("frozen-rosapi", "its services don't answer"), ("dead-rosapi", "its services don't exist")],
+    [("frozen-rosapi", "its services do not answer"), ("dead-rosapi", "its services do not exist")],
 )
 async def test_rosapi_is_frozen_or_dead(server: RosbridgeServer, fault: str, made_by: str) -> None:
     async with linked(usual(server.url, 2)) as (link, store):
@@ -44,7 +44,7 @@ async def test_rosapi_is_frozen_or_dead(server: RosbridgeServer, fault: str, mad
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.CONFIRMED
         assert not round_trips.unanswered and path(CommandPath.ALIVE)(store.state)
         assert not raised("commands")(store.state)
-    seen = "nothing: commands and topics go on, after a reconnect too"
+    seen = "nothing: commands and topics continue, also after a reconnect"
     report(f"a {fault.replace('-', ' ')}", made_by, seen, None, healed)
 
 
@@ -110,4 +110,6 @@ async def test_this_console_is_behind(monkeypatch: pytest.MonkeyPatch) -> None:
         healed = await watch.until(lambda state: state.behind < BEHIND and all_online(state))
     await server.stop()
     seen = "this console is N s behind, one alarm; no robot is blamed"
-    report("this console is behind", "each message takes it 50 ms, 200 come a second", seen, noticed, healed)
+    report(
+        "this console is behind", "each message takes 50 ms, and 200 arrive per second", seen, noticed, healed
+    )

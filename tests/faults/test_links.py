@@ -62,7 +62,13 @@ async def test_a_dead_bridge_hurts_no_other(server: RosbridgeServer, other: Rosb
         assert store.state.links["rosbridge"].since == up_since
     services = [service for service, _ in other.bridge.services.calls]
     assert not any(service.endswith("Pause") for service in services)
-    report("one of two bridges dead", "it takes connections and says nothing", "its alarm", noticed, healed)
+    report(
+        "one of two bridges dead",
+        "it accepts connections and sends nothing",
+        "an alarm of that bridge",
+        noticed,
+        healed,
+    )
 
 
 async def test_commands_go_to_the_robots_own_bridge(server: RosbridgeServer, other: RosbridgeServer) -> None:

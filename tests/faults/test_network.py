@@ -62,7 +62,7 @@ async def test_dns_fails(
         fails = False
         watch.start()
         healed = await watch.until(fresh())
-    report(f"DNS: {error.strerror}", "the resolver says so", words, noticed, healed)
+    report(f"DNS: {error.strerror}", "the resolver reports it", words, noticed, healed)
     assert healed < 8
 
 
@@ -96,7 +96,7 @@ async def test_another_server(server: RosbridgeServer, name: str, attend: Attend
         proxy.attend = proxy.relay
         watch.start()
         healed = await watch.until(fresh())
-    report(f"handshake: {name}", "the server does so after a cut", words, noticed, healed)
+    report(f"handshake: {name}", "the server does so after a disconnect", words, noticed, healed)
     assert noticed < 10 and healed < 8
 
 
@@ -115,7 +115,7 @@ async def test_killed_inside_a_frame(server: RosbridgeServer) -> None:
         assert store.state.links["rosbridge"].faults == faults
         assert store.state.commands[-1].id == command
     assert len(server.bridge.services.calls) == 1
-    report("killed inside a frame", "301 bytes more, then reset", "connection lost", noticed, healed)
+    report("connection cut inside a frame", "reset after 301 more bytes", "connection lost", noticed, healed)
     assert noticed < 2 and healed < 4
 
 
@@ -135,7 +135,13 @@ async def test_a_goodbye_without_hanging_up(server: RosbridgeServer) -> None:
         watch.start()
         healed = await watch.until(fresh())
     seen = "server not responding"
-    report("goodbye", "the server closes and does not hang up", seen, noticed, healed)
+    report(
+        "WebSocket close without disconnect",
+        "the server sends Close and keeps the connection open",
+        seen,
+        noticed,
+        healed,
+    )
     assert noticed < 10 and healed < 8
 
 
@@ -153,7 +159,7 @@ async def test_a_half_open_connection(server: RosbridgeServer) -> None:
         watch.start()
         healed = await watch.until(fresh())
     assert noticed < 10 and healed < 12
-    seen = "age of the last message grows, then: server not responding"
+    seen = "the age of the last message grows; then server not responding"
     report("half-open connection", "packets vanish both ways", seen, noticed, healed)
     assert not server.bridge.services.calls
 
@@ -172,7 +178,13 @@ async def test_a_slow_server(server: RosbridgeServer) -> None:
         watch.start()
         await watch.until(lambda state: not any(map(state.is_online, state.robots.values())))
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
-    report("slow server", "1 byte a second", "says nothing; offline with its age", noticed, healed)
+    report(
+        "slow server",
+        "it sends 1 byte a second",
+        "connected, but no response; robots offline with their age",
+        noticed,
+        healed,
+    )
     assert noticed < 12 and healed < 12
 
 
@@ -263,7 +275,7 @@ async def test_a_message_over_the_limit_costs_only_itself(server: RosbridgeServe
     }
     report(
         "message over the limit",
-        "60 kB where 50 kB are allowed",
+        "60 kB at a limit of 50 kB",
         f"a message of 0.1 MB {remedy}",
         noticed,
         None,

@@ -41,7 +41,7 @@ async def test_a_robots_node_restarts_with_open_orders(server: RosbridgeServer) 
         assert "robot_0 order Consumidores -> Base: lost (order 1: the robot's order ids" in shown(state)
     report(
         "a robot's node restarts with open orders",
-        "its queue is empty, ids from 0",
+        "its queue is empty, ids start at 0",
         "lost, an alarm",
         noticed,
         None,
@@ -65,7 +65,7 @@ async def test_an_order_is_taken_long_after_it_was_accepted(server: RosbridgeSer
         assert "not confirmed" not in shown(state)
         assert len(server.bridge.services.calls) == 1
     seen = "not confirmed; then, in its place, carried out late"
-    report("an order is taken late", "12 s after it was accepted", seen, noticed, None)
+    report("an order is carried out late", "12 s after it was accepted", seen, noticed, None)
 
 
 async def test_a_node_dies_during_the_call(server: RosbridgeServer) -> None:
@@ -82,7 +82,7 @@ async def test_a_node_dies_during_the_call(server: RosbridgeServer) -> None:
         assert stages == [Stage.CHECKED, Stage.SENT, Stage.UNKNOWN, Stage.CONFIRMED]
         assert not alarms(store.state)
     seen = "outcome unknown; confirmed once the order is seen in the queue"
-    report("a node dies during the call", "it took the order before", seen, noticed, healed)
+    report("a node dies during the call", "after it has accepted the order", seen, noticed, healed)
 
 
 async def test_an_order_whose_handler_throws(server: RosbridgeServer) -> None:
@@ -95,8 +95,8 @@ async def test_an_order_whose_handler_throws(server: RosbridgeServer) -> None:
         noticed = await watch.until(stage(Stage.NOT_CONFIRMED))
         state = await store.until(alarms)
         assert "no route" in alarms(state)[0] and "order not in the queue" in alarms(state)[0]
-    seen = "outcome unknown, then not confirmed, with the exception's words"
-    report("a node throws in the call", "it does not take the order", seen, noticed, None)
+    seen = "outcome unknown, then not confirmed, with the text of the exception"
+    report("a node raises an exception in the call", "it does not accept the order", seen, noticed, None)
 
 
 async def test_another_console_cancels(server: RosbridgeServer) -> None:
@@ -113,7 +113,7 @@ async def test_another_console_cancels(server: RosbridgeServer) -> None:
         ]
         assert ": cancelled elsewhere" in shown(state)
     seen = "cancelled elsewhere, an alarm"
-    report("another console cancels an order", "the robot lists it as cancelled once", seen, noticed, None)
+    report("another console cancels an order", "the robot lists it as cancelled", seen, noticed, None)
 
 
 async def test_another_console_pauses(server: RosbridgeServer) -> None:
@@ -131,7 +131,7 @@ async def test_another_console_pauses(server: RosbridgeServer) -> None:
         assert store.state.commands[-1].has_open_order
     report(
         "another console pauses a robot",
-        "the robot says that it is paused",
+        "the robot reports that it is paused",
         "paused (elsewhere)",
         noticed,
         healed,

@@ -36,7 +36,13 @@ def test_the_console_itself_is_broken(tmp_path: Path) -> None:
         assert f"{words} (details in {log}, or with --debug)\r\n" in after
         lines = log.read_text()
         assert "Traceback" in lines and "in fleet_table" in lines and "\x1b" not in lines
-    report("its own fault", "each picture fails, for a second", f"the shell, `{words[:26]} ...`", took, None)
+    report(
+        "internal error",
+        "drawing raises an exception for a second",
+        f"the shell, `{words[:26]} ...`",
+        took,
+        None,
+    )
 
 
 def test_keys_at_random(tmp_path: Path) -> None:
@@ -45,7 +51,7 @@ def test_keys_at_random(tmp_path: Path) -> None:
         running.shows("robot_5")
         moves = play(running, 8.0, 0)
     assert moves > 50
-    report("keys at random", "keys, mouse, pastes, sizes; robots with faults", "works on", None, None)
+    report("keys at random", "keys, mouse, pastes, resizing; robots with faults", "keeps working", None, None)
 
 
 def test_what_others_wrote_over_an_open_dialog_is_painted_over(tmp_path: Path) -> None:

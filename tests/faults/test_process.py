@@ -54,7 +54,7 @@ def test_ssh_gone(demo: InTerminal) -> None:
     took = demo.ends()
     demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
     assert took < SOON
-    report("SSH gone", "the terminal's other end closes", "-", took, None)
+    report("SSH connection lost", "the terminal's other end closes", "-", took, None)
 
 
 def test_a_terminal_of_another_session_goes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -67,7 +67,7 @@ def test_a_terminal_of_another_session_goes(tmp_path: Path, monkeypatch: pytest.
         took = running.ends()
         running.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
         assert simulator and took < SOON
-    report("terminal gone, no SIGHUP", "of another session; its other end closes", "-", took, None)
+    report("terminal gone, no SIGHUP", "a terminal of another session; its other end closes", "-", took, None)
 
 
 def test_killed(demo: InTerminal) -> None:
@@ -92,7 +92,7 @@ def test_a_terminal_that_does_not_read_any_more(demo: InTerminal) -> None:
     demo.child.send_signal(signal.SIGTERM)
     took = demo.ends()
     assert took < SOON
-    report("terminal does not read", "nobody reads the pty, SIGTERM", "-", took, None)
+    report("terminal does not read", "the pty is not read; SIGTERM", "-", took, None)
 
 
 def test_to_the_shell_and_back(demo: InTerminal) -> None:
@@ -116,7 +116,7 @@ def test_resized_to_nothing_and_back_hundreds_of_times(demo: InTerminal) -> None
     demo.press("\x0c")
     healed = demo.until(lambda: "robot_1" in demo.text() and "floor_0" in demo.text(), what="the picture")
     assert demo.child.poll() is None and "Traceback" not in demo.text()
-    report("resized", "1 x 1 and back, 200 times in 2 s", "the right picture", None, healed)
+    report("resizing", "1 x 1 and back, 200 times in 2 s", "the correct picture", None, healed)
 
 
 def pause(running: InTerminal) -> None:
@@ -138,7 +138,7 @@ def test_the_disk_is_full(tmp_path: Path) -> None:
         after = running.sent.rpartition(b"\x1b[?1049l")[2]
         assert re.search(rb"audit: \d+ records not written: File too large\r\n", after)
         assert b"Traceback" not in running.sent
-    seen = "audit: not written; the rest works on; at the end on stderr how many records are lost"
+    seen = "audit: not written; all else works; at the end stderr reports the number of lost records"
     report("disk full", "no file can grow", seen, None, None)
 
 
@@ -148,7 +148,7 @@ def test_nothing_can_be_kept(tmp_path: Path, state: str) -> None:
         running.shows(f"logging off: {state}/fleet-tui is not writable")
         pause(running)
         running.shows("audit: not written")
-    report("no home", "a path that can't be made", "logging off: ..., audit: not written", None, None)
+    report("no home", "a path that cannot be created", "logging off: ..., audit: not written", None, None)
 
 
 @pytest.mark.parametrize("was_used", [False, True])
@@ -167,7 +167,7 @@ def test_the_home_is_read_only(tmp_path: Path, was_used: bool) -> None:
         pause(running)
         running.shows("audit: not written: Permission denied")
     seen = "logging off: ..., audit: not written: Permission denied"
-    report("read-only home", "permissions, no right to pass them", seen, None, None)
+    report("read-only home", "folders without write permission", seen, None, None)
 
 
 HANGING = """
@@ -197,14 +197,14 @@ def test_the_state_folders_disk_hangs(tmp_path: Path) -> None:
         assert running.child.returncode == 0 and took < SOON
         running.until(running.is_restored, 2.0, "the terminal restored")
         running.shows("records not written: disk not responding")
-    seen = "audit: not written: disk not responding; the rest works on"
+    seen = "audit: not written: disk not responding; all else works"
     report("disk hangs", "no write to the state folder returns", seen, None, None)
 
 
 def test_the_state_folder_goes_away(demo: InTerminal, tmp_path: Path) -> None:
     shutil.rmtree(tmp_path / "state")
     pause(demo)
-    report("state folder removed", "while the console runs", "works on", None, None)
+    report("state folder removed", "while the console runs", "keeps working", None, None)
 
 
 def test_two_consoles_on_one_state_folder(demo: InTerminal, tmp_path: Path) -> None:
@@ -216,7 +216,7 @@ def test_two_consoles_on_one_state_folder(demo: InTerminal, tmp_path: Path) -> N
             console.ends()
     log = (tmp_path / "state" / "fleet-tui" / "fleet-tui.log").read_text()
     assert all(f" {console.child.pid} " in log for console in (demo, other))
-    report("two consoles", "on one state folder", "both work, lines stay whole", None, None)
+    report("two consoles", "with one state folder", "both work; every line stays whole", None, None)
 
 
 SLOW_LOOK_UP = """
@@ -242,4 +242,4 @@ def test_a_name_that_is_looked_up_for_ever(tmp_path: Path, key: str) -> None:
             running.child.send_signal(signal.SIGTERM)
         took = running.ends()
         assert running.is_restored() and took < SOON
-    report("DNS hangs", "30 s for each look-up", "connection timed out", noticed, took)
+    report("DNS hangs", "each lookup takes 30 s", "connection timed out", noticed, took)

@@ -50,7 +50,13 @@ async def test_rosbridge_restarted_with_other_robots() -> None:
         watch.start()
         healed = await watch.until(fresh(3))
         await third.stop()
-    report("rosbridge restarted with other robots", "1 of 3 is left, then all", "2 offline", noticed, healed)
+    report(
+        "rosbridge restarted with other robots",
+        "1 of 3 remains, then all return",
+        "2 offline",
+        noticed,
+        healed,
+    )
     assert noticed < 12 and healed < 8
 
 
@@ -73,8 +79,8 @@ async def test_roscore_restarted_behind_a_living_rosbridge(server: RosbridgeServ
 async def test_a_robot_that_is_off_is_asked_for_ever_more_seldom(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(subscriber, "FIRST_AGAIN", 0.5)
-    monkeypatch.setattr(subscriber, "FOR_EACH_TOPIC", 0.0)
+    monkeypatch.setattr(subscriber, "FIRST_RENEWAL", 0.5)
+    monkeypatch.setattr(subscriber, "PER_TOPIC", 0.0)
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(ready)
         server.bridge.muted.update(
@@ -105,7 +111,7 @@ async def test_a_robots_node_restarted(server: RosbridgeServer) -> None:
         healed = await watch.until(
             lambda state: state.robots["robot_0"].charts["floor_0"].labels == {"0": "New gate"}
         )
-    report("a robot's node restarted", "its latched topics come again", "the new map", None, healed)
+    report("a robot's node restarted", "its latched topics are sent again", "the new map", None, healed)
 
 
 @pytest.mark.parametrize("hours", [-7.0, 0.5, 26.0])
@@ -164,7 +170,7 @@ async def test_the_master_is_gone(server: RosbridgeServer) -> None:
         server.bridge.services.master_alive = True
         watch.start()
         healed = await watch.until(path(CommandPath.ALIVE))
-    report("no ROS master", "calls fail, topics flow", "commands dead: ...", noticed, healed)
+    report("no ROS master", "calls fail, topics continue", "commands dead: ...", noticed, healed)
 
 
 async def test_a_hundred_robots_fall_silent_at_once() -> None:
@@ -180,5 +186,5 @@ async def test_a_hundred_robots_fall_silent_at_once() -> None:
         watch.start()
         healed = await watch.until(online(100), within=60)
     await server.stop()
-    report("100 robots silent at once", "no topic comes any more", "100 x offline", noticed, healed)
+    report("100 robots silent at once", "no messages arrive any more", "100 x offline", noticed, healed)
     assert noticed < 8 and healed < 5

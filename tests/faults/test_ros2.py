@@ -48,7 +48,7 @@ async def test_the_bridge_gives_a_call_up(server: RosbridgeServer) -> None:
         assert Stage.REFUSED not in stages(store.state)
         assert not raised("command")(store.state)
     seen = "no answer or outcome unknown; confirmed once the order is seen in the queue"
-    report("ROS 2: the bridge gives a call up", "after 5 s; the robot answers after 6", seen, noticed, healed)
+    report("ROS 2: the bridge abandons a call", "after 5 s; the robot answers after 6", seen, noticed, healed)
 
 
 async def test_the_bridge_is_restarted_with_latched_topics(
@@ -75,8 +75,8 @@ async def test_the_bridge_is_restarted_with_latched_topics(
         assert len(asked) == 2, "it came only when it was asked for once more"
         record = await finished(link, store, place_order("robot_0", 19, 0))
         assert record.stage is Stage.CONFIRMED
-    seen = "connection lost; then graphs and labels again"
-    report("ROS 2: the bridge is restarted", "latched topics, asked for at once", seen, noticed, healed)
+    seen = "connection lost; then graphs and labels return"
+    report("ROS 2: the bridge is restarted", "latched topics are subscribed at once", seen, noticed, healed)
 
 
 async def test_maps_and_graphs_are_published_volatile(server: RosbridgeServer) -> None:
@@ -85,7 +85,7 @@ async def test_maps_and_graphs_are_published_volatile(server: RosbridgeServer) -
         watch = Stopwatch(store)
         healed = await watch.until(ready)
         assert (await finished(link, store, place_order("robot_0", 19, 0))).stage is Stage.CONFIRMED
-    seen = "nothing: they are asked for once more, without qos"
+    seen = "nothing: they are subscribed again without quality of service"
     report("ROS 2: graphs are published volatile", f"every {wire.AGAIN:g} s, not latched", seen, None, healed)
 
 
@@ -98,8 +98,8 @@ async def test_a_map_is_larger_than_the_bridges_messages(server: RosbridgeServer
         healed = await watch.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
         assert not store.state.links["rosbridge"].faults
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
-    seen = "no map yet; then the map, from pieces of JSON"
-    report("ROS 2: a map over max_message_size", "it never comes as cbor", seen, None, healed)
+    seen = "no map yet; then the map, from JSON fragments"
+    report("ROS 2: a map over max_message_size", "it never arrives as cbor", seen, None, healed)
 
 
 async def test_the_bridge_is_overloaded(server: RosbridgeServer) -> None:
@@ -117,7 +117,7 @@ async def test_the_bridge_is_overloaded(server: RosbridgeServer) -> None:
         watch.start()
         healed = await watch.until(in_time)
     seen = "messages N s late: bridge overloaded: ..., one alarm; no robot is blamed"
-    report("ROS 2: an overloaded bridge", "it carries half of what comes", seen, noticed, healed)
+    report("ROS 2: an overloaded bridge", "it forwards half of the messages", seen, noticed, healed)
 
 
 async def test_rosapi_has_died(server: RosbridgeServer) -> None:
@@ -129,10 +129,10 @@ async def test_rosapi_has_died(server: RosbridgeServer) -> None:
         healed = await watch.until(ready)
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
         assert not raised("commands")(store.state)
-    seen = "nothing: commands and telemetry go on"
+    seen = "nothing: commands and telemetry continue"
     report(
         "ROS 2: rosapi has died",
-        "of a question of another client; the config has ROS 2's types",
+        "a request of another client crashed it; the configuration has ROS 2's types",
         seen,
         None,
         healed,

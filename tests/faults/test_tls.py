@@ -38,7 +38,7 @@ async def seen(server: RosbridgeServer, tls: ssl.SSLContext, words: str, name: s
     """Why a server that shows `tls` is not spoken to."""
     async with before(server.url, tls) as proxy, linked(secured(proxy.url, **how)) as (_, store):
         noticed = await Stopwatch(store).until(lost(words))
-    report(f"TLS: {name}", "the server shows it", words, noticed, None)
+    report(f"TLS: {name}", "the server presents it", words, noticed, None)
     assert not server.bridge.received
 
 
@@ -54,7 +54,7 @@ async def test_a_certificate_of_a_known_authority(
 
 async def test_an_authority_that_nobody_knows(server: RosbridgeServer, certificate: Signed) -> None:
     words = "certificate not trusted: set ca_file to its issuer"
-    await seen(server, certificate.server(), words, "unknown authority")
+    await seen(server, certificate.server(), words, "unknown certificate authority")
 
 
 async def test_self_signed_and_how_to_trust_it(server: RosbridgeServer, tmp_path: Path) -> None:
@@ -71,7 +71,7 @@ async def test_self_signed_and_how_to_trust_it(server: RosbridgeServer, tmp_path
 async def test_another_authority(server: RosbridgeServer, certificate: Signed, tmp_path: Path) -> None:
     words = "certificate not trusted: not signed by ca_file"
     other = sign(tmp_path, "other")
-    await seen(server, certificate.server(), words, "another authority", ca_file=other.cert_file)
+    await seen(server, certificate.server(), words, "another certificate authority", ca_file=other.cert_file)
 
 
 async def test_another_name(server: RosbridgeServer, authority: Signed, tmp_path: Path) -> None:
@@ -91,7 +91,7 @@ async def test_the_wrong_time(
     server: RosbridgeServer, authority: Signed, tmp_path: Path, days: tuple[int, int], words: str
 ) -> None:
     off = sign(tmp_path, "localhost", authority, days)
-    name = "expired certificate" if days[1] < 0 else "certificate of tomorrow"
+    name = "expired certificate" if days[1] < 0 else "certificate not valid yet"
     await seen(server, off.server(), words, name, ca_file=authority.cert_file)
 
 
@@ -99,7 +99,7 @@ async def test_a_server_without_tls(server: RosbridgeServer) -> None:
     words = "connection dropped at once: use ws://?"
     async with linked(secured(server.url.replace("ws:", "wss:"))) as (_, store):
         noticed = await Stopwatch(store).until(lost(words))
-    report("TLS: there is none", "wss:// to a plain port", words, noticed, None)
+    report("TLS: none on the server", "wss:// to a plain port", words, noticed, None)
 
 
 async def test_a_server_with_tls_where_none_is_asked_for(
@@ -149,4 +149,4 @@ def test_files_that_are_of_no_use_are_named_at_the_start(tmp_path: Path) -> None
 async def test_what_is_no_certificate_is_named(server: RosbridgeServer, tmp_path: Path) -> None:
     (tmp_path / "ca.pem").write_text("nothing of the kind")
     async with linked(secured(server.url.replace("ws:", "wss:"), ca_file=tmp_path / "ca.pem")) as (_, store):
-        await store.until(lost("ca_file: not PEM"))
+        await store.until(lost("ca_file: no PEM certificate in ca.pem"))

@@ -28,7 +28,7 @@ def test_everything_of_the_last_minutes_is_in_it(tmp_path: Path) -> None:
     old = audit.origin.record(1000.0, kind="console", what="console", change="opened", words="long ago")
     audit.file.append(b'{"torn')
     audit.file.append(encode(old))
-    audit.tell("opened", "now")
+    audit.log_console("opened", "now")
     (tmp_path / "fleet-tui.log").write_text("a line\n")
     incident = Incident()
     collect(incident, Config(robots=[RobotEntry("robot_0")]), tmp_path, since=2000.0)

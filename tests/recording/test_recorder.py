@@ -25,7 +25,7 @@ from fleet_tui.recording import part_files, recorder
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.part_files import PartLimits
 from fleet_tui.recording.recorder import Recorder
-from fleet_tui.recording.records import Heard, Keyframe, Mark, RecordingError, Sent, Told
+from fleet_tui.recording.records import EventRecord, Keyframe, Mark, ReceivedFrame, RecordingError, SentFrame
 from fleet_tui.recording.taps import Taps
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.reducer import apply
@@ -53,8 +53,8 @@ def recording(tmp_path: Path, store: Store) -> Iterator[Recorder]:
 
 def tell(recorder: Recorder, store: Store, event: events.Event) -> None:
     """As the link does."""
-    recorder.told(event)
-    store.tell(event)
+    recorder.on_event(event)
+    store.apply(event)
 
 
 def ticks(recorder: Recorder, store: Store, count: int, begin: float = T0) -> None:
@@ -84,9 +84,9 @@ def played(path: Path, config: Config) -> Iterator[tuple[object, FleetState]]:
         match record:
             case Keyframe():
                 state = read.state(record)
-            case Told(event=event):
+            case EventRecord(event=event):
                 state = apply(state, event)
-            case Heard(channel="topics"):
+            case ReceivedFrame(channel="topics"):
                 at = record.at if record.came is None else record.came
                 brought = readings[record.link].read(record.payload, record.binary, at)
                 state = reduce(apply, brought, state) if isinstance(brought, tuple) else state
@@ -100,8 +100,8 @@ class Everything(WatchedStore):
         super().__init__(state)
         self.states = [state]
 
-    def tell(self, event: events.Event) -> None:
-        super().tell(event)
+    def apply(self, event: events.Event) -> None:
+        super().apply(event)
         self.states.append(self.state)
 
 
@@ -120,7 +120,7 @@ async def test_a_replay_is_at_every_instant_what_the_run_was(
     link.show_map("robot_0", "floor_0")
     await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
     await finished(link, store, PauseRobot("robot_0"))
-    link.tell(events.FloorMapLoaded("floor_1", None, "no such file"))
+    link.post(events.FloorMapLoaded("floor_1", None, "no such file"))
     server.bridge.publish_raw("/robot_0/battery", {"data": 5.0})
     await store.until(lambda state: state.alarms and len(running.paths) > 1)
     later = time.monotonic() + 1.0
@@ -128,12 +128,12 @@ async def test_a_replay_is_at_every_instant_what_the_run_was(
     taps.detach(running)
     link.close()
     records = list(played(path, config))
-    assert {type(record) for record, _ in records} == {Keyframe, Heard, Sent, Told, Mark}
+    assert {type(record) for record, _ in records} == {Keyframe, ReceivedFrame, SentFrame, EventRecord, Mark}
     begin = plain(records[0][1])
     at = next(n for n, state in enumerate(store.states) if plain(state) == begin)
     for record, state in records:
-        at += isinstance(record, Told) or (
-            isinstance(record, Heard) and plain(state) != plain(store.states[at])
+        at += isinstance(record, EventRecord) or (
+            isinstance(record, ReceivedFrame) and plain(state) != plain(store.states[at])
         )
         assert plain(state) == plain(store.states[at]), record
     assert at > 100 and open_recording(path).marks
@@ -166,10 +166,10 @@ def test_only_the_owner_reads_it(recording: Recorder) -> None:
 
 def test_it_can_be_read_while_it_is_written(recording: Recorder, store: Store) -> None:
     ticks(recording, store, 5)
-    recording.heard("rosbridge", "topics", b"\xff", True, time.monotonic())
+    recording.on_received("rosbridge", "topics", b"\xff", True, time.monotonic())
     assert recording.flush()
     read = open_recording(recording.path)
-    assert [type(record) for record in read.records()] == [Keyframe, *[Told] * 5, Heard]
+    assert [type(record) for record in read.records()] == [Keyframe, *[EventRecord] * 5, ReceivedFrame]
     assert read.note == ""  # and is whole when somebody asks for it
     ticks(recording, store, 3)
     wait(lambda: len(list(open_recording(recording.path).records())) == 10)
@@ -188,10 +188,10 @@ def test_any_program_can_read_it(recording: Recorder, store: Store) -> None:
 def test_a_frame_that_was_read_late_says_when_it_came(recording: Recorder, store: Store) -> None:
     ticks(recording, store, 1)
     now = time.monotonic()
-    recording.heard("rosbridge", "topics", b"{}", False, now - 1.0)
+    recording.on_received("rosbridge", "topics", b"{}", False, now - 1.0)
     recording.close()
     *_, told, late = open_recording(recording.path).records()
-    assert isinstance(late, Heard) and late.came == now - 1.0 and late.at == told.at
+    assert isinstance(late, ReceivedFrame) and late.came == now - 1.0 and late.at == told.at
 
 
 def test_old_parts_go_and_each_begins_with_all_that_is_known(tmp_path: Path, store: Store) -> None:
@@ -216,9 +216,9 @@ def test_what_comes_too_fast_is_counted_and_the_picture_is_right_again(
     ticks(recording, store, 1)
     assert recording.flush()
     monkeypatch.setattr(recorder, "MOST_WAITING", 0)
-    recording.sent("rosbridge", "topics", b"1")
+    recording.on_sent("rosbridge", "topics", b"1")
     for _ in range(3):
-        recording.sent("rosbridge", "topics", b"2")
+        recording.on_sent("rosbridge", "topics", b"2")
     assert recording.problem == "data rate too high"
     tell(recording, store, events.TimePassed(T0 + 0.5, WALL))
     monkeypatch.undo()
@@ -285,22 +285,25 @@ def test_the_folder_is_taken_away(tmp_path: Path, store: Store) -> None:
 def test_several_record_at_once_and_end_by_themselves(tmp_path: Path, store: Store) -> None:
     taps = Taps()
     one = taps.attach(Recorder(tmp_path / "one.gz", CONFIG, store, ORIGIN))
-    taps.told(events.TimePassed(T0, WALL))
+    taps.on_event(events.TimePassed(T0, WALL))
     other = taps.attach(Recorder(tmp_path / "other.gz", CONFIG, store, ORIGIN))
-    taps.told(events.TimePassed(T0 + 1, WALL))
+    taps.on_event(events.TimePassed(T0 + 1, WALL))
     taps.detach(one)
-    taps.told(events.TimePassed(T0 + 2, WALL))
+    taps.on_event(events.TimePassed(T0 + 2, WALL))
     taps.detach(other)
     assert store.watchers == []
     for path, count in ((one.path, 2), (other.path, 2)):
-        assert [type(record) for record in open_recording(path).records()] == [Keyframe, *[Told] * count]
+        assert [type(record) for record in open_recording(path).records()] == [
+            Keyframe,
+            *[EventRecord] * count,
+        ]
 
 
 def test_what_cannot_be_written_costs_no_more_than_itself(recording: Recorder, store: Store) -> None:
     tell(recording, store, events.MessageRejected("robot_0", "half \ud800 a pair"))
     tell(recording, store, events.TimePassed(T0, WALL))
     recording.close()
-    assert [type(record) for record in open_recording(recording.path).records()] == [Keyframe, Told]
+    assert [type(record) for record in open_recording(recording.path).records()] == [Keyframe, EventRecord]
 
 
 def test_nothing_is_taken_after_the_end(recording: Recorder, store: Store) -> None:

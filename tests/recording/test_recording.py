@@ -18,15 +18,24 @@ from fleet_tui.errors import FleetError
 from fleet_tui.model.events import LinkHeard, TimePassed
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.parts import part_path, parts_beside
-from fleet_tui.recording.records import Heard, Keyframe, Lost, Mark, Record, RecordingError, Told, encode
+from fleet_tui.recording.records import (
+    EventRecord,
+    Keyframe,
+    Lost,
+    Mark,
+    ReceivedFrame,
+    Record,
+    RecordingError,
+    encode,
+)
 from tests.support.fleets import LINK, T0, WALL, fleet, told
 from tests.support.recordings import PACKER, header, keyframe, packed, plain, written
 
 ENTRY = Origin("ana", "here:1", "r").record(WALL, kind="alarm", what="offline", change="raised")
 
 
-def tick(at: float) -> Told:
-    return Told(at, WALL + at - T0, TimePassed(at, WALL + at - T0))
+def tick(at: float) -> EventRecord:
+    return EventRecord(at, WALL + at - T0, TimePassed(at, WALL + at - T0))
 
 
 def minutes(count: int, start: float = T0) -> Iterator[list[Record]]:
@@ -105,7 +114,7 @@ def test_parts_in_one_file(tmp_path: Path) -> None:
     path.write_bytes(b"".join(parts))
     recording = open_recording(path)
     assert len(recording.keyframes) == 3
-    assert sum(isinstance(record, Told) for record in recording.records(T0 + 70)) == 120
+    assert sum(isinstance(record, EventRecord) for record in recording.records(T0 + 70)) == 120
 
 
 @pytest.mark.parametrize(
@@ -221,9 +230,9 @@ def test_a_bomb_is_given_up_soon(tmp_path: Path, line: bytes) -> None:
     [
         tick(T0 - 1),
         tick(1e300),
-        Told(T0, 1e300, TimePassed(T0, 1e300)),
-        Told(T0, WALL, LinkHeard("elsewhere", T0)),
-        Heard(T0, WALL, "elsewhere", "topics"),
+        EventRecord(T0, 1e300, TimePassed(T0, 1e300)),
+        EventRecord(T0, WALL, LinkHeard("elsewhere", T0)),
+        ReceivedFrame(T0, WALL, "elsewhere", "topics"),
     ],
 )
 def test_a_record_that_cannot_be_ends_the_part(tmp_path: Path, record: Record) -> None:

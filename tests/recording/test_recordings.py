@@ -31,8 +31,8 @@ def kept(tmp_path: Path) -> Iterator[Recordings]:
 
 def tick(kept: Recordings, at: float = T0) -> None:
     event = events.TimePassed(at, WALL)
-    kept.taps.told(event)
-    kept._store.tell(event)
+    kept.taps.on_event(event)
+    kept._store.apply(event)
 
 
 def test_the_last_minutes_are_at_hand_while_they_are_written(kept: Recordings, tmp_path: Path) -> None:
@@ -68,7 +68,7 @@ def test_the_bytes_of_the_last_minutes_are_bounded(tmp_path: Path) -> None:
     kept = Recordings(config, Store(fleet()), tmp_path)
     kept.keep_recent()
     for n in range(60):
-        kept.taps.heard("rosbridge", "topics", os.urandom(100_000), True, 0.0)
+        kept.taps.on_received("rosbridge", "topics", os.urandom(100_000), True, 0.0)
         kept.recent()
         tick(kept, T0 + n / 100)
     paths = kept.recent()

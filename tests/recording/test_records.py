@@ -14,15 +14,15 @@ from fleet_tui.model import events
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import build_grid
 from fleet_tui.recording.records import (
-    Heard,
+    EventRecord,
     Keyframe,
     Lost,
     Mark,
     Packer,
+    ReceivedFrame,
     RecordingError,
     RecordingHeader,
-    Sent,
-    Told,
+    SentFrame,
     decode,
     encode,
     public,
@@ -36,7 +36,9 @@ NUMBERS = st.floats()
 GRID = build_grid(MapFrame(0.05, 5, 3, Pose(-1.0, 2.0)), np.arange(15, dtype=np.uint8).reshape(3, 5) % 3)
 
 
-def again(record: RecordingHeader | Keyframe | Heard | Sent | Told | Mark | Lost) -> object:
+def again(
+    record: RecordingHeader | Keyframe | ReceivedFrame | SentFrame | EventRecord | Mark | Lost,
+) -> object:
     line = encode(record, Packer())
     assert line.count(b"\n") == 1
     return decode(line)
@@ -45,14 +47,14 @@ def again(record: RecordingHeader | Keyframe | Heard | Sent | Told | Mark | Lost
 @given(st.one_of(*FACTS.values()), NUMBERS, NUMBERS)
 def test_every_fact_is_read_as_it_was(event: events.Event, at: float, wall: float) -> None:
     # JSON has no number for what is not finite, and records have no such time.
-    record = Told(at, wall, event) if math.isfinite(at + wall) else Told(0.0, 0.0, event)
+    record = EventRecord(at, wall, event) if math.isfinite(at + wall) else EventRecord(0.0, 0.0, event)
     assert plain(again(record)) == plain(record)
 
 
 @given(NUMBERS, NUMBERS, st.none() | NUMBERS)
 def test_any_number_is_read_as_it_was(x: float, y: float, stamp: float | None) -> None:
     event = events.PoseReported("robot_0", x, Pose(x, y, -0.0), "floor_0", stamp)
-    assert plain(again(Told(1.0, 2.0, event))) == plain(Told(1.0, 2.0, event))
+    assert plain(again(EventRecord(1.0, 2.0, event))) == plain(EventRecord(1.0, 2.0, event))
 
 
 @given(ANY)
@@ -79,20 +81,22 @@ def test_maps_are_read_with_their_pyramid() -> None:
         events.FloorMapLoaded("floor_0", GRID, "", False),
         events.GridReceived("robot_0", "floor_0", GRID),
     ):
-        assert plain(again(Told(1.0, 2.0, event))) == plain(Told(1.0, 2.0, event))
+        assert plain(again(EventRecord(1.0, 2.0, event))) == plain(EventRecord(1.0, 2.0, event))
     routes = events.FloorGraphLoaded("floor_0", graph(1, 2).graph, {"1": "Base"}, "one fault")
-    assert again(Told(1.0, 2.0, routes)) == Told(1.0, 2.0, routes)
+    assert again(EventRecord(1.0, 2.0, routes)) == EventRecord(1.0, 2.0, routes)
     state = told(fleet(), events.FloorMapLoaded("floor_0", GRID), routes)
     assert plain(keyframe(1.0, state).fleet_state()) == plain(state)
 
 
 @given(st.text(st.characters(exclude_categories=["Cs"])), st.binary())
 def test_frames_are_read_as_they_were(text: str, data: bytes) -> None:
-    assert again(Heard(1.0, 2.0, "rosbridge", "topics", text)) == Heard(1.0, 2.0, "rosbridge", "topics", text)
-    binary = Heard(1.0, 2.0, "rosbridge", "topics", data=data, binary=True, came=0.5)
+    assert again(ReceivedFrame(1.0, 2.0, "rosbridge", "topics", text)) == ReceivedFrame(
+        1.0, 2.0, "rosbridge", "topics", text
+    )
+    binary = ReceivedFrame(1.0, 2.0, "rosbridge", "topics", data=data, binary=True, came=0.5)
     assert again(binary) == binary
     assert binary.payload == data
-    assert again(Sent(1.0, 2.0, "rosbridge", "commands", text)) == Sent(
+    assert again(SentFrame(1.0, 2.0, "rosbridge", "commands", text)) == SentFrame(
         1.0, 2.0, "rosbridge", "commands", text
     )
 
@@ -106,7 +110,7 @@ def test_the_others_are_read_as_they_were() -> None:
 
 def test_what_cannot_be_written_is_said_before_anything_is() -> None:
     with pytest.raises(ValueError, match="surrogate"):
-        encode(Heard(1.0, 2.0, "rosbridge", "topics", "\ud800"), Packer())
+        encode(ReceivedFrame(1.0, 2.0, "rosbridge", "topics", "\ud800"), Packer())
 
 
 @pytest.mark.parametrize(
@@ -139,7 +143,7 @@ def test_a_map_that_stands_for_more_than_it_says_is_refused() -> None:
         packer = Packer()
         packer(hostile)
         packer._packed[id(hostile)] = hostile, type(packer(GRID))(frame, bomb)
-        line = encode(Told(1.0, 2.0, events.GridReceived("robot_0", "floor_0", hostile)), packer)
+        line = encode(EventRecord(1.0, 2.0, events.GridReceived("robot_0", "floor_0", hostile)), packer)
         with pytest.raises(RecordingError, match=why):
             decode(line)
 

@@ -33,7 +33,7 @@ from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.recording import upgrade
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.cursor import RecordingCursor
-from fleet_tui.recording.records import RecordingError, Told, decode
+from fleet_tui.recording.records import EventRecord, RecordingError, decode
 from fleet_tui.rules.language.grammar import written
 from fleet_tui.view.tables.audit import line_text
 from fleet_tui.view.tables.queue import queue_table
@@ -114,7 +114,7 @@ def test_facts_of_an_old_recording_that_no_frame_brought_are_read() -> None:
         ),
     ):
         record = decode(msgspec.json.encode({"kind": "told", "at": 1.0, "wall": 1.0, "event": event}), 1)
-        assert isinstance(record, Told) and record.event == meant
+        assert isinstance(record, EventRecord) and record.event == meant
 
 
 def test_the_marks_of_a_recording_read_as_they_did() -> None:

@@ -40,7 +40,7 @@ def raised(world: World, minutes: float, folder: Path) -> tuple[Counter[Key], St
             found[change.alarm.key] += change.now is AlarmStage.UNACKNOWLEDGED
 
     store.watchers.append(watch)
-    store.tell(LinkChanged(DEFAULT_LINK, 0.0, Phase.UP))
+    store.apply(LinkChanged(DEFAULT_LINK, 0.0, Phase.UP))
     for n in range(round(minutes * 60 / TICK)):
         now = n * TICK
         fleet.step(TICK)
@@ -54,9 +54,9 @@ def raised(world: World, minutes: float, folder: Path) -> tuple[Counter[Key], St
             assert isinstance(said, operations.Publish)
             for robot in feed.robots:
                 for event in adapters[robot].read(feed._replace(robots=(robot,)), said.msg, now):
-                    store.tell(event)
-        store.tell(LinkHeard(DEFAULT_LINK, now))
-        store.tell(TimePassed(now, now))
+                    store.apply(event)
+        store.apply(LinkHeard(DEFAULT_LINK, now))
+        store.apply(TimePassed(now, now))
     return found, store
 
 

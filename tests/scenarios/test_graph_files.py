@@ -8,7 +8,7 @@ import pytest
 
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.records import Told
+from fleet_tui.recording.records import EventRecord
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.warehouse import build_floor
 from tests.support.cli import asked, config_file, run
@@ -57,7 +57,9 @@ async def test_an_order_by_the_labels_of_a_file(server: RosbridgeServer, site: P
 
 async def test_a_recording_has_it_once(site: Path) -> None:
     assert (await run(site, "record", "x.jsonl.gz", "--for", "1s")).code == 0
-    told = [one.event for one in open_recording(site / "x.jsonl.gz").records() if isinstance(one, Told)]
+    told = [
+        one.event for one in open_recording(site / "x.jsonl.gz").records() if isinstance(one, EventRecord)
+    ]
     (loaded,) = [event for event in told if isinstance(event, FloorGraphLoaded)]
     assert loaded.graph is not None and loaded.labels["19"] == "Consumidores"
 

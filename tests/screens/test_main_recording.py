@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.records import Heard, Keyframe, Mark, Sent
+from fleet_tui.recording.records import Keyframe, Mark, ReceivedFrame, SentFrame
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
 from tests.support.watched_store import config_of
@@ -32,10 +32,10 @@ async def test_a_recording_from_the_palette(server: RosbridgeServer, tmp_path: P
     recording = open_recording(path)
     begin, *others = recording.records()
     assert isinstance(begin, Keyframe) and recording.state(begin).robots["robot_1"].pose is not None
-    sent = [json.loads(record.text) for record in others if isinstance(record, Sent)]
+    sent = [json.loads(record.text) for record in others if isinstance(record, SentFrame)]
     assert any(frame.get("service", "").endswith("/Pause") for frame in sent)
     assert [record.record.change for record in others if isinstance(record, Mark)][:2] == ["checked", "sent"]
-    assert any(isinstance(record, Heard) for record in others)
+    assert any(isinstance(record, ReceivedFrame) for record in others)
 
 
 async def test_the_last_minutes_are_kept_without_asking(server: RosbridgeServer, tmp_path: Path) -> None:

@@ -217,9 +217,9 @@ async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServ
         await it.until(lambda state: state.robots["robot_0"].knows_all_graphs())
         one_packet(it, ":robot_0 Base > Store\r")
         await it.shows("robot_0 was never seen: send anyway?")
-        it.store.tell(BatteryReported("robot_0", it.store.state.now, 50.0))
+        it.store.apply(BatteryReported("robot_0", it.store.state.now, 50.0))
         await it.shows("the queue of robot_0 was not received")
-        it.store.tell(QueueReported("robot_0", it.store.state.now, OrderQueue(0, "", ())))
+        it.store.apply(QueueReported("robot_0", it.store.state.now, OrderQueue(0, "", ())))
         await it.shows("Send?")
         assert it.app.main.query_one(Confirm).is_open
         await it.press("y")

@@ -143,7 +143,7 @@ async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServe
 
 async def test_a_label_that_looks_like_markup_is_text(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        it.store.tell(LabelsReceived("robot_0", "floor_0", {"0": "[bold]Base[/]"}))
+        it.store.apply(LabelsReceived("robot_0", "floor_0", {"0": "[bold]Base[/]"}))
         await it.press("s")
         await it.shows("From: choose")
         await it.press("enter")

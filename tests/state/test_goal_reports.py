@@ -24,7 +24,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import LISTED_FOR
-from fleet_tui.rules.commands.keeping import foreign
+from fleet_tui.rules.commands.local_queue import foreign
 from tests.support.fleets import F0, R0, T0, commanded, fleet, graph, link_up, tick, told
 
 NAV2 = Nav2(Profile(kind="nav2"), Site()).kind

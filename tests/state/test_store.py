@@ -10,14 +10,14 @@ def test_a_watcher_hears_of_commands_and_alarms_and_of_nothing_else() -> None:
     store, seen = Store(fleet()), list[tuple[FleetState, FleetState]]()
     store.watchers.append(lambda before, after: seen.append((before, after)))
     for fact in (link_up(T0), battery(T0, 80.0), tick(T0 + 1)):
-        store.tell(fact)
+        store.apply(fact)
     assert seen == []
     (issued,) = commanded(1, PauseRobot(R0))
     before = store.state
-    store.tell(issued)
+    store.apply(issued)
     assert seen == [(before, store.state)] and store.state.commands
-    store.tell(battery(T0 + 1, 5.0))
-    store.tell(tick(T0 + 1))
+    store.apply(battery(T0 + 1, 5.0))
+    store.apply(tick(T0 + 1))
     assert seen[-1][1].alarms and not seen[-1][0].alarms
 
 

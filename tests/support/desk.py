@@ -45,7 +45,7 @@ class CollectingBackend:
         self.submitted.append(command)
         return ""
 
-    def tell(self, event: Event) -> str:
+    def post(self, event: Event) -> str:
         self.events.append(event)
         return ""
 

@@ -1,4 +1,4 @@
-"""What the tests measure, for the table in docs/faults.md, where FLEET_TUI_FAULTS names a file for it."""
+"""The measurements of tests/faults, kept in the file FLEET_TUI_FAULTS, and the table in docs/faults.md."""
 
 import json
 import os
@@ -38,7 +38,7 @@ are derived from the robots' reports: the next console raises them again.
 
 @dataclass(frozen=True)
 class Row:
-    """A fault. Times in seconds; None where there is nothing to notice or to heal."""
+    """A fault. Times in seconds; None if there is nothing to notice or to recover from."""
 
     fault: str
     made_by: str
@@ -48,14 +48,14 @@ class Row:
 
 
 def report(fault: str, made_by: str, seen: str, noticed: float | None, healed: float | None) -> None:
-    """Keep what was measured, if anybody asks for it."""
+    """Add a row to the file FLEET_TUI_FAULTS, if it is set."""
     if path := os.environ.get("FLEET_TUI_FAULTS"):
         with Path(path).open("a") as rows:
             rows.write(json.dumps(asdict(Row(fault, made_by, seen, noticed, healed))) + "\n")
 
 
 def table(lines: Iterable[str]) -> str:
-    """The document."""
+    """Return the text of docs/faults.md."""
     rows = sorted(
         {row["fault"]: row for row in map(json.loads, lines)}.values(), key=lambda row: row["fault"]
     )

@@ -32,14 +32,14 @@ class Wire:
     def __init__(self) -> None:
         self.left: Counter[str] = Counter()
 
-    def heard(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None: ...
+    def on_received(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None: ...
 
-    def sent(self, link: str, channel: str, payload: bytes) -> None:
+    def on_sent(self, link: str, channel: str, payload: bytes) -> None:
         frame = json.loads(payload)
         if channel == "commands" and not frame["service"].startswith("/rosapi/"):
             self.left[frame["service"].split("/")[1]] += 1
 
-    def told(self, event: Event) -> None: ...
+    def on_event(self, event: Event) -> None: ...
 
 
 @asynccontextmanager

@@ -25,7 +25,7 @@ async def linked(
     link.open()
     try:
         for loaded in load_graphs(config):
-            link.tell(loaded)
+            link.post(loaded)
         yield link, store
     finally:
         link.close()

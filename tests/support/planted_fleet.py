@@ -47,7 +47,7 @@ class Planted:
         self.plant(faults)
         for topic in self._topics:
             if topic.latched and not self._wanted[topic.name].large:
-                self._hear(topic.name, topic.payload(self.now).json)
+                self._listen(topic.name, topic.payload(self.now).json)
 
     @property
     def robot(self) -> Robot:
@@ -74,7 +74,7 @@ class Planted:
                     or (robot is not None and robot.silence > 0)
                 )
                 if not topic.latched and not silent and (topic.fast or n % 5 == 0):
-                    self._hear(topic.name, topic.payload(WALL + self.now).json)
+                    self._listen(topic.name, topic.payload(WALL + self.now).json)
             self.tell(tick(self.now))
             if until():
                 break
@@ -96,6 +96,6 @@ class Planted:
             self.tell(CommandAdvanced(id_, stage, self.now, words))
         return self
 
-    def _hear(self, topic: str, payload: str) -> None:
+    def _listen(self, topic: str, payload: str) -> None:
         wanted = self._wanted[topic]
         self.tell(*self._adapters[wanted.robot].read(wanted, msgspec.Raw(payload.encode()), self.now))

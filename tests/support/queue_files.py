@@ -4,9 +4,9 @@ from pathlib import Path
 
 import msgspec
 
-from fleet_tui.client.queue_file import FILE, Kept
+from fleet_tui.client.queue_file import FILE, WaitingOrder
 
 
-def kept(folder: Path) -> list[Kept]:
+def kept(folder: Path) -> list[WaitingOrder]:
     path = folder / FILE
-    return msgspec.json.decode(path.read_bytes(), type=list[Kept]) if path.exists() else []
+    return msgspec.json.decode(path.read_bytes(), type=list[WaitingOrder]) if path.exists() else []

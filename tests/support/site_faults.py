@@ -202,41 +202,41 @@ NO_FILE = [FloorEntry("floor_0", map="maps/ground.yaml"), FloorEntry("floor_1")]
 NO_GRAPH = [FloorEntry("floor_0", graph="routes.geojson"), FloorEntry("floor_1")]
 
 PLANTS: dict[str, Plant] = {
-    "a host that is not there": in_the_config(rosbridge=Link("ws://robot-server.invalid:9090")),
+    "an unknown host": in_the_config(rosbridge=Link("ws://robot-server.invalid:9090")),
     "a dead port": in_the_config(rosbridge=Link("ws://127.0.0.1:9")),
     "no ROS master": on_the_server(_no_master),
     "no rosapi": on_the_server(_no_rosapi),
-    "a robot's name with a slip": in_the_config(robots=ONE_ROBOT),
-    "a floor's name with a slip": in_the_config(floors=[FloorEntry("floor_00"), FloorEntry("floor_1")]),
+    "a misspelt robot name": in_the_config(robots=ONE_ROBOT),
+    "a misspelt floor name": in_the_config(floors=[FloorEntry("floor_00"), FloorEntry("floor_1")]),
     "a silent robot": on_the_server(_silent),
     "a renamed topic": on_the_server(partial(renamed, old="/robot_0/queue", new="/robot_0/action_queue")),
-    "a renamed topic, and a console that asks for the old name": on_the_server(_renamed_and_listened_to),
-    "a robot's name with a slip, and a console open with it": _slip_and_listened_to,
-    "messages the bridge was started without": on_the_server(_unsourced),
+    "a renamed topic whose old name a console subscribes to": on_the_server(_renamed_and_listened_to),
+    "a misspelt robot name that an open console uses too": _slip_and_listened_to,
+    "a message package that the bridge lacks": on_the_server(_unsourced),
     "a frozen rosapi": on_the_server(_frozen_rosapi),
-    "a rosapi that fails inside": on_the_server(_failing_rosapi),
+    "a rosapi with an internal error": on_the_server(_failing_rosapi),
     "nodes that the ROS master does not know": on_the_server(_unregistered),
     "a dead node": on_the_server(_dead_node),
     "a battery that is not a number": on_the_server(
         partial(says, topic="/robot_1/battery", change=lambda _: {"data": None})
     ),
-    "types as ROS 2 spells them": on_the_server(spelled_as_ros_2),
+    "types in ROS 2 spelling": on_the_server(spelled_as_ros_2),
     "a missing topic": on_the_server(partial(_remove, "/robot_0/cargo")),
     "a wrong type": on_the_server(partial(retyped, topic="/robot_1/battery", type_="std_msgs/Float64")),
-    "a topic that stays away": on_the_server(lambda server: server.bridge.muted.add("/robot_0/pose")),
+    "a topic without messages": on_the_server(lambda server: server.bridge.muted.add("/robot_0/pose")),
     "a field with another name": on_the_server(partial(says, topic="/robot_0/queue", change=_tasks)),
     "a graph that is not latched": on_the_server(lambda server: server.bridge.muted.add(AT + "graph")),
     "a renamed service": on_the_server(partial(_service, "Pause", "Pause_robot")),
     "a service of another type": on_the_server(_service_type),
-    "a map of another size": on_the_server(
+    "a map of the wrong size": on_the_server(
         partial(_both, "map_metadata", lambda metadata: {**metadata, "width": 640})
     ),
-    "a map file that is not there": in_the_config(floors=NO_FILE),
-    "a graph file that is not there": in_the_config(floors=NO_GRAPH),
+    "a missing map file": in_the_config(floors=NO_FILE),
+    "a missing graph file": in_the_config(floors=NO_GRAPH),
     "an unreachable vertex": on_the_server(partial(_both, "graph", partial(_without_edges, 19))),
     "a vertex off the map": on_the_server(partial(_both, "graph", partial(_moved, 0, 400.0))),
     "a vertex in a wall": on_the_server(partial(_both, "graph", partial(_moved, 0, -1.45))),
-    "a label that points nowhere": on_the_server(
+    "a label of a missing vertex": on_the_server(
         partial(
             _both,
             "labeled_vertices",
@@ -282,12 +282,12 @@ def _unsourced_on_ros_2(server: RosbridgeServer) -> None:
 
 
 ROS_2_PLANTS: dict[str, Plant] = {
-    "on ROS 2 messages the bridge was started without": on_the_server(_unsourced_on_ros_2),
-    "on ROS 2 floors published volatile, again and again": on_the_server(_volatile),
+    "on ROS 2 a message package that the bridge lacks": on_the_server(_unsourced_on_ros_2),
+    "on ROS 2 floor topics published volatile, repeatedly": on_the_server(_volatile),
     "on ROS 2 a map larger than the bridge's messages": on_the_server(_small_messages),
     "on ROS 2 a bridge that falls behind": on_the_server(_overloaded),
     "on ROS 2 a frozen rosapi": on_the_server(_frozen_rosapi),
-    "on ROS 2 no rosapi, and types as in ROS 1": lambda server, config: msgspec.structs.replace(
+    "on ROS 2 no rosapi, and types in ROS 1 spelling": lambda server, config: msgspec.structs.replace(
         on_the_server(_no_rosapi)(server, config), profile=Profile()
     ),
     "on ROS 2 a silent robot": on_the_server(_silent),
@@ -346,21 +346,21 @@ def _without_graph(server: RosbridgeServer, config: Config) -> Config:
 
 NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 the bridge of Humble": _with_fault("humble"),
-    "with Nav2 messages the bridge was started without": _with_fault("unsourced"),
-    "with Nav2 a robot's name with a slip": in_the_config(robots=[RobotEntry("robot_00")]),
+    "with Nav2 a message package that the bridge lacks": _with_fault("unsourced"),
+    "with Nav2 a misspelt robot name": in_the_config(robots=[RobotEntry("robot_00")]),
     "with Nav2 no odometry": _with_fault("no-odom"),
     "with Nav2 a silent robot": _with_fault("silent"),
-    "with Nav2 an action server that is not there": on_the_server(_no_waypoints),
+    "with Nav2 a missing action server": on_the_server(_no_waypoints),
     "with Nav2 nodes that are not active": _with_fault("inactive"),
-    "with Nav2 a lifecycle manager that is frozen": on_the_server(_frozen_manager),
-    "with Nav2 a lifecycle manager of another name": on_the_server(_other_manager),
-    "with Nav2 a command where that query belongs": on_the_server(_command_of_that_name),
-    "with Nav2 a robot that is not sure where it is": _with_fault("lost"),
+    "with Nav2 a frozen lifecycle manager": on_the_server(_frozen_manager),
+    "with Nav2 a lifecycle manager with another name": on_the_server(_other_manager),
+    "with Nav2 a command configured as that query": on_the_server(_command_of_that_name),
+    "with Nav2 a robot with an uncertain position": _with_fault("lost"),
     "with Nav2 a robot that was never localised": on_the_server(
         lambda server: server.bridge.muted.add("/robot_0/amcl_pose")
     ),
-    "with Nav2 a battery that counts to 100": _with_fault("percent"),
-    "with Nav2 a battery that is not measured": _with_fault("unmeasured"),
+    "with Nav2 a battery that reports 0 to 100": _with_fault("percent"),
+    "with Nav2 a battery without measurement": _with_fault("unmeasured"),
     "with Nav2 no graph file": _without_graph,
 }
 """The same for robots with Nav2."""

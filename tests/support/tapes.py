@@ -12,7 +12,7 @@ from fleet_tui.model.events import CommandPathChanged, Event, LinkHeard, TimePas
 from fleet_tui.model.link import CommandPath
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import Keyframe, Lost, Mark, Record, Told
+from fleet_tui.recording.records import EventRecord, Keyframe, Lost, Mark, Record
 from fleet_tui.state.reducer import apply
 from tests.support.fleets import LINK, R0, T0, WALL, battery, commanded, graph, labels, link_up, pose, queue
 from tests.support.recordings import PACKER, header, written
@@ -48,7 +48,7 @@ class MadeUp:
             self.records.append(Keyframe.of(at, wall, self.state, PACKER))
         for fact in facts:
             before, self.state = self.state, apply(self.state, fact)
-            self.records.append(Told(at, wall, fact))
+            self.records.append(EventRecord(at, wall, fact))
             marks = [
                 *command_records(ORIGIN, before, self.state, lambda _: wall),
                 *alarm_records(ORIGIN, before, self.state, wall),

@@ -16,7 +16,7 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import Told
+from fleet_tui.recording.records import EventRecord
 from tests.support.recordings import plain
 from tests.support.tapes import ORIGIN
 from tests.support.watched_store import WatchedStore
@@ -29,8 +29,8 @@ class Ticking(WatchedStore):
         super().__init__(state)
         self.ticks: dict[float, FleetState] = {}
 
-    def tell(self, event: Event) -> None:
-        super().tell(event)
+    def apply(self, event: Event) -> None:
+        super().apply(event)
         if isinstance(event, TimePassed):
             self.ticks[event.at] = self.state
 
@@ -44,7 +44,7 @@ def taped(config: Config, folder: Path) -> Iterator[tuple[FleetLink, Ticking]]:
     link.open()
     try:
         for loaded in load_graphs(config):
-            link.tell(loaded)
+            link.post(loaded)
         yield link, store
     finally:
         link.close()
@@ -56,7 +56,7 @@ def _replays(recording: Recording, ticks: Mapping[float, FleetState]) -> None:
     assert not recording.note
     head, was = RecordingCursor(recording), dict[float, object]()
     while (record := head.take()) is not None:
-        if isinstance(record, Told) and isinstance(record.event, TimePassed):
+        if isinstance(record, EventRecord) and isinstance(record.event, TimePassed):
             was[head.at] = state = plain(ticks[record.event.at])
             assert plain(head.state) == state
         elif head.at in was:

@@ -19,8 +19,8 @@ class WatchedStore(Store):
         self._loop = asyncio.get_running_loop()
         self._told = asyncio.Event()
 
-    def tell(self, event: Event) -> None:
-        super().tell(event)
+    def apply(self, event: Event) -> None:
+        super().apply(event)
         self.events.append(event)
         self._wake()
 

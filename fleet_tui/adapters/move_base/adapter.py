@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 import msgspec
 
 from fleet_tui.adapters.adapter import Feed, Site
-from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.move_base import reading
 from fleet_tui.adapters.move_base.goals import cancel, cancel_all, cancel_own, order
 from fleet_tui.adapters.move_base.probes import probes
@@ -17,6 +16,7 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros_navigation import feeds
 from fleet_tui.adapters.ros_navigation.base import GoalMessages, NavigationAdapter
 from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
+from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands
 from fleet_tui.model.kind import Kind
 

@@ -4,13 +4,13 @@ from collections.abc import Iterator
 
 from fleet_tui.adapters.probes import BridgeProbe, Diagnosis, Probe
 from fleet_tui.adapters.ros.names import Names
-from fleet_tui.adapters.ros_navigation.probes import heard_probes
+from fleet_tui.adapters.ros_navigation.probes import message_probes
 
 
 def probes(names: Names, robot: str) -> Iterator[Probe]:
     """Return the checks of one robot, and of its bridge."""
     yield BridgeProbe("distribution", judge_bridge)
-    yield from heard_probes(names, robot)
+    yield from message_probes(names, robot)
 
 
 def judge_bridge(ros: int, distro: str) -> Diagnosis:

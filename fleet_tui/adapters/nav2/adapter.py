@@ -4,9 +4,8 @@ import math
 from collections.abc import Iterable, Sequence
 
 from fleet_tui.adapters.adapter import Feed, ServiceCall, Site
-from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.nav2 import reading
-from fleet_tui.adapters.nav2.answers import judge_cancel, judge_goal
+from fleet_tui.adapters.nav2.action_outcome import judge_cancel, judge_goal
 from fleet_tui.adapters.nav2.goals import cancel, cancel_all, cancel_own, order, unknown_goals
 from fleet_tui.adapters.nav2.probes import probes
 from fleet_tui.adapters.nav2.settings import Nav2Settings
@@ -16,6 +15,7 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros_navigation import feeds
 from fleet_tui.adapters.ros_navigation.base import GoalMessages, NavigationAdapter
 from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
+from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands, events, navigation_events
 from fleet_tui.model.robot import Robot
 

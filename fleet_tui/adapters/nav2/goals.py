@@ -67,8 +67,8 @@ def cancel_all(names: Names, robot: Robot) -> list[ServiceCall]:
 def unknown_goals(
     names: Names, call: ServiceCall, values: object, robot: Robot, sent_at: float
 ) -> tuple[str, ...]:
-    """Return the ids of goals that were active by the last list before a cancellation left, and that its
-    answer says are not."""
+    """Return the ids of goals that were active in the last list before a cancellation was sent, and that are
+    not active according to its answer."""
     if not isinstance(values, Mapping) or values.get("goals_canceling"):
         return ()
     code = values.get("return_code")

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, Probe, QueryProbe
 from fleet_tui.adapters.ros.names import Names
-from fleet_tui.adapters.ros_navigation.probes import heard_probes
+from fleet_tui.adapters.ros_navigation.probes import message_probes
 
 NEEDED = {"navigate_to_pose": "bt_navigator", "follow_waypoints": "waypoint_follower"}
 """Actions by which orders are driven, and the node of each."""
@@ -29,7 +29,7 @@ def probes(names: Names, robot: str) -> Iterator[Probe]:
         type_ = names.service_type("is_active")
         missing = f"correct [{names.table}.services] is_active"
         yield QueryProbe("lifecycle", service, type_, {}, judge_lifecycle, missing)
-    yield from heard_probes(names, robot)
+    yield from message_probes(names, robot)
 
 
 def judge_bridge(ros: int, distro: str) -> Diagnosis:

@@ -112,7 +112,7 @@ def read_feedback() -> Read:
         metres = told.distance_remaining
         progress = Progress(
             goal,
-            # 0 means "not known": before the first plan, and while the robot stands.
+            # 0 means "unknown": before the first plan, and while the robot does not move.
             metres if metres and 0.0 < metres <= FARTHEST else None,
             left.seconds if left and left.seconds > 0.0 else None,
             elapsed.seconds if elapsed else None,

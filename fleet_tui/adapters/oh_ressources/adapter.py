@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 from typing import Literal
 
 from fleet_tui.adapters.adapter import Feed, ServiceCall, Site
-from fleet_tui.adapters.answers import judge
 from fleet_tui.adapters.oh_ressources.calls import call_of
 from fleet_tui.adapters.oh_ressources.reading import read_graph, read_labels, read_queue
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
@@ -21,6 +20,7 @@ from fleet_tui.adapters.ros.facts import (
     read_pose,
 )
 from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import events, kind
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.robot import Robot

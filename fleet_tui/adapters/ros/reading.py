@@ -46,11 +46,11 @@ class FrameReader:
         self._link, self._limit, self._adapters = link, limit, adapters
         self._feeds = {feed.address: feed for feed in feeds}
         self._decode_apart, self._warn = decode_apart, warn
-        self.maps_heard: set[str] = set()
+        self.maps_received: set[str] = set()
         """Topics of maps of which one has come on this connection."""
-        self.count_anew()
+        self.recount()
 
-    def count_anew(self) -> None:
+    def recount(self) -> None:
         """Reset the counters."""
         asked = [
             TopicCounter(topic, one.robot, one.key, one.latched and not one.silent, one.on_demand, one.silent)
@@ -94,7 +94,7 @@ class FrameReader:
         except WireError as problem:
             counter.failed(str(problem))
             return _rejected(feed, str(problem))
-        self.maps_heard.add(feed.address)
+        self.maps_received.add(feed.address)
         return _of_none((event,)) if feed.is_shared else (event,)
 
     def _translate(self, counter: TopicCounter, msg: object, at: float) -> Sequence[events.Event]:
@@ -112,7 +112,7 @@ class FrameReader:
                 counter.failed(event.fault)
         if feed.large:
             self.counter.keep_one_map(counter)
-            self.maps_heard.add(feed.address)
+            self.maps_received.add(feed.address)
         return found if not feed.is_shared else _of_none(found)
 
     def _overhear(self, topic: str, msg: object, at: float) -> None:
@@ -136,7 +136,7 @@ class FrameReader:
         if feed is None:
             return (events.FrameRejected(self._link, text),)
         self.counter.topics[topic].failed(text, Raw(head, is_binary, at, size))
-        self.maps_heard.add(topic)
+        self.maps_received.add(topic)
         return _rejected(feed, text)
 
 

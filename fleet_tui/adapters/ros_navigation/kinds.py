@@ -28,7 +28,7 @@ def kind_of_goals(
     charge and maps, `silence` theirs."""
     usual = {"battery": BATTERY_SILENCE, **silence}
     if not _has(names, "odometry"):
-        # The localisation of a robot that stands is silent: only odometry shows that it is online.
+        # The localisation of a robot at rest is silent: only odometry shows that it is online.
         usual["pose"] = math.inf
     return Kind(
         name,

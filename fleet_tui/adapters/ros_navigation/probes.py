@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from functools import partial
 
-from fleet_tui.adapters.probes import Diagnosis, HeardProbe
+from fleet_tui.adapters.probes import Diagnosis, MessageProbe
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model.events import BatteryReported, Event
 from fleet_tui.model.navigation_events import LocalisationReported
@@ -13,12 +13,12 @@ UNSURE = 0.5
 """Square metres, of x and y together."""
 
 
-def heard_probes(names: Names, robot: str) -> Iterator[HeardProbe]:
+def message_probes(names: Names, robot: str) -> Iterator[MessageProbe]:
     """Return the checks of a robot's reports."""
     if names.topic("pose", robot):
-        yield HeardProbe("localisation", "pose", judge_localisation)
+        yield MessageProbe("localisation", "pose", judge_localisation)
     if names.topic("battery", robot):
-        yield HeardProbe("charge", "battery", partial(judge_battery, f"[{names.table}.scales]"))
+        yield MessageProbe("charge", "battery", partial(judge_battery, f"[{names.table}.scales]"))
 
 
 def judge_localisation(count: int, event: Event | None) -> Diagnosis:

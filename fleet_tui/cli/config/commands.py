@@ -26,7 +26,7 @@ def config() -> None:
 @merged
 def init(config_file: str | None, debug: bool, url: str, output: str, force: bool, timeout: float) -> None:
     """Write a commented configuration to edit: an example, or one discovered on a bridge. --config FILE
-    supplies the certificates and authorization of its [rosbridge] for the connection."""
+    supplies the certificates and authorization for the connection, from its [rosbridge]."""
     from fleet_tui.cli.config.init import example, from_live, write
     from fleet_tui.log_file import log_to_file
 

@@ -42,7 +42,7 @@ class OrderOptions(NamedTuple):
 
 
 def _takes_options(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the options of all of them as one argument, `options`."""
+    """Add the options that all commands to robots share, passed as one argument `options`."""
 
     @wraps(command)
     def run_with_options(**given: Any) -> None:
@@ -54,10 +54,10 @@ def _takes_options(command: Callable[..., None]) -> Callable[..., None]:
 
 def _options(command: F) -> F:
     limits = click.FloatRange(0.1, 86400)
-    text = "Maximum seconds to wait: 15, with --until-done 3600."
-    schema = "JSON output; schema in docs/commands.md."
+    text = "Maximum seconds to wait: 15 by default, 3600 for order --until-done."
+    schema = "Print JSON; schema in docs/commands.md."
     command = click.option("--timeout", type=limits, help=text)(command)
-    command = click.option("--yes", is_flag=True, help="Send despite warnings.")(command)
+    command = click.option("--yes", is_flag=True, help="Send in spite of warnings.")(command)
     return click.option("--json", "as_json", is_flag=True, help=schema)(command)
 
 
@@ -77,9 +77,9 @@ def _give(words: Sequence[str], options: OrderOptions, until_done: bool = False)
 @click.option("--until-done", is_flag=True, help="Wait until the order is done, not only queued.")
 @_takes_options
 def order(robot: str, places: tuple[str, ...], until_done: bool, options: OrderOptions) -> None:
-    """Place an order. A B means A -> B; TO alone starts at the robot's position. A B C means A -> B and B ->
-    C, or one order with three stops where the robot supports that. Places are labels or vertex ids (id=7 is
-    always an id). Finishes when the order is in the queue."""
+    """Place an order and wait until it is in the queue. A B means A -> B; TO alone starts at the robot's
+    position. A B C means A -> B and B -> C, or one order with three stops if the robot supports that. A place
+    is a label or a vertex id (id=7 is always an id)."""
     _give(["order", robot, *places], options, until_done)
 
 
@@ -108,8 +108,8 @@ def _which(robot: str | None, every: bool) -> str:
 
 
 def _fleet(command: F) -> F:
-    """Return one robot, or every one."""
-    command = click.option("--all", "every", is_flag=True, help="All robots.")(command)
+    """Add `ROBOT` and `--all`."""
+    command = click.option("--all", "every", is_flag=True, help="Address all robots.")(command)
     return click.argument("robot", required=False)(command)
 
 
@@ -137,7 +137,7 @@ def resume(robot: str | None, every: bool, options: OrderOptions) -> None:
 
 @orders.command()
 @click.argument("file", type=FileName(allow_dash=True))
-@click.option("--dry-run", is_flag=True, help="Show what would be sent without sending it.")
+@click.option("--dry-run", is_flag=True, help="Show the commands without sending them.")
 @click.option("--keep-going", is_flag=True, help="Continue after a failed command.")
 @_takes_options
 def run(
@@ -146,9 +146,9 @@ def run(
     keep_going: bool,
     options: OrderOptions,
 ) -> None:
-    """Send the commands of FILE in sequence, one per line as in the console's palette (robot_0 Base > Store,
-    cancel robot_0 12, pause all). Each waits for the previous one. - is standard input, # starts a comment
-    line. Nothing is sent if a line is invalid."""
+    """Send the commands in FILE one after the other: one per line, as typed in the console's palette (robot_0
+    Base > Store, cancel robot_0 12, pause all). If FILE is -, read standard input. A line that begins with #
+    is a comment. If a line is invalid, nothing is sent."""
     from fleet_tui.cli.orders.batch import lines_of, run_batch
     from fleet_tui.cli.orders.giving import how
 

@@ -24,7 +24,7 @@ from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
-from fleet_tui.rules.commands.keeping import clearable
+from fleet_tui.rules.commands.local_queue import clearable
 
 LINK_WITHIN = 5.0
 """Maximum seconds to wait for a link and for a robot's reports."""

@@ -5,7 +5,7 @@ from typing import Any
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.keeping import foreign, kept_orders
+from fleet_tui.rules.commands.local_queue import foreign, waiting_orders_of
 
 
 def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
@@ -21,7 +21,9 @@ def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
     if "odometry" in robot.kind.reports:
         found["position_variance_m2"] = round(robot.variance.value, 3) if robot.variance else None
     if robot.kind.keeps_goals:
-        found["kept_here"] = [_kept(robot, order.id, order.stops) for order in kept_orders(state, robot)]
+        found["kept_here"] = [
+            _kept(robot, order.id, order.stops) for order in waiting_orders_of(state, robot)
+        ]
         found["held"] = robot.held or None
         found["not_ours"] = [order.id for order in foreign(state, robot)]
     return found

@@ -1,4 +1,4 @@
-"""The fleet at one moment as plain values, for `status --json`. The schema is in docs/status.md."""
+"""The fleet at one moment as plain values, for `status --json`. The schema is in docs/status-json.md."""
 
 import math
 from typing import Any

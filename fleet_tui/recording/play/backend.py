@@ -25,7 +25,7 @@ class ReplayBackend:
         """Send nothing."""
         return self.refusal
 
-    def tell(self, _event: Event) -> str:
+    def post(self, _event: Event) -> str:
         """Ignore the event: a recording does not change."""
         return "not possible in a recording"
 

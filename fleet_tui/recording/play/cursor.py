@@ -10,7 +10,7 @@ from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.play.frames import Frames
 from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import Keyframe, Record, RecordingError, Told
+from fleet_tui.recording.records import EventRecord, Keyframe, Record, RecordingError
 
 REMEMBERED_EVERY = 500
 """Records between two cached states, so that a step back need not start at the keyframe."""
@@ -53,7 +53,7 @@ class RecordingCursor:
         first = next(records, None)
         if not isinstance(first, Keyframe) or first.at != wanted:
             raise RecordingError(f"{self._recording.path.name} has changed since it was opened: reopen it")
-        self.frames.count_anew()
+        self.frames.recount()
         self._records = records
         self._next: Record | None = None
         self._behind.clear()
@@ -136,7 +136,7 @@ class RecordingCursor:
             self._next = None
         for _ in range(back):
             self._again.appendleft(self._behind.pop())
-        self.frames.count_anew()
+        self.frames.recount()
 
     def step_record(self, step: int) -> None:
         """Move one record forward or back."""
@@ -177,4 +177,4 @@ class RecordingCursor:
 
 
 def _is_tick(record: Record) -> bool:
-    return isinstance(record, Told) and isinstance(record.event, TimePassed)
+    return isinstance(record, EventRecord) and isinstance(record.event, TimePassed)

@@ -10,7 +10,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.recording.records import Heard, Record, Told
+from fleet_tui.recording.records import EventRecord, ReceivedFrame, Record
 from fleet_tui.state.reducer import apply
 
 
@@ -31,17 +31,17 @@ class Frames:
         """Return the counters of each bridge since the last jump."""
         return {name: reading.counter for name, reading in self._readings.items()}
 
-    def count_anew(self) -> None:
+    def recount(self) -> None:
         """Reset the counters after a jump: earlier ones may lie in the future."""
         for reading in self._readings.values():
-            reading.count_anew()
+            reading.recount()
 
     def after(self, state: FleetState, record: Record) -> FleetState:
         """Return the state after a record. Answers are skipped: their events were recorded."""
         match record:
-            case Told(event=event):
+            case EventRecord(event=event):
                 return apply(state, event)
-            case Heard(channel="topics", link=link) if link in self._readings:
+            case ReceivedFrame(channel="topics", link=link) if link in self._readings:
                 at = record.at if record.came is None else record.came
                 read = self._readings[link].read(record.payload, record.binary, at)
                 if not isinstance(read, ServiceResponse | Fragment):

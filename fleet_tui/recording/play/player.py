@@ -100,7 +100,7 @@ class Player:
         self.seek(self._recording.end.at if step > 0 else self._recording.begin.at)
 
     def to_mark(self, step: int) -> str:
-        """Go to the next (1) or previous (-1) mark; if there is none, return a notice."""
+        """Go to the next (1) or previous (-1) mark; return a notice if no such mark exists."""
         here, marks = self._going_to, self._deck.marks
         if step > 0:
             found = [mark for mark in marks if mark.at > here][:1]

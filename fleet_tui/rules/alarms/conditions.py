@@ -1,7 +1,7 @@
 """Alarm rules: one function for each source, over the newest state.
 
-A rule returns None while all is well. `held` are the conditions of the last check: a battery has to leave its
-dead band, and conditions from before a link loss continue.
+A rule returns None while all is well. `active` are the conditions of the last check: a battery has to leave
+its dead band, and conditions from before a link loss continue.
 """
 
 from collections.abc import Iterator
@@ -10,7 +10,7 @@ from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.floods import Held, is_held
+from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.lag import BEHIND
@@ -26,7 +26,7 @@ STILL = 2.0
 """Seconds without a step after which a robot counts as standing."""
 
 
-def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
+def obstacle(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
     """Raise after contact for longer than the limit, by its last report."""
     if robot.obstacle is None or robot.obstacle.value <= state.limits.obstacle_after:
         return None
@@ -34,12 +34,12 @@ def obstacle(state: FleetState, robot: Robot, _held: Held) -> Condition | None:
     return Condition(robot.name, "obstacle", Priority.HIGH, text, "cleared: obstacle")
 
 
-def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
+def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise below a limit, or until above its dead band."""
     limits, reading = state.limits, robot.battery
     if reading is None or reading.value >= limits.battery_low + limits.battery_band:
         return None
-    before = held.get((robot.name, "battery"))
+    before = active.get((robot.name, "battery"))
     if reading.value >= limits.battery_low and before is None:
         return None
     was_critical = before is not None and before.priority is Priority.MEDIUM
@@ -52,10 +52,10 @@ def battery(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     return Condition(robot.name, "battery", priority, text, "battery recovered")
 
 
-def pause(state: FleetState, robot: Robot, held: Held) -> Condition | None:
+def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise after a pause for longer than the limit."""
     last_word = robot.paused.value if robot.paused is not None else robot.paused_by_us
-    if not last_word or not (state.is_paused(robot) or is_held(held, robot.name, robot.link, "pause")):
+    if not last_word or not (state.is_paused(robot) or was_active(active, robot.name, robot.link, "pause")):
         return None
     since = state.began.get((robot.name, "pause"), state.now)
     text = f"paused for {age(state.now - since)}"
@@ -65,7 +65,7 @@ def pause(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     return Condition(robot.name, "pause", Priority.LOW, text, "pause ended", due)
 
 
-def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
+def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise for an order to drive without movement.
 
     An obstacle or a pause explains it, and silence hides it: neither begins it. A pause also ends it.
@@ -75,8 +75,8 @@ def stuck(state: FleetState, robot: Robot, held: Held) -> Condition | None:
         return None
     known = state.is_fresh(robot, "pose")
     # An obstacle explains it only where that is an alarm: contact that comes and goes may never be one.
-    explained = not known or obstacle(state, robot, held) is not None
-    if explained and not is_held(held, robot.name, robot.link, "stuck"):
+    explained = not known or obstacle(state, robot, active) is not None
+    if explained and not was_active(active, robot.name, robot.link, "stuck"):
         return None
     text = f"order {order.id}: no movement for {age(state.now - place.at)}"
     if not known:
@@ -91,7 +91,7 @@ def is_news(state: FleetState, fault_at: float | None) -> bool:
     return fault_at is not None and state.now - fault_at < BAD_FOR
 
 
-def bad_data(state: FleetState, source: Robot | LinkState, _held: Held) -> Condition | None:
+def bad_data(state: FleetState, source: Robot | LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise after unreadable data from a robot or over a link, a short while ago."""
     if not is_news(state, source.fault_at):
         return None
@@ -101,7 +101,7 @@ def bad_data(state: FleetState, source: Robot | LinkState, _held: Held) -> Condi
     return Condition(source.name, kind, Priority.LOW, text, "no new bad data", due)
 
 
-def no_link(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
+def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise without a link in either direction."""
     if link.phase is Phase.UP or state.now - link.since <= state.limits.link_after:
         return None
@@ -109,16 +109,16 @@ def no_link(state: FleetState, link: LinkState, _held: Held) -> Condition | None
     return Condition(link.name, "link", Priority.HIGH, text, "link restored")
 
 
-def dead_commands(state: FleetState, link: LinkState, held: Held) -> Condition | None:
+def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) -> Condition | None:
     """Raise if telemetry flows, but a command would not get through."""
-    was_dead = (link.name, "commands") in held and link.phase is not Phase.UP
+    was_dead = (link.name, "commands") in active and link.phase is not Phase.UP
     if not was_dead and not (link.phase is Phase.UP and link.command_path in NO_WAY):
         return None
     text = f"no command path: {link.command_reason}"
     return Condition(link.name, "commands", Priority.HIGH, text, "command path restored")
 
 
-def offline(state: FleetState, robot: Robot, held: Held) -> Condition | None:
+def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise after silence for longer than the limit, pending from half of it.
 
     While the link is down its own alarm covers its robots; earlier alarms continue. A new link restarts the
@@ -128,7 +128,7 @@ def offline(state: FleetState, robot: Robot, held: Held) -> Condition | None:
     if robot.heard is not None and state.now - robot.heard <= limit / 2:
         return None
     link = state.links[robot.link]
-    raised = is_held(held, robot.name, robot.link, "offline")
+    raised = was_active(active, robot.name, robot.link, "offline")
     if state.is_online(robot) if raised else link.phase is not Phase.UP:
         return None
     due = limit + (robot.heard or 0.0 if raised else max(robot.heard or 0.0, link.since))
@@ -145,7 +145,7 @@ def behind(state: FleetState) -> Condition | None:
     return Condition("console", "behind", Priority.MEDIUM, text, "this console has caught up", due)
 
 
-def late(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
+def late(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise if messages are late while this console keeps up: the bridge is overloaded."""
     if link.phase is not Phase.UP or link.late < BEHIND:
         return None
@@ -154,7 +154,7 @@ def late(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
     return Condition(link.name, "late", Priority.MEDIUM, text, "messages on time", due)
 
 
-def unsourced(state: FleetState, link: LinkState, _held: Held) -> Condition | None:
+def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise if the bridge can't read the robots' messages: the commonest mistake in setting it up."""
     if link.phase is not Phase.UP or not link.unsourced:
         return None
@@ -165,19 +165,19 @@ ROBOT_RULES = (offline, obstacle, *NAVIGATION_RULES, battery, pause, stuck, bad_
 LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)
 
 
-def conditions(state: FleetState, held: Held) -> Iterator[Condition]:
+def conditions(state: FleetState, active: ActiveConditions) -> Iterator[Condition]:
     """Return every condition that needs a person now, or soon: see `due`."""
     own = behind(state)
     if own is not None:
         yield own
     for link in state.links.values():
         for link_rule in LINK_RULES:
-            found = link_rule(state, link, held)
+            found = link_rule(state, link, active)
             if found is not None:
                 yield found
     for robot in state.robots.values():
         for rule in ROBOT_RULES:
-            found = rule(state, robot, held)
+            found = rule(state, robot, active)
             if found is not None:
                 yield found
     yield from failed_commands(state)

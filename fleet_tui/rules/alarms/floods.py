@@ -9,7 +9,7 @@ from fleet_tui.model.alarm import Condition, Key, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.limits import some
 
-Held = Mapping[Key, Condition]
+ActiveConditions = Mapping[Key, Condition]
 """Conditions of the last check."""
 
 FLOOD, FLOOD_SPAN = 5, 3.0
@@ -42,19 +42,19 @@ def is_group(kind: str) -> bool:
     return kind.startswith("many ") and kind.removeprefix("many ") in FLOODS
 
 
-def is_held(held: Held, robot: str, link: str, kind: str) -> bool:
+def was_active(active: ActiveConditions, robot: str, link: str, kind: str) -> bool:
     """Tell whether a robot's condition held at the last check, by itself or in the group."""
-    if (robot, kind) in held:
+    if (robot, kind) in active:
         return True
-    group = held.get(group_key(link, kind))
+    group = active.get(group_key(link, kind))
     return group is not None and robot in group.parts
 
 
-def without_floods(state: FleetState, found: Sequence[Condition], held: Held) -> list[Condition]:
-    """Return the due conditions, with those of many robots as one.
-
-    A robot stays where it was counted first until its condition is over.
-    """
+def without_floods(
+    state: FleetState, found: Sequence[Condition], active: ActiveConditions
+) -> list[Condition]:
+    """Return the due conditions, with those of many robots as one. A robot stays in its first group until its
+    condition ends."""
     due: list[Condition] = []
     kinds: dict[Key, list[Condition]] = defaultdict(list)
     for condition in found:
@@ -64,16 +64,16 @@ def without_floods(state: FleetState, found: Sequence[Condition], held: Held) ->
         elif state.now > condition.due:
             due.append(condition)
     for (link, kind), members in kinds.items():
-        due.extend(_grouped(state, link, kind, members, held))
+        due.extend(_grouped(state, link, kind, members, active))
     return due
 
 
 def _grouped(
-    state: FleetState, link: str, kind: str, members: Sequence[Condition], held: Held
+    state: FleetState, link: str, kind: str, members: Sequence[Condition], active: ActiveConditions
 ) -> Iterator[Condition]:
-    group = held.get(group_key(link, kind))
+    group = active.get(group_key(link, kind))
     parts = group.parts if group else frozenset()
-    loose = [one for one in members if one.key not in held]
+    loose = [one for one in members if one.key not in active]
     fresh = {one.source for one in loose if state.now > one.due and one.source not in parts}
     # Those nearly due, or recently added: a common cause takes a while to show.
     near = sum(one.source not in fresh and abs(state.now - one.due) <= FLOOD_SPAN for one in loose)

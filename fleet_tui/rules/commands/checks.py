@@ -18,7 +18,7 @@ from fleet_tui.model.order import PENDING
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.keeping import all_orders, clearable
+from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.route_checks import (
     floor_mismatch,
@@ -104,7 +104,7 @@ def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
         yield Problem("paused", f"{robot.name} is {how}", blocks=False)
 
 
-def unheard_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+def unconfirmable_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that the progress of an order can be seen."""
     if not isinstance(command, PlaceOrder) or robot.heard is None or not state.is_online(robot):
         return
@@ -171,7 +171,7 @@ CHECKS: tuple[Check, ...] = (
     not_in_queue,
     nothing_to_clear,
     silent,
-    unheard_queue,
+    unconfirmable_queue,
     paused,
     floor_mismatch,
 )

@@ -114,7 +114,7 @@ def _oldest(orders: list[Order]) -> Order | None:
     return min(orders, key=lambda order: order.serial, default=None)
 
 
-def is_given_again(state: FleetState, record: CommandRecord) -> bool:
+def is_repeated(state: FleetState, record: CommandRecord) -> bool:
     """Tell whether the same command was sent since and is still open: reports now belong to that one."""
     return any(
         other.command == record.command
@@ -196,11 +196,11 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
 
 def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
     """Return the evidence of telemetry if a command can't be seen to have been carried out."""
-    unheard = _queue_since(robot, record) is None
+    offline = _queue_since(robot, record) is None
     match record.command:
         case PauseRobot() | ResumeRobot():
             return instead_of_pause(state, robot, record)
-        case PlaceOrder() | CancelOrder() | ClearOrders() if unheard:
+        case PlaceOrder() | CancelOrder() | ClearOrders() if offline:
             return "no queue received since"
         case PlaceOrder() if robot.kind.tells_ends:
             new = [one for one in robot.orders.orders if one.serial > (record.before.last_serial or 0)]

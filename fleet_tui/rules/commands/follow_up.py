@@ -18,8 +18,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest, listed_end
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.confirmation import find_order, is_given_again
-from fleet_tui.rules.commands.keeping import next_id
+from fleet_tui.rules.commands.confirmation import find_order, is_repeated
+from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.commands.pauses import is_overtaken
 from fleet_tui.text.durations import age
@@ -74,7 +74,7 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
         return record  # its own answer has the reason
     stage = _end_stage(state, record, gone)
     if stage is Stage.WAITING:
-        return _waiting_again(state, robot, record, "stopped, goal kept here")
+        return _waiting(state, robot, record, "stopped, goal kept here")
     if stage is Stage.DONE and record.has_further_leg(robot.kind):
         if _removals(state, record, gone):
             # The rest is kept here: having sent the request suffices, whatever the robot did with it.
@@ -82,7 +82,7 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
                 Step(Stage.CANCELLED, state.now, f"order {record.order_id}: by this console")
             )
         record = replace(record, leg=record.leg + 1)
-        return _waiting_again(state, robot, record, "stop reached, next goal follows")
+        return _waiting(state, robot, record, "stop reached, next goal follows")
     reason = "by this console" if stage is Stage.CANCELLED else gone.reason
     answer = record.answer
     if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
@@ -93,7 +93,7 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
 
 
-def _waiting_again(state: FleetState, robot: Robot, record: CommandRecord, why: str) -> CommandRecord:
+def _waiting(state: FleetState, robot: Robot, record: CommandRecord, why: str) -> CommandRecord:
     kept = record.advanced(Step(Stage.WAITING, state.now, f"order {record.order_id}: {why}"))
     return replace(kept, order_id=next_id(state, robot), order_serial=None)
 
@@ -168,7 +168,7 @@ def _removes(record: CommandRecord, order: Order) -> bool:
 def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
     match record.command:
         case PlaceOrder():
-            waits = state.now - record.at < LATE_ORDER and not is_given_again(state, record)
+            waits = state.now - record.at < LATE_ORDER and not is_repeated(state, record)
             order = find_order(state, robot, record) if waits else None
             if order is None:
                 return record

@@ -5,7 +5,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active, own_ids
-from fleet_tui.rules.commands.keeping import orders_of, waiting
+from fleet_tui.rules.commands.local_queue import orders_of, waiting
 
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot counts as standing, and within which it counted as moving."""

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.keeping import all_orders
+from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.language.grammar import ALL, USAGE, Token, find_robot, tokens
 from fleet_tui.rules.language.lookup import places, recent_ends
 

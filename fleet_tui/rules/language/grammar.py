@@ -21,7 +21,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import natural, vertices_of
 from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.keeping import all_orders
+from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.language.lookup import NUMBER, called, no_graphs, places, plain_id
 
 USAGE = {

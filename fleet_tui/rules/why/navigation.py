@@ -4,7 +4,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.commands.keeping import foreign, to_keep
+from fleet_tui.rules.commands.local_queue import foreign, orders_to_save
 from fleet_tui.rules.why.reason import Reason, Strength, mission
 
 
@@ -47,7 +47,7 @@ def recovering(state: FleetState, robot: Robot) -> Reason | None:
 
 def held(state: FleetState, robot: Robot) -> Reason | None:
     """Report that orders are held here for the operator."""
-    kept = sum(1 for _ in to_keep(state, robot))
+    kept = sum(1 for _ in orders_to_save(state, robot))
     if not kept or not robot.held:
         return None
     evidence = f"{kept} order{'s' * (kept > 1)} waiting here: resume to continue"

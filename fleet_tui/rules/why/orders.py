@@ -12,7 +12,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.keeping import waiting
+from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.why.reason import RECENT, Reason, Strength, mission, name_of, stands_since
 from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here

@@ -26,7 +26,7 @@ _UNRESOLVED = frozenset(
 
 
 def moves(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that it does not stand still at all."""
+    """Report that the robot is moving."""
     since = stands_since(robot)
     if robot.pose is None or since is None or state.is_old(robot, "pose"):
         return None
@@ -45,7 +45,7 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("no link", f"no connection to {link.url}{why}", since=link.since)
 
 
-def unheard(state: FleetState, robot: Robot) -> Reason | None:
+def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is offline while the link is up."""
     if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None
@@ -104,7 +104,7 @@ def obstacle(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that its pose is old while its other values are fresh: it may not stand at all."""
+    """Report that its pose is old while its other values are fresh: it may be moving."""
     if not state.is_online(robot) or state.is_fresh(robot, "pose") or "pose" not in robot.kind.reports:
         return None
     if robot.pose is None:

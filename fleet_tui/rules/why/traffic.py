@@ -71,7 +71,7 @@ def graph_here(robot: Robot) -> RouteGraph | None:
 
 
 def vertex_here(robot: Robot) -> str | None:
-    """Return the vertex at which it stands, None on the way between two."""
+    """Return the vertex that it is at, None between two vertices."""
     graph = graph_here(robot)
     if graph is None or robot.pose is None:
         return None

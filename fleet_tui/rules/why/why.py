@@ -35,11 +35,11 @@ from fleet_tui.rules.why.robot import (
     obstacle,
     own_late_pause,
     paused,
+    silent_robot,
     stale_pose,
-    unheard,
 )
 
-DEAF: tuple[Rule, ...] = (no_link, unheard)
+DEAF: tuple[Rule, ...] = (no_link, silent_robot)
 """If one of these holds, everything else is an earlier report."""
 
 RULES: tuple[Rule, ...] = (
@@ -65,8 +65,8 @@ def _held(rules: tuple[Rule, ...], state: FleetState, robot: Robot) -> list[Reas
 
 
 def reasons(state: FleetState, robot: Robot) -> list[Reason]:
-    """Return the reasons why it stands still, the likeliest first: at least one, and only that it moves if it
-    does."""
+    """Return the reasons for standing still, the likeliest first: at least one. A moving robot has only the
+    reason that it moves."""
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
         return deaf + [replace(reason, strength=Strength.POSSIBLE) for reason in others]

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from fleet_tui.simulator.server import RosbridgeServer
 
 Faults = Mapping[str, tuple[str, wire.Play]]
-"""Faults by name: the text of the help, and how each is played on one robot."""
+"""Faults by name: the help text, and the function that applies the fault to a robot."""
 
 FAULTS: Faults = {
     "refuse": ("all orders are refused", wire.refuse),
@@ -70,10 +70,8 @@ def parse_faults(text: str, robots: Iterable[str], faults: Faults = FAULTS) -> l
 
 
 def parse_faults_of(text: str, known: Mapping[str, Faults]) -> list[tuple[str, str]]:
-    """Fault and robot for each `NAME` (every robot that knows it) or `NAME:ROBOT` between the commas.
-
-    `known`: the faults that each robot knows. Raises ConfigError with every name that is none.
-    """
+    """Return fault and robot for each `NAME` (every robot whose kind has it) or `NAME:ROBOT` between the
+    commas. `known`: the faults by robot. Raises ConfigError with every unknown name."""
     every = {name: fault for faults in known.values() for name, fault in faults.items()}
     wanted, problems = list[tuple[str, str]](), list[str]()
     for part in filter(None, (part.strip() for part in text.split(","))):
@@ -93,6 +91,6 @@ def parse_faults_of(text: str, known: Mapping[str, Faults]) -> list[tuple[str, s
 
 
 def play(server: "RosbridgeServer", wanted: Iterable[tuple[str, str]]) -> None:
-    """Let these faults happen to these robots from now on."""
+    """Apply these faults to these robots from now on."""
     for name, robot in wanted:
         server.bridge.services.fleet_of(robot).faults[name][1](server, robot)

@@ -1,4 +1,4 @@
-"""Faults of the wire: how services answer and topics come, while the robot itself does what it should."""
+"""Faults of services and topics on the wire, while the robot itself works correctly."""
 
 import asyncio
 import json
@@ -20,8 +20,8 @@ Values = dict[str, Any]
 
 ORDERS = "Execute_order"
 LATE = 8.0  # seconds after which `late` answers, and `late-call` begins
-SLOW = 6.0  # seconds after which `slow-answer` answers: the bridge of ROS 2 gives a call up after 5
-OBEYS = 12.0  # seconds between the answer of `obeys-late` and the deed
+SLOW = 6.0  # seconds after which `slow-answer` answers: a ROS 2 bridge abandons a call after 5
+OBEYS = 12.0  # seconds from the answer of `obeys-late` until the command is carried out
 CARRIED = 40.0  # messages a second that an `overloaded` bridge carries: those of two robots
 AGAIN = 3.0  # seconds after which `volatile-maps` are published again
 GONE = 5.0  # seconds after which `unregistered` has no services
@@ -33,7 +33,7 @@ def _services(server: "RosbridgeServer", robot: str, verb: str = "") -> list[str
 
 
 def _answered(answer: Callable[["RosbridgeServer", str, Values], Values], verb: str = "") -> Play:
-    """A fault of the services themselves, made by what they answer to their args."""
+    """Return a fault of the services themselves: `answer` replaces their answers."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         for service in _services(server, robot, verb):
@@ -81,7 +81,7 @@ def late_call(server: "RosbridgeServer", robot: str) -> None:
 
 
 def _delivered(deliver: Callable[["RosbridgeServer", "Call", "Frame"], None]) -> Play:
-    """A fault of the way on which answers are brought back; the service itself does what it should."""
+    """Return a fault in the delivery of answers; the service itself works correctly."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         for service in _services(server, robot):
@@ -116,7 +116,7 @@ late, slow_answer, twice, wrong_id, drop = map(_delivered, (_late, _slow, _twice
 
 
 def stale(server: "RosbridgeServer", robot: str) -> None:
-    """Keep the pose back."""
+    """Stop publishing the pose."""
     server.bridge.muted.add(f"/{robot}/pose")
 
 
@@ -140,7 +140,7 @@ def frozen_rosapi(server: "RosbridgeServer", _robot: str) -> None:
 
 
 def unsourced(server: "RosbridgeServer", _robot: str) -> None:
-    """Let the bridge run without the package of the robots' messages."""
+    """Run the bridge without the package of the robots' messages."""
     package = server.bridge.dialect.short(
         server.bridge.dialect.message_type("OH_ressources/Graph")
     ).partition("/")[0]
@@ -148,7 +148,7 @@ def unsourced(server: "RosbridgeServer", _robot: str) -> None:
 
 
 def overloaded(server: "RosbridgeServer", _robot: str) -> None:
-    """Let the bridge carry little, so that everything comes later and later."""
+    """Limit the bridge's throughput, so that messages arrive later and later."""
     server.bridge.services.capacity = CARRIED
 
 
@@ -158,7 +158,7 @@ def dead_rosapi(server: "RosbridgeServer", _robot: str) -> None:
 
 
 def volatile_maps(server: "RosbridgeServer", robot: str) -> None:
-    """Publish maps, graphs and labels again and again instead of latched."""
+    """Publish maps, graphs and labels repeatedly instead of latched."""
     names = [
         name
         for name, topic in server.bridge.topics.items()

@@ -1,4 +1,4 @@
-"""Faults of the world: mishaps of the robot itself, and other people's commands."""
+"""Faults of the world: of the robot itself, and commands of other clients."""
 
 from typing import TYPE_CHECKING
 
@@ -8,15 +8,15 @@ if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
     from fleet_tui.simulator.server import RosbridgeServer
 
-LIVES = 2.0  # seconds after its first order at which `restart` starts anew
+LIVES = 2.0  # seconds from the first order until `restart` restarts the node
 FLAT = 8.0  # per cent above which `battery` never charges
-JUMP = 3.0  # metres by which `jumping` is beside itself every other second
+JUMP = 3.0  # metres by which the pose of `jumping` is off every other second
 FOREIGN = 3.0  # seconds after an order at which another console interferes
 FOREIGN_PAUSE = 5.0  # seconds for which it pauses
 
 
 def restart(server: "RosbridgeServer", robot_name: str) -> None:
-    """Start the robot's node anew once it has had an order for a while."""
+    """Restart the robot's node a while after its first order."""
     robot, age = server.world.robots[robot_name], 0.0
 
     def step(dt: float) -> None:
@@ -31,7 +31,8 @@ def restart(server: "RosbridgeServer", robot_name: str) -> None:
 
 
 def foreign_cancel(server: "RosbridgeServer", robot_name: str) -> None:
-    """Cancel each order as another console would: one report shows it as cancelled, then it is gone."""
+    """Cancel each order as another console would: one report lists it as cancelled, the next ones do not list
+    it."""
     robot = server.world.robots[robot_name]
     ages = dict[int, float]()
 
@@ -69,12 +70,12 @@ def obstacle(server: "RosbridgeServer", robot: str) -> None:
 
 
 def stuck(server: "RosbridgeServer", robot: str) -> None:
-    """Keep it where it is while it has an order."""
+    """Keep the robot from moving while it has an order."""
     server.world.robots[robot].stuck = True
 
 
 def silent(server: "RosbridgeServer", robot: str) -> None:
-    """Publish nothing of it."""
+    """Publish no topic of the robot."""
     server.world.robots[robot].silence = float("inf")
 
 
@@ -84,7 +85,7 @@ def paused(server: "RosbridgeServer", robot: str) -> None:
 
 
 def battery(server: "RosbridgeServer", robot_name: str) -> None:
-    """Give it a battery that holds little."""
+    """Give the robot a battery that never charges fully."""
     robot = server.world.robots[robot_name]
 
     def step(_dt: float) -> None:
@@ -94,7 +95,7 @@ def battery(server: "RosbridgeServer", robot_name: str) -> None:
 
 
 def jumping(server: "RosbridgeServer", robot_name: str) -> None:
-    """Let its pose jump. A robot that does not know where it is does not drive."""
+    """Let the robot's pose jump. A robot that is not localised does not drive."""
     world, robot, beside = server.world, server.world.robots[robot_name], 0.0
     robot.stuck = True
 

@@ -60,7 +60,8 @@ def _restarts(server: "RosbridgeServer", robot: str) -> None:
 
 
 def _heard(change: "Callable[[RosbridgeServer, Take, dict[str, Any]], None]", parts: str = "") -> wire.Play:
-    """A fault of the way on which goals and cancellations come: `change` has what would take the message."""
+    """Return a fault in the delivery of goals and cancellations: `change` replaces the function that receives
+    the message."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         for name, take in server.bridge.services.heard.items():
@@ -71,7 +72,7 @@ def _heard(change: "Callable[[RosbridgeServer, Take, dict[str, Any]], None]", pa
 
 
 def _lost(_server: "RosbridgeServer", _take: Take, _message: dict[str, Any]) -> None:
-    """Take nothing."""
+    """Ignore the message."""
 
 
 def _late(_server: "RosbridgeServer", take: Take, message: dict[str, Any]) -> None:

@@ -1,4 +1,4 @@
-"""A fleet with move_base as the bridge sees it: topics on which goals come and go."""
+"""A fleet with move_base as the bridge sees it: goals and results are topics."""
 
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -51,7 +51,7 @@ class MoveBaseFleet(MoveBaseWorld):
         }
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
-        """Of each robot: the service that clears its costmaps, of which it has none."""
+        """Return for each robot the service that clears its costmaps, which does nothing here."""
         return {
             f"/{name}/{NODE}/clear_costmaps": service_type(dialect, "std_srvs/Empty") for name in self.robots
         }
@@ -61,17 +61,17 @@ class MoveBaseFleet(MoveBaseWorld):
         return {}
 
     def news(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
-        """Everything that changed since the last look, and statuses again and again."""
+        """Return all changes since the last call, and the status at regular intervals."""
         return self._news.take(dialect)
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
-        """Nothing: it has no actions of ROS 2."""
+        """Do nothing: such robots have no ROS 2 actions."""
 
     def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
         """Nothing."""
 
     def lines(self) -> Iterator[Line]:
-        """The lines of move_base about everything that happened since the last look."""
+        """Return the log lines of move_base for everything that happened since the last call."""
         for name, navigation in self.navigation.items():
             lines = list(navigation.lines)
             navigation.lines.clear()
@@ -79,5 +79,5 @@ class MoveBaseFleet(MoveBaseWorld):
                 yield from ((level, f"/{name}/{NODE}", words) for level, words in lines)
 
     def health(self) -> Iterable[Message]:
-        """The batteries and localisations of all robots that can be heard."""
+        """Return battery and localisation of every robot that is not silent."""
         return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))

@@ -1,4 +1,4 @@
-"""move_base of one robot: it takes goals and lets the robot drive. Pure."""
+"""The move_base node of one robot: accepts goals and drives the robot. Pure."""
 
 import math
 from collections import deque
@@ -20,8 +20,8 @@ from fleet_tui.simulator.words import ERROR, WARN
 
 Message = dict[str, Any]
 
-MOVED, TURNED = 0.2, math.pi / 6  # metres, radians after which amcl tells where it is
-PATIENCE = 20.0  # seconds for which it looks for a plan, recovery behaviours included
+MOVED, TURNED = 0.2, math.pi / 6  # metres, radians after which amcl publishes the pose
+PATIENCE = 20.0  # seconds for which it tries to plan, recovery behaviours included
 NEAR = 0.3  # metres from the charger at which it charges
 
 NO_PLAN = "Failed to find a valid plan. Even after executing recovery behaviors."
@@ -38,21 +38,21 @@ class SimMoveBase:
         robot.moved, robot.turned = MOVED, TURNED
         self.server = SimpleActionServer(f"/{robot.name}/move_base", clock)
         self.alive = True
-        """False: its node is gone."""
+        """False: its node is not running."""
         self.tells = True
-        """False: nothing is said on the way."""
+        """False: no feedback is sent."""
         self.rejects = False
         """True: every goal is rejected."""
         self.plans = True
-        """False: there is no way to anywhere."""
+        """False: no path exists to any goal."""
         self.received: list[Message] = []
-        """Every goal that was heard; the newest last."""
+        """Every received goal; the newest last."""
         self.begun: deque[Message] = deque(maxlen=100)
         """The poses of goals that were begun, still to be published."""
         self.forwarded: deque[Message] = deque(maxlen=100)
         """The goals that were made of poses alone, still to be published."""
         self.lines: deque[tuple[int, str]] = deque(maxlen=100)
-        """Lines for the log, still to be published: level and words."""
+        """Log lines that are still to be published: level and text."""
         self._sought = 0.0
 
     @property
@@ -84,7 +84,7 @@ class SimMoveBase:
             self.server.cancel(message["id"], _nanoseconds(message["stamp"]))
 
     def give(self, x: float, y: float, yaw: float = 0.0) -> None:
-        """Give it a pose as another client would."""
+        """Send a pose as a goal, as another client would."""
         header = {"seq": 0, "stamp": _time(self._clock()), "frame_id": FRAME}
         self.hear_pose({"header": header, "pose": solid(Pose(x, y, yaw))})
 
@@ -93,7 +93,7 @@ class SimMoveBase:
         self.hear_cancel({"stamp": _time(0), "id": ""})
 
     def abort(self) -> None:
-        """Let the robot give up the drive it is on."""
+        """Abort the current drive."""
         if self.robot.driving:
             self.robot.fail(*NO_PROGRESS)
 
@@ -130,7 +130,7 @@ class SimMoveBase:
         if pose["header"]["frame_id"] == FRAME:
             if self.plans:
                 self.robot.drive([flat(pose["pose"])])
-        else:  # it tries for ever to transform the pose, and stands
+        else:  # it tries to transform the pose forever, and does not drive
             frame = pose["header"]["frame_id"]
             self.lines.append((WARN, f"Failed to transform the goal pose from {frame} into the map frame"))
 
@@ -161,7 +161,7 @@ class SimMoveBase:
 
 
 def _is_upright(turn: Message) -> bool:
-    """Tell whether a quaternion is one, and turns about the vertical only."""
+    """Tell whether a quaternion is valid and rotates about the vertical axis only."""
     x, y, z, w = (turn[axis] for axis in "xyzw")
     length = x * x + y * y + z * z + w * w
     return math.isfinite(length) and length >= 1e-6 and 2.0 * (x * x + y * y) / length <= 1e-3

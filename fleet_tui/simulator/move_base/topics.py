@@ -1,4 +1,4 @@
-"""The topics of robots with move_base: what is said all the way, and what only on change."""
+"""The topics of robots with move_base: those published continuously, and those only on change."""
 
 from collections import defaultdict
 from collections.abc import Iterator
@@ -32,12 +32,12 @@ TYPES = {
     FEEDBACK: "move_base_msgs/MoveBaseActionFeedback",
     BEGUN: "geometry_msgs/PoseStamped",
 }
-BEAT = 0.2  # seconds between two statuses where nothing changes
-EARLY = 0.05  # seconds by which a beat may come too early
+BEAT = 0.2  # seconds between two status messages without a change
+EARLY = 0.05  # seconds by which a status message may be early
 
 
 def steady_topics(navigation: SimMoveBase, dialect: Dialect) -> Iterator[Topic]:
-    """The topics on which one robot speaks all the time, or all the way."""
+    """The topics that one robot publishes continuously, or while it drives."""
     robot = navigation.robot
     yield from body_topics(robot, dialect)
     yield plan_topic(robot, dialect, f"{NODE}/NavfnROS/plan")
@@ -79,7 +79,7 @@ class MoveBaseNews(News[SimMoveBase]):
     def of(
         self, name: str, navigation: SimMoveBase, dialect: Dialect, now: float
     ) -> Iterator[tuple[str, Payload]]:
-        """The goals of one robot, and again and again their list."""
+        """The goals of one robot, and its status at regular intervals."""
         for part, poses in ((GOAL, navigation.forwarded), (BEGUN, navigation.begun)):
             while poses:
                 yield self._news(name, part, dialect, now, poses.popleft())

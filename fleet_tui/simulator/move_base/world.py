@@ -1,4 +1,4 @@
-"""Simulated robots with move_base as a value that steps: no I/O; the seed is the only chance in it."""
+"""Simulated robots with move_base, advanced step by step: no I/O, random only by the seed."""
 
 import random
 
@@ -8,7 +8,7 @@ from fleet_tui.simulator.navigating.world import Clock, NavigatingWorld
 
 
 class MoveBaseWorld(NavigatingWorld[SimMoveBase]):
-    """`robots` robots on `floors` floors, as NavigatingWorld has it."""
+    """`robots` robots on `floors` floors, as in NavigatingWorld."""
 
     def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> SimMoveBase:
         """Make the navigation stack of a robot."""

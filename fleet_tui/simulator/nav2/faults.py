@@ -48,7 +48,7 @@ def _refuse_cancel(navigation: "SimNavigation") -> None:
 
 
 def _dead_server(server: "RosbridgeServer", robot: str) -> None:
-    """Let the node of the action servers crash in the middle of the first goal."""
+    """Crash the node of the action servers during the first goal."""
 
     def change(navigation: "SimNavigation", age: float) -> float:
         if age > AWHILE:
@@ -73,7 +73,7 @@ def _mute_rejection(server: "RosbridgeServer", _robot: str) -> None:
 
 
 def _humble(server: "RosbridgeServer", robot: str) -> None:
-    """Let the bridge be Humble's, with its usual parameters."""
+    """Make the bridge that of Humble, with its default parameters."""
     server.bridge.one_by_one, server.bridge.services.call_timeout = True, None
     server.bridge.services.rosapi.distro = "humble"
     for navigation in _fleet(server, robot).navigation.values():

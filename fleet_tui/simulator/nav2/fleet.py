@@ -65,7 +65,8 @@ class Nav2Fleet(Nav2World):
         }
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
-        """Of each robot: whether Nav2 is active, and what cancels the goals of each action."""
+        """Return for each robot the service that reports whether Nav2 is active, and those that cancel
+        goals."""
         trigger, cancel = (
             service_type(dialect, name) for name in ("std_srvs/Trigger", "action_msgs/CancelGoal")
         )
@@ -85,11 +86,11 @@ class Nav2Fleet(Nav2World):
         return answer | {"goals_canceling": goals}
 
     def news(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
-        """Everything that changed since the last look: where robots are, what stops them, how goals stand."""
+        """Return all changes since the last call: positions, obstacles, goal states."""
         return self._news.take(dialect)
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
-        """The feedback of an action on a goal, None where it says nothing."""
+        """Return the feedback on a goal, None if the action sends none."""
         navigation = self.navigation[_robot_of(server)]
         if navigation.robot.silence or not navigation.tells:
             return None
@@ -97,16 +98,16 @@ class Nav2Fleet(Nav2World):
         return messages.feedback(navigation, server.verb, goal, header)
 
     def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
-        """The result of a goal that is over, None while it can't be heard."""
+        """Return the result of an ended goal, None while the robot is silent."""
         navigation = self.navigation[_robot_of(server)]
         return None if navigation.robot.silence else messages.result(goal, navigation.distro)
 
     def lines(self) -> Iterable[Line]:
-        """The lines of Nav2's nodes about everything that happened since the last look."""
+        """Return the log lines of Nav2's nodes for everything that happened since the last call."""
         return self._changes.lines()
 
     def health(self) -> Iterable[Message]:
-        """The batteries and localisations of all robots that can be heard."""
+        """Return battery and localisation of every robot that is not silent."""
         return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))
 
 

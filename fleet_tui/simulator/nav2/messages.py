@@ -54,7 +54,7 @@ def feedback(navigation: SimNavigation, verb: str, goal: ServedGoal, header: Mes
 
 
 def result(goal: ServedGoal, distro: str) -> Message:
-    """The result of an action; Humble's says less."""
+    """The result of an action; that of Humble has fewer fields."""
     if distro != "humble":
         return goal.result
     if "missed_waypoints" in goal.result:

@@ -1,4 +1,4 @@
-"""The action servers of one robot: they take goals and let the robot drive. Pure."""
+"""The action servers of one robot: accept goals and drive the robot. Pure."""
 
 import random
 from collections.abc import Callable
@@ -46,24 +46,24 @@ class SimNavigation:
             for verb, begin in begins.items()
         }
         self.active = True
-        """False: the lifecycle manager has let the servers down, goals are rejected."""
+        """False: the lifecycle manager has deactivated the servers, which reject goals."""
         self.reject = 0
         """The number of goals that are rejected from now on."""
         self.received: list[Message] = []
         """Every goal that reached a server, legs of tours too; the newest last."""
         self.tells = True
-        """False: nothing is said on the way."""
+        """False: no feedback is sent."""
         self.distro = "jazzy"
-        """Whose results are told."""
+        """Goals whose results have been sent."""
         self._current: ServedGoal | None = None
         self._tours: dict[str, _Tour] = {}
 
     def give(self, x: float, y: float, yaw: float = 0.0) -> ServedGoal | None:
-        """Give a goal of navigate_to_pose as another client would; None where it is rejected."""
+        """Send a goal of navigate_to_pose as another client would; None if it is rejected."""
         return self.take(TO_POSE, {"pose": stamped(Pose(x, y, yaw)), "behavior_tree": ""})
 
     def take(self, verb: str, request: Message) -> ServedGoal | None:
-        """Give any goal, its fields complete, under a new id; None where it is rejected."""
+        """Send any goal with complete fields under a new id; None if it is rejected."""
         return self.servers[verb].take(self.new_id(), self._clock(), request)
 
     @property
@@ -81,7 +81,7 @@ class SimNavigation:
         return self._rng.randbytes(16)
 
     def abort(self, code: int = 105, words: str = "Failed to make progress") -> None:
-        """Let the robot give up the drive it is on."""
+        """Abort the current drive."""
         if self._current is not None:
             self.robot.fail(code, words)
 
@@ -108,7 +108,8 @@ class SimNavigation:
         return self.active and all(pose["header"]["frame_id"] == FRAME for pose in poses)
 
     def _begin(self, goal: ServedGoal) -> None:
-        """Drive to a goal's pose or poses. One navigator at a time; its new goal replaces its old one."""
+        """Drive to a goal's pose or poses. Only one navigator is active at a time; a new goal replaces its
+        old one."""
         mine, other = (TO_POSE, THROUGH) if "pose" in goal.request else (THROUGH, TO_POSE)
         if self.servers[other].running:
             self.servers[mine].advance(goal, ABORTED, _result())
@@ -171,7 +172,7 @@ class SimNavigation:
             self._pass(tour, None if leg.status == SUCCEEDED else leg.result.get("error_code", 0))
 
     def _pass(self, tour: _Tour, code: int | None) -> None:
-        """Go on to the next waypoint; code None: this one was reached."""
+        """Continue with the next waypoint; code None: the current one was reached."""
         if code is not None:
             goal = tour.poses[tour.at]
             tour.missed.append({"index": tour.at, "goal": goal, "error_code": code})

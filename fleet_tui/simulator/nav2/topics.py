@@ -1,4 +1,4 @@
-"""The topics of robots with Nav2: what is said all the way, and what only on change."""
+"""The topics of robots with Nav2: those published continuously, and those only on change."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -21,7 +21,7 @@ MONITOR, STATUS = "nav2_msgs/CollisionMonitorState", "action_msgs/GoalStatusArra
 
 
 def steady_topics(navigation: SimNavigation, dialect: Dialect) -> Iterator[Topic]:
-    """The topics on which one robot speaks all the time, or all the way."""
+    """The topics that one robot publishes continuously, or while it drives."""
     robot = navigation.robot
     yield from body_topics(robot, dialect)
     yield plan_topic(robot, dialect, "plan")

@@ -1,4 +1,4 @@
-"""Robots with Nav2 in words: lines of /rosout."""
+"""Log messages of robots with Nav2: lines of /rosout."""
 
 from collections.abc import Iterator
 
@@ -17,7 +17,7 @@ _ENDS = {
 
 
 class Nav2Changes:
-    """Notices the changes of robots from one look to the next."""
+    """Detects the changes of robots between two calls."""
 
     def __init__(self, world: Nav2World) -> None:
         self._world = world

@@ -34,8 +34,8 @@ def at_once(change: Callable[[N], None]) -> wire.Play:
 
 
 def often(change: Callable[[N, float], float], idle: bool = False) -> wire.Play:
-    """A fault that happens again and again: `change` is told the seconds for which there has been a goal, or
-    where `idle` those since it happened, and returns what is left of them."""
+    """Return a recurring fault: `change` receives the seconds since the goal began, or if `idle` since the
+    fault last occurred, and returns the seconds to count on from."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         navigation, age = navigation_of(server, robot), 0.0

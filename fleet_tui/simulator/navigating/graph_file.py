@@ -28,7 +28,7 @@ def write_graphs(path: Path, floors: int) -> list[Path]:
 
 
 def route_graph(floor: SimFloor) -> Feature:
-    """A floor's graph; every edge stands there twice, since each goes one way."""
+    """A floor's graph; every edge is listed twice, once per direction."""
     return {
         "type": "FeatureCollection",
         "name": floor.name,
@@ -48,7 +48,7 @@ def _nodes(floor: SimFloor) -> Iterator[Feature]:
 
 
 def _edges(floor: SimFloor) -> Iterator[Feature]:
-    """Nodes and edges have their ids from one count."""
+    """Nodes and edges share one sequence of ids."""
     spots = floor.graph.vertices
     id_ = max(spots)
     for edge in floor.graph.edges:

@@ -1,4 +1,4 @@
-"""The messages of robots that navigate, in the words of either generation of ROS. Pure."""
+"""The messages of robots that navigate, for both versions of ROS. Pure."""
 
 import math
 from collections.abc import Callable
@@ -31,8 +31,8 @@ def headers(dialect: Dialect, frame: str = FRAME) -> Header:
 
 
 def odometry(robot: NavigatingRobot, dialect: Dialect, header: Message) -> Message:
-    """nav_msgs/Odometry in the robot's own frame; what it doesn't measure is NaN."""
-    # What a planar robot can't do it does not do for sure; the angles it can't tilt to are not measured.
+    """nav_msgs/Odometry in the robot's own frame; values that it does not measure are NaN."""
+    # Motions that a planar robot cannot make have no variance; its roll and pitch are not measured.
     spread = _diagonal(dialect, 0.01, 0.01, 0.0, math.nan, math.nan, 0.03)
     twist = {"linear": _vector(SPEED if robot.moving else 0.0), "angular": _vector(0.0)}
     return {

@@ -31,7 +31,8 @@ class News(Generic[N]):
             yield self.topic(name, "amcl_pose", dialect.message_type(AMCL))
 
     def take(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
-        """Everything that changed since the last look; of a robot that can't be heard the newest waits."""
+        """Return all changes since the last call; for a silent robot the newest is kept until it is no longer
+        silent."""
         now = time.time()
         for name, navigation in self._world.navigation.items():
             news = [
@@ -53,7 +54,7 @@ class News(Generic[N]):
     def topic(
         self, robot: str, name: str, type_: str, latched: bool = True, alive: Callable[[], bool] | None = None
     ) -> Topic:
-        """A topic of one robot; what is latched is kept while its publisher is `alive`."""
+        """A topic of one robot; a latched value exists while its publisher is `alive`."""
         name = f"/{robot}/{name}"
 
         def newest() -> Iterable[Payload]:

@@ -23,7 +23,7 @@ class NoPathError(Exception):
 
 
 def plan(floor: SimFloor, start: Pose, goal: Pose) -> list[Spot]:
-    """The corners of the way, both ends included. Raises NoPathError."""
+    """Return the corners of a path, both ends included. Raises NoPathError."""
     here, there = (start.x, start.y), (goal.x, goal.y)
     words = (
         f"GridBased plugin failed to plan from ({start.x:.2f}, {start.y:.2f}) to ({goal.x:.2f}, {goal.y:.2f})"
@@ -45,7 +45,7 @@ def plan(floor: SimFloor, start: Pose, goal: Pose) -> list[Spot]:
 
 
 def length(way: list[Spot]) -> float:
-    """Metres along a way."""
+    """Return the length of a path in metres."""
     return sum(math.dist(start, end) for start, end in pairwise(way))
 
 

@@ -25,7 +25,7 @@ def stamped(pose: Pose) -> Message:
 
 
 def flat(pose: Message) -> Pose:
-    """A pose on the plane; a quaternion of zeros turns nothing."""
+    """A pose on the plane; a quaternion of zeros is no rotation."""
     turn = pose["orientation"]
     try:
         yaw = yaw_of_quaternion(turn["x"], turn["y"], turn["z"], turn["w"])

@@ -1,9 +1,9 @@
-"""Profiles of simulated robots that navigate: how they differ from what is usual for their kind."""
+"""Profiles of simulated robots that navigate: their differences from the defaults of the kind."""
 
 from collections.abc import Mapping
 from typing import Any
 
 
 def profile(floors: int) -> Mapping[str, Any]:
-    """Of several floors the robots say on which one they are, and each has a map."""
+    """Return the topics of the robot's floor and of a map per floor, if there are several floors."""
     return {"topics": {"floor": "/{robot}/floor", "map": "/{floor}/map"}} if floors > 1 else {}

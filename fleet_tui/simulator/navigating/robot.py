@@ -1,4 +1,4 @@
-"""One simulated robot that drives to poses, and believes its wheels and its localisation. Pure."""
+"""One simulated robot that drives to poses, with errors in odometry and localisation. Pure."""
 
 import math
 import random
@@ -9,14 +9,14 @@ from fleet_tui.simulator.navigating.paths import NoPathError, Spot, length, plan
 from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN, Obstructed
 from fleet_tui.simulator.warehouse import SimFloor
 
-SLIP, SKID = 1.01, 1.004  # what the wheels count for a metre, for a radian
+SLIP, SKID = 1.01, 1.004  # odometry measured per metre and per radian
 SURE, LOST = 0.0025, 4.0  # variance of x and of y in square metres
 PROGRESS = 10.0  # seconds without progress before it tries a recovery
-RECOVERIES = 3  # tries before it gives up
+RECOVERIES = 3  # recoveries before it aborts
 NO_PROGRESS = 105, "Failed to make progress"
 
 Failure = tuple[int, str]
-"""Nav2's error code and words."""
+"""Nav2's error code and text."""
 
 
 class NavigatingRobot(Obstructed):
@@ -27,34 +27,34 @@ class NavigatingRobot(Obstructed):
     odometry = True
     """False: its wheels are not counted."""
     variance = SURE
-    """How far its localisation trusts itself."""
+    """Variance that its localisation reports, in square metres."""
     moved, turned = 0.25, 0.2
-    """Metres and radians after which its localisation tells the pose."""
+    """Metres and radians after which its localisation publishes the pose."""
     docked = False
     silence = 0.0
-    """Seconds for which nothing of it is published."""
+    """Seconds for which none of the robot's topics are published."""
     stuck = False
-    """True: its wheels stand still whatever it is told."""
+    """True: its wheels are blocked."""
 
     def __init__(self, index: int, floor: SimFloor, pose: Pose, rng: random.Random, quiet: bool) -> None:
         self.name, self.index, self.floor = f"robot_{index}", index, floor
         self._rng, self._quiet = rng, quiet
         self.pose = pose
         self.odom = Pose(0.0, 0.0)
-        """The pose that its wheels tell, seen from its start."""
+        """The pose by odometry, relative to its start."""
         self.estimate = pose
-        """The pose on the map that its localisation last told."""
+        """The last pose on the map published by its localisation."""
         self.battery = rng.uniform(45.0, 95.0)
         """Per cent."""
         self.driving = self.moving = False
-        """It is on the way; it got on in the last step."""
+        """Whether it drives; whether it progressed in the last step."""
         self.way: list[Spot] = []
         """The corners still before it."""
         self.stops = 0
-        """The poses still before it."""
+        """The remaining poses."""
         self.recoveries = 0
         self.failure: Failure | None = None
-        """Why it gave up its last drive."""
+        """The reason that its last drive was aborted."""
         self._stood = 0.0
         self._obstacle_in = rng.uniform(25.0, 90.0)
         self._work: Iterator[None] = iter(())
@@ -66,7 +66,7 @@ class NavigatingRobot(Obstructed):
 
     @property
     def time_remaining(self) -> float:
-        """Seconds to its goal, 0 while it stands."""
+        """Return the seconds to its goal, 0 without one."""
         return self.distance_remaining / SPEED if self.moving else 0.0
 
     def drive(self, poses: Sequence[Pose]) -> None:
@@ -76,13 +76,13 @@ class NavigatingRobot(Obstructed):
         self._work = self._drive(poses)
 
     def halt(self) -> None:
-        """Stand still."""
+        """Stop."""
         self.driving = self.moving = False
         self.way, self.stops, self.recoveries, self.failure, self._stood = [], 0, 0, None, 0.0
         self._work = iter(())
 
     def fail(self, code: int, words: str) -> None:
-        """Give up the drive."""
+        """Abort the drive."""
         self.halt()
         self.failure = code, words
 
@@ -91,7 +91,7 @@ class NavigatingRobot(Obstructed):
         self.variance = LOST
 
     def step(self) -> None:
-        """Live on for STEP seconds."""
+        """Advance by STEP seconds."""
         self.silence = max(0.0, self.silence - STEP)
         before = self.pose
         if self.driving:
@@ -107,7 +107,7 @@ class NavigatingRobot(Obstructed):
         self.battery = min(100.0, max(0.0, self.battery + rate * STEP))
 
     def localise(self) -> bool:
-        """Tell whether the localisation has anything new to say: it has once the robot has moved enough."""
+        """Tell whether the localisation publishes a pose: only once the robot has moved far enough."""
         at, last = self.pose, self.estimate
         off = math.sqrt(self.variance) if self.variance >= LOST else 0.0
         turned = abs(math.remainder(at.yaw - last.yaw, math.tau))

@@ -1,4 +1,4 @@
-"""The topics of robots that navigate: maps, and what one robot says all the time."""
+"""The topics of robots that navigate: maps, and the continuous topics of one robot."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -69,7 +69,7 @@ def body_topics(robot: NavigatingRobot, dialect: Dialect) -> Iterator[Topic]:
 
 
 def plan_topic(robot: NavigatingRobot, dialect: Dialect, name: str) -> Topic:
-    """The way that a robot is on."""
+    """The path that a robot follows."""
     header = messages.headers(dialect)
     return topic_maker(robot, dialect)(
         *(name, "nav_msgs/Path"),

@@ -1,4 +1,4 @@
-"""Robots that navigate in words: entries of /diagnostics, lines about obstacles."""
+"""Texts about robots that navigate: entries of /diagnostics, log lines about obstacles."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""Simulated robots that navigate as a value that steps: no I/O; the seed is the only chance in it."""
+"""Simulated robots that navigate, advanced step by step: no I/O, random only by the seed."""
 
 import random
 from abc import ABC, abstractmethod
@@ -27,10 +27,10 @@ class Navigating(Protocol):
         """Bring its goals on, after the robot has lived for dt seconds."""
 
     def give(self, x: float, y: float, yaw: float = 0.0) -> object:
-        """Give it a goal as another client does."""
+        """Send it a goal as another client would."""
 
     def cancel_all(self) -> object:
-        """Cancel its goals as another client does."""
+        """Cancel its goals as another client would."""
 
 
 N = TypeVar("N", bound=Navigating)
@@ -100,7 +100,7 @@ class NavigatingWorld(ABC, Generic[N]):
         return NavigatingRobot(index, floor, pose, self._rng, self._quiet)
 
     def _employ(self) -> None:
-        """Give every second robot a goal once it has rested, as another client does; dock who is low."""
+        """Send every second idle robot a goal, as another client would; dock those with a low battery."""
         for name, robot in self.robots.items():
             navigation = self.navigation[name]
             if robot.driving or navigation.busy:
@@ -113,7 +113,7 @@ class NavigatingWorld(ABC, Generic[N]):
                 _send(navigation, self._rng)
 
     def _silence(self) -> None:
-        """Every 3 to 4 minutes one robot is not heard for a moment, as where Wi-Fi hands over."""
+        """Silence one robot briefly every 3 to 4 minutes, as during a Wi-Fi handover."""
         self._silence_in -= STEP
         if self._silence_in <= 0.0 and self.robots:
             self._silence_in = self._rng.uniform(180.0, 240.0)

@@ -33,7 +33,7 @@ class OhFleet:
         return self.world.robots
 
     def step(self, dt: float) -> None:
-        """Let dt seconds pass."""
+        """Advance the time by dt seconds."""
         self.world.step(dt)
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
@@ -60,13 +60,13 @@ class OhFleet:
         """Nothing."""
 
     def news(self, dialect: Dialect) -> Iterable[tuple[str, Payload]]:
-        """Nothing: everything is said all the time."""
+        """Return nothing: all topics are published continuously."""
         return ()
 
     def lines(self) -> Iterable[Line]:
-        """The lines about everything that happened since the last look."""
+        """Return the log lines for everything that happened since the last call."""
         return self._changes.lines()
 
     def health(self) -> Iterable[Message]:
-        """Three entries about every robot that can be heard."""
+        """Return three entries for every robot that is not silent."""
         return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))

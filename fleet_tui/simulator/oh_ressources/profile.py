@@ -1,9 +1,9 @@
-"""Profiles of simulated robots of the source's stack: how they differ from what is usual for their kind."""
+"""Profiles of simulated robots of oh_ressources: their differences from the defaults of the kind."""
 
 from collections.abc import Mapping
 from typing import Any
 
 
 def profile(_floors: int) -> Mapping[str, Any]:
-    """They tell whether they are paused."""
+    """Return the topic on which they report a pause."""
     return {"topics": {"paused": "/{robot}/paused"}}

@@ -1,4 +1,4 @@
-"""The robots in words: lines of /rosout, entries of /diagnostics."""
+"""Texts about the robots: lines of /rosout, entries of /diagnostics."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ Message = dict[str, Any]
 
 @dataclass(frozen=True)
 class _Seen:
-    """A robot as it was at the last look."""
+    """The state of a robot at the last call."""
 
     last_order: int
     current: int
@@ -41,14 +41,14 @@ def _seen(robot: SimRobot) -> _Seen:
 
 
 class Changes:
-    """Notices the changes of robots from one look to the next."""
+    """Detects the changes of robots between two calls."""
 
     def __init__(self, robots: Mapping[str, SimRobot]) -> None:
         self._robots = robots
         self._seen: dict[str, _Seen] = {}
 
     def lines(self) -> Iterator[Line]:
-        """The lines about everything that happened since the last look."""
+        """Return the log lines for everything that happened since the last call."""
         for name, robot in self._robots.items():
             seen, before = _seen(robot), self._seen.get(name)
             self._seen[name] = seen

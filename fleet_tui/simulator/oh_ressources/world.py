@@ -1,4 +1,4 @@
-"""The simulated fleet as a value that steps: no clock, no I/O; the seed is the only chance in it."""
+"""The simulated fleet, advanced step by step: no clock, no I/O, random only by the seed."""
 
 import random
 from collections.abc import Callable, Mapping
@@ -13,8 +13,8 @@ OWN_REQUESTS = 9000  # request ids of orders the warehouse itself makes start ab
 
 
 class World:
-    """`robots` robots on `floors` floors. The same seed and the same answers asked at the same steps
-    give the same run. `quiet`: no orders of its own, no obstacles, no silence, no low batteries."""
+    """`robots` robots on `floors` floors. The same seed with the same calls at the same steps gives the same
+    run. `quiet`: no orders of its own, no obstacles, no silence, no low batteries."""
 
     def __init__(
         self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
@@ -26,7 +26,7 @@ class World:
         self.time = 0.0
         """Seconds since the start."""
         self.troubles: list[Callable[[float], None]] = []
-        """What else happens at every step, told the seconds that pass."""
+        """Called at every step with the seconds that pass."""
         self._owed = 0.0
         self._requests = OWN_REQUESTS
         self._silence_in = self._rng.uniform(180.0, 240.0)
@@ -105,7 +105,7 @@ class World:
         return start, end
 
     def _silence(self) -> None:
-        """Every 3 to 4 minutes one robot is not heard for a moment, as where Wi-Fi hands over."""
+        """Silence one robot briefly every 3 to 4 minutes, as during a Wi-Fi handover."""
         self._silence_in -= STEP
         if self._silence_in <= 0.0 and self.robots:
             self._silence_in = self._rng.uniform(180.0, 240.0)
@@ -121,7 +121,7 @@ def _drop_all(robot: SimRobot) -> int:
 
 
 def _cancel(robot: SimRobot, ind: int) -> Values:
-    """As the real bridge has it: an `ind` of 0 or less means every order."""
+    """Cancel an order. As on the real robots, an `ind` of 0 or less means all orders."""
     if ind <= 0:
         return {"success": True, "status": f"cancelled {_drop_all(robot)}"}
     if robot.drop({ind}):

@@ -1,4 +1,4 @@
-"""Goals as a SimpleActionServer of ROS 1's actionlib keeps them: one is carried out, a newer one waits."""
+"""Goals of a ROS 1 actionlib SimpleActionServer: one is carried out, a newer one waits."""
 
 import math
 from collections import deque
@@ -10,7 +10,7 @@ Message = dict[str, Any]
 
 PENDING, ACTIVE, PREEMPTED, SUCCEEDED, ABORTED, REJECTED, PREEMPTING, RECALLING, RECALLED = range(9)
 ENDED = frozenset({PREEMPTED, SUCCEEDED, ABORTED, REJECTED, RECALLED})
-KEPT = 5.0  # seconds for which a goal is listed once the server has let go of it
+KEPT = 5.0  # seconds for which a goal stays listed after its end
 LISTED = 1000  # goals at most
 PARTS = frozenset({"goal", "cancel", "status", "feedback", "result"})
 
@@ -24,7 +24,7 @@ TOO_OLD = (
 
 @dataclass(frozen=True)
 class GoalReport:
-    """A goal as the status topic tells it; `stamp` in nanoseconds since 1970."""
+    """A goal as listed on the status topic; `stamp` in nanoseconds since 1970."""
 
     id: str
     stamp: int
@@ -34,7 +34,7 @@ class GoalReport:
 
 @dataclass(eq=False)
 class ActionlibGoal:
-    """A goal that a server knows; `request` is None where only its cancellation has come."""
+    """A goal known to a server; `request` is None if only its cancellation has arrived."""
 
     id: str
     stamp: int
@@ -51,7 +51,7 @@ class ActionlibGoal:
 
     @property
     def told(self) -> GoalReport:
-        """The goal as it stands now."""
+        """Return the goal with its current status."""
         return GoalReport(self.id, self.stamp, self.status, self.text)
 
 
@@ -82,7 +82,7 @@ class SimpleActionServer:
         return [goal for goal in self.goals.values() if goal.request is not None and not goal.over]
 
     def listed(self) -> list[GoalReport]:
-        """The goals as they stand now."""
+        """Return the goals with their current status."""
         return [goal.told for goal in self.goals.values()]
 
     def take(self, id_: str, stamp: int, request: Message, rejected: bool = False) -> None:
@@ -112,12 +112,12 @@ class SimpleActionServer:
             if (not id_ and not stamp) or goal.id == id_ or (stamp and goal.stamp <= stamp):
                 self._request_cancel(goal)
         if id_ and id_ not in self.goals:
-            # Kept for the goal that may follow; without a stamp the server never forgets it.
+            # Kept in case the goal follows; without a stamp the real server never forgets it.
             self._add(ActionlibGoal(id_, stamp, None, RECALLING, left=self.kept if stamp else math.inf))
         self._last_cancel = max(self._last_cancel, stamp)
 
     def accept(self) -> ActionlibGoal | None:
-        """Go over to the goal that waits, which replaces the current one; None where none waits."""
+        """Replace the current goal by the waiting one; None if there is no waiting goal."""
         goal, self.next = self.next, None
         if goal is None:
             return None
@@ -137,14 +137,14 @@ class SimpleActionServer:
         self.said += [goal.told, self.listed()]
 
     def age(self, dt: float) -> None:
-        """Let dt seconds pass."""
+        """Advance the time by dt seconds."""
         for goal in list(self.goals.values()):
             goal.left -= dt
             if goal.left <= 0.0:
                 del self.goals[goal.id]
 
     def restart(self) -> None:
-        """Begin as a node that has just been started: the goals are gone without a result."""
+        """Restart the node: its goals are lost without a result."""
         self.goals.clear()
         self.said.clear()
         self.current = self.next = None

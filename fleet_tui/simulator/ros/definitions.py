@@ -142,7 +142,8 @@ _FIELD = re.compile(r"([\w/]+?)(?:\[(\d*)\])? (\w+)")
 
 @dataclass(frozen=True)
 class RosField:
-    """A field: its type, and how many of it: None = one, 0 = any number, else as many as given."""
+    """A field: its type, and its length: None for a single value, 0 for any length, otherwise a fixed
+    length."""
 
     type: str
     length: int | None = None
@@ -183,7 +184,7 @@ MESSAGES: Mapping[str, Fields] = (
 """The fields of each message type."""
 
 PACKAGES = frozenset(name.partition("/")[0] for name in MESSAGES) - {"sensor_msgs"}
-"""Packages of which every message that is asked for is here."""
+"""Packages whose messages are all defined here, as far as they are used."""
 
 SERVICES: Mapping[str, tuple[Fields, Fields]] = {
     name: (_fields(rest.partition("->")[0]), _fields(rest.partition("->")[2]))

@@ -9,22 +9,23 @@ Message = dict[str, Any]
 
 
 class Dialect(Protocol):
-    """One generation of ROS. Types are asked for by their ROS 1 name, `package/Name`."""
+    """One version of ROS. Types are looked up by their ROS 1 name, `package/Name`."""
 
     version: int
     distro: str
     rosapi_verbs: Collection[str]
     """The services of rosapi."""
     call_timeout: float | None
-    """Seconds after which the bridge gives a call up where the call names no limit, None = never."""
+    """Seconds after which the bridge abandons a call without a limit of its own, None: never."""
     max_message_size: int | None
-    """Bytes of a message to a client; text above it comes in fragments, binary never. None = any."""
+    """Maximum bytes of a message to a client: longer text is fragmented, longer binary never sent. None: no
+    limit."""
     reads_binary: bool
     """Tell whether a binary frame from a client is read as text."""
     never_cbor: Collection[str]
-    """Types that never come as CBOR, in the short spelling."""
+    """Types that the bridge never sends as CBOR, in the short spelling."""
     lingers: float
-    """Seconds for which the bridge keeps a subscription as it is after the last client has let go."""
+    """Seconds for which the bridge keeps a subscription after the last client has unsubscribed."""
     logs_operations: bool
     """Tell whether subscriptions, and operations without effect, are lines of /rosout."""
     fragment_id: int | str
@@ -32,9 +33,10 @@ class Dialect(Protocol):
     aligned: bool
     """Tell whether ROS's own encoding is CDR, in which values are aligned."""
     keeps_log: bool
-    """Tell whether a late subscriber of /rosout is told more than each node's last line."""
+    """Tell whether a late subscriber of /rosout receives more than each node's last line."""
     joins_wrong_types: bool
-    """Whether a client who asks rightly is added to a subscription of a wrong type, to hang on it too."""
+    """Whether a client with the right type is added to an existing subscription of a wrong type, and receives
+    nothing either."""
     fragile: bool
     """Tell whether rosapi ends with an exception in one of its handlers."""
     params: Mapping[str, object]
@@ -43,19 +45,19 @@ class Dialect(Protocol):
     """Publishers are discovered bit by bit, and quality of service is fixed at the first subscription."""
 
     defaults: Mapping[tuple[str, str], float]
-    """Type and field -> the value of a field that is left out, where it is not zero."""
+    """Type and field -> the default of an omitted field, if it is not zero."""
 
     def message_type(self, name: str) -> str:
-        """The message type as rosapi tells it."""
+        """Return the message type in rosapi's spelling."""
 
     def service_type(self, name: str) -> str:
-        """The service type as rosapi tells it."""
+        """Return the service type in rosapi's spelling."""
 
     def action_type(self, name: str) -> str:
-        """The action type as rosapi tells it."""
+        """Return the action type in rosapi's spelling."""
 
     def short(self, type_: str) -> str:
-        """The type as typedefs and error texts have it; both spellings are read."""
+        """Return the type in the spelling of typedefs and error texts; accepts both spellings."""
 
     def part(self, type_: str, part: str) -> str:
         """The name of a service's `Request` or `Response`."""
@@ -70,10 +72,10 @@ class Dialect(Protocol):
         """An array of fixed length as the bridge holds it."""
 
     def got_param(self, value: str | None, request: Message) -> Message:
-        """rosapi's answer to get_param; value is None where the parameter is unknown."""
+        """Return rosapi's answer to get_param; value is None if the parameter is unknown."""
 
     def fields(self, type_: str) -> Fields | None:
-        """The fields of a message type in either spelling, None where the bridge doesn't know it."""
+        """Return the fields of a message type in either spelling, None if the bridge does not know it."""
 
     def primitive(self, rostype: str) -> str:
         """A primitive type as typedefs name it."""
@@ -94,10 +96,10 @@ class Dialect(Protocol):
         """The text for a type of a package that the bridge doesn't have; kind is `msg` or `srv`."""
 
     def thrown(self, service: str, error: str) -> str | None:
-        """The answer where a service's handler throws, None where there is none."""
+        """Return the answer if a service's handler raises an exception, None if the bridge sends none."""
 
     def died(self) -> str | None:
-        """The answer where the node dies during the call, None where there is none."""
+        """Return the answer if the node dies during the call, None if the bridge sends none."""
 
     def log(self, seq: int, seconds: float, level: int, node: str, text: str) -> Message:
         """A line of /rosout, its level as ROS 1 counts."""

@@ -1,4 +1,4 @@
-"""Completes requests and messages from JSON as the bridge does, in its very words."""
+"""Completes requests and messages from JSON as the bridge does, with its exact error texts."""
 
 import base64
 from collections.abc import Mapping
@@ -26,7 +26,7 @@ def fill(dialect: Dialect, name: str, fields: Fields, given: object, now: float)
 
 
 class _Filling:
-    """One message on its way; complaints name it, and the field with all that it lies in."""
+    """One message being completed; error texts name it and the path of the field."""
 
     def __init__(self, dialect: Dialect, root: str, now: float) -> None:
         self._dialect, self._root, self._now = dialect, root, now
@@ -86,7 +86,7 @@ class _Filling:
     def _fixed(self, field: RosField, items: list[Any]) -> object:
         array = np.zeros(field.length or 0, dtype=np.uint8 if field.type == "uint8" else float)
         try:
-            array[:] = items  # one number fills all
+            array[:] = items  # a single number fills the array
         except ValueError as error:
             raise ServiceError(str(error)) from None
         return array if field.type == "uint8" else self._dialect.fixed(array.tolist())

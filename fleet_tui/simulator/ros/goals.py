@@ -1,4 +1,4 @@
-"""Goals of actions as a ROS 2 action server keeps them: accepted, executed, cancelled, ended, forgotten."""
+"""Goals of a ROS 2 action server: accepted, executed, cancelled, ended, forgotten."""
 
 from collections import deque
 from collections.abc import Callable
@@ -62,9 +62,9 @@ class ActionServer:
         self.reports: deque[list[tuple[Id, int, int]]] = deque(maxlen=LISTED)
         """The statuses that are still to be published: id, stamp and status of each goal."""
         self.alive = True
-        """False: its node is gone, nobody answers or says anything."""
+        """False: its node is not running; it neither answers nor publishes."""
         self.refuses_cancel = False
-        """True: no goal is let go."""
+        """True: cancellations are refused."""
 
     @property
     def running(self) -> list[ServedGoal]:
@@ -72,7 +72,7 @@ class ActionServer:
         return [goal for goal in self.goals.values() if not goal.over]
 
     def take(self, id_: Id, stamp: int, request: Message) -> ServedGoal | None:
-        """Accept a goal and begin with it, or reject it: None."""
+        """Accept a goal and begin it; None if it is rejected."""
         if not self._decide(request):
             return None
         goal = self.goals[id_] = ServedGoal(id_, stamp, request)
@@ -84,7 +84,7 @@ class ActionServer:
         return goal
 
     def advance(self, goal: ServedGoal, status: int, result: Message | None = None) -> None:
-        """Bring a goal on to another status. What has ended stays as it ended."""
+        """Change the status of a goal. An ended goal keeps its status."""
         if goal.over:
             return
         goal.status = status
@@ -93,14 +93,15 @@ class ActionServer:
         self._report()
 
     def age(self, dt: float) -> None:
-        """Let dt seconds pass: ended goals are forgotten, which the status topic tells only with the next."""
+        """Advance by dt seconds: ended goals are forgotten, which the status topic shows only with its next
+        message."""
         for goal in list(self.goals.values()):
             goal.age += dt
             if goal.over and goal.age > KEPT:
                 del self.goals[goal.id]
 
     def cancel(self, id_: Id, stamp: int) -> Message:
-        """Answer a CancelGoal: one goal, or without an id all up to the stamp, without a stamp all."""
+        """Answer a CancelGoal: one goal; without an id all goals up to the stamp; without a stamp all."""
         known = self.goals.get(id_)
         if any(id_) and not stamp:
             if known is None or known.status not in (ACCEPTED, EXECUTING):
@@ -118,7 +119,7 @@ class ActionServer:
         return _answer(OK, meant)
 
     def die(self) -> None:
-        """End as a node that crashes: its goals are gone without a word."""
+        """Crash the node: its goals are lost without a result."""
         self.alive = False
         self.goals.clear()
         self.reports.clear()

@@ -77,7 +77,7 @@ class Ros1:
         return {"seq": seq, "stamp": self.time(seconds), "frame_id": frame_id}
 
     def integer(self, name: str, value: int, bits: int, signed: bool) -> int:
-        """The value, refused where it does not fit."""
+        """Return the value; refuse one that does not fit."""
         lowest = -(1 << bits - 1) if signed else 0
         if not lowest <= value < lowest + (1 << bits):
             raise ServiceError(f"field {name} exceeds specified width [{'' if signed else 'u'}int{bits}]")
@@ -92,7 +92,7 @@ class Ros1:
         return f"Unable to load the manifest for package {package}. Caused by: {package}"
 
     def thrown(self, service: str, error: str) -> str | None:
-        """The node lives and tells the error."""
+        """The node survives and reports the error."""
         return f"service [{service}] responded with an error: b'error processing request: {error}'"
 
     def died(self) -> str | None:

@@ -112,7 +112,7 @@ class Ros2:
         return known and package == package.lower()
 
     def fixed(self, items: list[float]) -> object:
-        """A numpy array: NaN and Infinity stand bare in its JSON."""
+        """A numpy array: its NaN and Infinity are bare words in JSON."""
         return np.array(items, dtype=float)
 
     def got_param(self, value: str | None, request: Message) -> Message:
@@ -140,12 +140,12 @@ class Ros2:
         return {"stamp": self.time(seconds), "frame_id": frame_id}
 
     def integer(self, name: str, value: int, bits: int, signed: bool) -> int:
-        """The value, wrapped around where it does not fit."""
+        """Return the value; wrap around one that does not fit."""
         lowest = -(1 << bits - 1) if signed else 0
         return (value - lowest) % (1 << bits) + lowest
 
     def wrong(self, message: str, name: str, rostype: str, value: object) -> str:
-        """Message, field and both types; null is told in other words."""
+        """Name message, field and both types; null has another text."""
         if value is None:
             return "msg is not a primitive type, but a <class 'NoneType'>"
         return f"{message} message requires a {rostype} for field {name}, but got a {type(value)}"
@@ -160,7 +160,7 @@ class Ros2:
         return None
 
     def died(self) -> str | None:
-        """Nothing tells it: the call runs into its time limit."""
+        """The bridge reports nothing: the call times out."""
         return None
 
     def log(self, seq: int, seconds: float, level: int, node: str, text: str) -> Message:

@@ -27,7 +27,7 @@ _TIME = {"secs": RosField("int32"), "nsecs": RosField("int32")}
 
 
 def message_typedefs(dialect: Dialect, type_: str) -> list[Message]:
-    """A message type and every type in it; none where the bridge doesn't know it."""
+    """A message type and every type in it; none if the bridge does not know it."""
     return _recursive(dialect, dialect.short(type_), set())
 
 

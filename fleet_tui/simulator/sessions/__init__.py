@@ -1,1 +1,1 @@
-"""Connected clients: what they ask for, what is due to them."""
+"""Connected clients: their operations, subscriptions and outgoing frames."""

@@ -12,10 +12,8 @@ _RESPONSE = '{"op":"service_response"'
 
 
 def split(text: str, size: int, default_id: int | str) -> Iterator[str]:
-    """The text in frames of at most `size` characters of it each, itself where it is no longer.
-
-    A fragment's id is the message's own, where that has one.
-    """
+    """Split a text into frames of at most `size` characters each; a shorter one is returned whole. A fragment
+    has the id of the message, if it has one."""
     if len(text) <= size:
         yield text
         return
@@ -28,7 +26,7 @@ def split(text: str, size: int, default_id: int | str) -> Iterator[str]:
 
 
 class Assembler:
-    """Puts a client's fragments together again."""
+    """Reassembles a client's fragments."""
 
     def __init__(self) -> None:
         self._parts: dict[object, dict[int, str]] = {}

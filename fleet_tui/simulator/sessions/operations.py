@@ -1,4 +1,4 @@
-"""Operations of clients, and the fields that each must have to be listened to."""
+"""Operations of clients, and the fields that each must have to be accepted."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,7 +7,7 @@ Operation = dict[str, Any]
 
 OF_ROS_2 = ("send_action_goal", "cancel_action_goal")
 
-# Field -> type and whether it must be there; what is said with another type is not listened to.
+# Field -> type and whether it is required; an operation with another type is ignored.
 _FIELDS: Mapping[str, Mapping[str, tuple[type, bool]]] = {
     "subscribe": {
         "topic": (str, True),
@@ -33,7 +33,7 @@ _FIELDS: Mapping[str, Mapping[str, tuple[type, bool]]] = {
 
 
 def problem_of(operation: Operation, ros: int) -> str:
-    """The reason why an operation can't be meant on this generation of ROS, empty where it can."""
+    """Return the reason that an operation is invalid on this version of ROS, empty if it is valid."""
     op = operation.get("op")
     fields = _FIELDS.get(str(op))
     if op is None:

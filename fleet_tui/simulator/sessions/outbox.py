@@ -1,4 +1,4 @@
-"""The outbox of one client: all answers, of each topic only the newest few messages."""
+"""The outbox of one client: all answers, and only the newest few messages of each topic."""
 
 import heapq
 from collections import deque
@@ -7,8 +7,13 @@ from itertools import count
 
 from fleet_tui.simulator.frames import Compression, Frame
 
-COMPRESSIONS: tuple[Compression, ...] = ("cbor-raw", "cbor", "png", "none")  # the first that is asked for
-UNBUFFERED = 1000  # the real bridge blocks everybody at queue_length 0; here a slow client loses the oldest
+COMPRESSIONS: tuple[Compression, ...] = (
+    "cbor-raw",
+    "cbor",
+    "png",
+    "none",
+)  # the first one that a client requests is used
+UNBUFFERED = 1000  # the real bridge blocks all clients at queue_length 0; here a slow client loses the oldest
 SLACK = 0.005  # seconds a throttled message may come early, so that a 10 Hz topic fits a throttle of 100 ms
 
 
@@ -84,7 +89,7 @@ class Outbox:
 
     @property
     def next_due(self) -> float | None:
-        """When `take` will have something, if nothing new comes."""
+        """Return the time at which the next frame is due, if none is added."""
         return self._due[0][0] if self._due else None
 
     def _plan(self, subscription: ClientSubscription, now: float) -> None:

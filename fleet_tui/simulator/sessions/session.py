@@ -34,16 +34,16 @@ class Bridge(Protocol):
     services: "ServiceDesk"
     max_message_size: int | None
     one_by_one: bool
-    """True: a client's call or goal must be over before its next operation is looked at."""
+    """True: a client's call or goal must end before its next operation is handled."""
 
     def note(self, operation: Operation) -> None:
-        """Take note of an operation that arrived."""
+        """Record an operation that arrived."""
 
     def complain(self, session: "Session", operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""
 
     def join(self, session: "Session", operation: Operation) -> None:
-        """Bring a topic to a client, who may have it already. Raises BridgeError."""
+        """Subscribe a client to a topic, perhaps once more. Raises BridgeError."""
 
     def welcome(self, session: "Session", topic: str) -> None:
         """A client has subscribed to the topic, perhaps once more."""
@@ -73,7 +73,7 @@ class Session:
         self._wake = asyncio.Event()
         self._clock: Callable[[], float] = asyncio.get_running_loop().time
         self._assembler = Assembler()
-        self._fragment_size = sys.maxsize  # characters of a text frame that comes in one piece
+        self._fragment_size = sys.maxsize  # characters of a text frame that is sent whole
 
     async def run(self) -> None:
         """Serve until the client is gone."""
@@ -98,7 +98,7 @@ class Session:
         self._wake.set()
 
     def reply(self, frame: Frame) -> None:
-        """Send a frame as it is, after what is due already."""
+        """Send a frame as it is, after those that are already due."""
         self._outbox.reply(frame, self._clock())
         self._wake.set()
 
@@ -127,7 +127,7 @@ class Session:
     async def _perform(self, operation: Operation) -> None:
         match operation["op"]:
             case "subscribe":
-                # One after the other, as the bridge does: a call behind them waits too.
+                # One after the other, as on the real bridge: a call behind them waits, too.
                 await asyncio.sleep(self.bridge.subscribe_delay)
                 self._subscribe(operation)
             case "unsubscribe":
@@ -152,7 +152,7 @@ class Session:
                 self._share(operation)
 
     async def _wait(self, over: "asyncio.Future[None]") -> None:
-        """Wait for the end of what was asked for, where the bridge does that."""
+        """Wait for the end of the operation, if the bridge does so."""
         if self.bridge.one_by_one:
             gone = asyncio.ensure_future(self.connection.wait_closed())
             await asyncio.wait((over, gone), return_when=asyncio.FIRST_COMPLETED)

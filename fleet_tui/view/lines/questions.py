@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.batches import batch_name
-from fleet_tui.rules.commands.keeping import all_orders, clearable
+from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 from fleet_tui.view.tables.fleet import mission

@@ -70,7 +70,7 @@ def arrival_rows(
     head: Rows = [((f" {sanitize(summary)}", StyleRole.TITLE_FOCUSED),)]
     said = [*(sanitize(lack) for lack in lacks)]
     if lines:
-        said.append("Please check. No commands sent before the console opens.")
+        said.append("Please check. No commands are sent before the console opens.")
     for text in said:
         wrapped = textwrap.wrap(text, max(20, width - 2), break_on_hyphens=False)
         head += [((f" {line}", StyleRole.WARN if text in lacks else StyleRole.TEXT),) for line in wrapped]

@@ -10,7 +10,7 @@ from fleet_tui.model.order import Order, Stop, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import is_news
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.commands.keeping import all_orders, foreign
+from fleet_tui.rules.commands.local_queue import all_orders, foreign
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.text.durations import age

@@ -1,7 +1,7 @@
 """Probes of a robot with move_base."""
 
 from fleet_tui.adapters.move_base.probes import judge_bridge
-from fleet_tui.adapters.probes import BridgeProbe, HeardProbe
+from fleet_tui.adapters.probes import BridgeProbe, MessageProbe
 from tests.support.move_base_adapter import adapter
 
 
@@ -14,7 +14,7 @@ def test_a_bridge_of_ros_2_is_the_wrong_one() -> None:
 
 def test_its_localisation_and_its_battery_are_looked_at_where_it_has_them() -> None:
     def heard(**topics: str) -> list[str]:
-        return [one.key for one in adapter(topics=topics).probes("r1") if isinstance(one, HeardProbe)]
+        return [one.key for one in adapter(topics=topics).probes("r1") if isinstance(one, MessageProbe)]
 
     assert heard() == ["pose", "battery"]
     assert heard(battery="") == ["pose"]

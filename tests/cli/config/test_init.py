@@ -80,7 +80,7 @@ async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) ->
     assert dead.code == 3 and "connection refused" in dead.err
     wrong = await run(tmp_path, "config", "init", "--from-live", "http://x")
     assert wrong.code == 2 and "is not a rosbridge address" in wrong.err
-    PLANTS["a rosapi that fails inside"](server, Config())
+    PLANTS["a rosapi with an internal error"](server, Config())
     failing = await run(tmp_path, "config", "init", "--from-live", server.url)
     assert failing.code == 1 and "error processing request: boom" in failing.err
     assert "start" not in failing.err.lower()

@@ -20,7 +20,7 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import Told
+from fleet_tui.recording.records import EventRecord
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import T0, WALL, place_order, pose
@@ -35,8 +35,8 @@ async def eventful(link: FleetLink, store: WatchedStore, server: RosbridgeServer
     """Orders, pauses, maps, alarms and what an operator does about them, a cut link, another bridge."""
     await store.until(ready)
     link.show_map("robot_0", "floor_0")
-    link.tell(load_floor_map("floor_1", image, added=False))
-    link.tell(FloorGraphLoaded("floor_1", RouteGraph(), {"1": "Base"}, "a fault"))
+    link.post(load_floor_map("floor_1", image, added=False))
+    link.post(FloorGraphLoaded("floor_1", RouteGraph(), {"1": "Base"}, "a fault"))
     graph = store.state.robots["robot_0"].charts["floor_0"].graph
     assert graph is not None
     start, end, *_ = graph.vertices
@@ -50,8 +50,8 @@ async def eventful(link: FleetLink, store: WatchedStore, server: RosbridgeServer
     port = int(server.url.rpartition(":")[2])
     await server.stop()
     state = await store.until(lambda state: state.alarms)
-    link.tell(AlarmAcknowledged(*state.alarms[0].key))
-    link.tell(AlarmShelved(*state.alarms[0].key, state.now + 1.0))
+    link.post(AlarmAcknowledged(*state.alarms[0].key))
+    link.post(AlarmShelved(*state.alarms[0].key, state.now + 1.0))
     await finished(link, store, PauseRobot("robot_0"))
     other = RosbridgeServer(World(robots=2, floors=2, seed=2), port=port)
     await other.start()
@@ -90,7 +90,7 @@ async def test_every_instant_is_as_it_was(tmp_path: Path, server: RosbridgeServe
     head, was = RecordingCursor(recording), list[tuple[float, object]]()
     later = dict[float, object]()
     while (record := head.take()) is not None:
-        if isinstance(record, Told) and isinstance(record.event, TimePassed):
+        if isinstance(record, EventRecord) and isinstance(record.event, TimePassed):
             state = plain(ticks[record.event.at])
             assert plain(head.state) == state
             was.append((head.at, state))

@@ -14,7 +14,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
-from fleet_tui.recording.records import Heard, Told
+from fleet_tui.recording.records import EventRecord, ReceivedFrame
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
@@ -66,8 +66,8 @@ async def test_two_bridges_and_a_large_map(tmp_path: Path, server: RosbridgeServ
     recording = open_recording(tap.path)
     head, ticks, maps = RecordingCursor(recording), 0, 0
     while (record := head.take()) is not None:
-        maps += isinstance(record, Heard) and len(record.payload) > SIDE * SIDE
-        if isinstance(record, Told) and isinstance(record.event, TimePassed):
+        maps += isinstance(record, ReceivedFrame) and len(record.payload) > SIDE * SIDE
+        if isinstance(record, EventRecord) and isinstance(record.event, TimePassed):
             ticks += 1
             assert plain(head.state) == plain(store.ticks[record.event.at])
     assert ticks > 30 and maps == 1

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.model.events import TimePassed
-from fleet_tui.recording.records import Heard
+from fleet_tui.recording.records import ReceivedFrame
 from tests.support.fleets import LINK, R0, T0, WALL, link_up
 from tests.support.replay_console import replayed
 from tests.support.replay_times import at
@@ -26,7 +26,9 @@ def drive(tmp_path: Path) -> Path:
     made.tell(0.0, link_up(T0))
     for second in range(100):
         now, wall = T0 + second, WALL + second
-        made.records.append(Heard(now, wall, LINK, "topics", "", (FRAME % second).encode(), False, now))
+        made.records.append(
+            ReceivedFrame(now, wall, LINK, "topics", "", (FRAME % second).encode(), False, now)
+        )
         made.tell(second, TimePassed(now, wall))
     return made.written(tmp_path / "drive.jsonl.gz").path
 

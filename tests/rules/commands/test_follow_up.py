@@ -10,7 +10,7 @@ from fleet_tui.model.navigation_events import (
 )
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.request import given_now
-from fleet_tui.rules.commands.keeping import foreign, next_to_send, to_keep
+from fleet_tui.rules.commands.local_queue import foreign, next_to_send, orders_to_save
 from tests.support.fleets import F0, R0, T0, told
 from tests.support.legs import (
     A_B,
@@ -59,15 +59,15 @@ def test_each_stop_is_a_goal_of_its_own() -> None:
     assert given_now(A_B, KIND) == PlaceOrder(R0, at_vertices("1"))
     assert given_now(A_B, KIND, 1) == PlaceOrder(R0, at_vertices("2"))
     state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
-    assert [stops for _, stops in to_keep(state, state.robots[R0])] == [at_vertices("2")]
+    assert [stops for _, stops in orders_to_save(state, state.robots[R0])] == [at_vertices("2")]
     state = lived(state, T0 + 2, goal("goal---1", DONE))
     assert (record(state).stage, record(state).leg) == (Stage.WAITING, 1)
-    assert [stops for _, stops in to_keep(state, state.robots[R0])] == [at_vertices("2")]
+    assert [stops for _, stops in orders_to_save(state, state.robots[R0])] == [at_vertices("2")]
     following = next_to_send(state, state.robots[R0])
     assert following is not None and following.id == 7
     state = lived(sent(state, T0 + 2.1, "goal---2"), T0 + 2.3, goal("goal---1", DONE), goal("goal---2"))
     assert record(state).stage is Stage.CONFIRMED and record(state).order_id == "goal---2"
-    assert not list(to_keep(state, state.robots[R0]))
+    assert not list(orders_to_save(state, state.robots[R0]))
     state = lived(state, T0 + 4, goal("goal---2", DONE))
     assert record(state).stage is Stage.DONE
 
@@ -75,7 +75,7 @@ def test_each_stop_is_a_goal_of_its_own() -> None:
 def test_an_order_that_fails_at_its_first_stop_goes_to_no_other() -> None:
     state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
     state = lived(state, T0 + 2, goal("goal---1", FAILED))
-    assert record(state).stage is Stage.FAILED and not list(to_keep(state, state.robots[R0]))
+    assert record(state).stage is Stage.FAILED and not list(orders_to_save(state, state.robots[R0]))
 
 
 def test_what_is_cancelled_on_its_first_leg_goes_no_further() -> None:
@@ -83,7 +83,7 @@ def test_what_is_cancelled_on_its_first_leg_goes_no_further() -> None:
         state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
         state = told(state, CommandIssued(8, command, T0 + 1.5, T0), CommandAdvanced(8, Stage.SENT, T0 + 1.5))
         state = lived(state, T0 + 2, goal("goal---1", OFF))
-        assert record(state).stage is Stage.CANCELLED and not list(to_keep(state, state.robots[R0]))
+        assert record(state).stage is Stage.CANCELLED and not list(orders_to_save(state, state.robots[R0]))
 
 
 def test_a_pause_keeps_the_leg() -> None:

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
-from fleet_tui.adapters.answers import judge, said
 from fleet_tui.adapters.nav2.codes import in_words
+from fleet_tui.adapters.service_outcome import judge, said
 from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.text.limits import truncate
 

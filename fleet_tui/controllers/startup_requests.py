@@ -18,7 +18,7 @@ LATEST = 0.5
 Give = Callable[[Request], None]
 
 
-class _HeldInput(NamedTuple):
+class _StartupRequest(NamedTuple):
     request: Request
     since: float
 
@@ -31,24 +31,24 @@ class _HeldInput(NamedTuple):
         return self.since + (PAUSE_WITHIN if self.pauses else LINK_WITHIN)
 
 
-class Held:
-    """Holds requests until the link of their robots is up, or the time is over."""
+class StartupRequests:
+    """Holds requests until the link of their robots is up, or the time limit has passed."""
 
     def __init__(self, give: Give, refuse: Callable[[str], None]) -> None:
         """`refuse` is called with the reason that a request is not sent."""
         self._give, self._refuse = give, refuse
-        self._waiting: list[_HeldInput] = []
+        self._waiting: list[_StartupRequest] = []
 
     def hold(self, state: FleetState, request: Request, now: float) -> Request | None:
         """Hold the commands that have to wait. Returns the others, None if there are none."""
-        return self._keep_starting(state, _HeldInput(request, now))
+        return self._hold_starting(state, _StartupRequest(request, now))
 
     def release(self, state: FleetState, now: float) -> None:
         """Send the requests that need not wait any longer; after the time limit the checks give the reason
         not to."""
         waiting, self._waiting = self._waiting, []
         for one in waiting:
-            ready = self._keep_starting(state, one) if now < one.until else one.request
+            ready = self._hold_starting(state, one) if now < one.until else one.request
             if ready is None:
                 continue
             if now > one.until + LATEST and not one.pauses:
@@ -56,12 +56,12 @@ class Held:
             else:
                 self._give(ready)
 
-    def _keep_starting(self, state: FleetState, one: _HeldInput) -> Request | None:
-        """Keep the commands whose link is still starting, whatever the other links do."""
+    def _hold_starting(self, state: FleetState, one: _StartupRequest) -> Request | None:
+        """Hold the commands whose link is still starting, independently of the other links."""
         commands = one.request.commands
         starting = tuple(command for command in commands if _is_starting(state, command))
         if starting:
-            self._waiting.append(_HeldInput(replace(one.request, commands=starting), one.since))
+            self._waiting.append(_StartupRequest(replace(one.request, commands=starting), one.since))
         rest = tuple(command for command in commands if command not in starting)
         return replace(one.request, commands=rest) if rest else None
 

@@ -15,8 +15,8 @@ from fleet_tui.rules.commands.goals import own_ids
 
 PREFIX = "k"
 """Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
-SOMEBODY_ELSE = "another client drives"
-HELD_BY_OTHERS = (SOMEBODY_ELSE, "someone else drives")
+ANOTHER_CLIENT = "another client drives"
+HELD_BY_OTHERS = (ANOTHER_CLIENT, "someone else drives")
 """The second is that of older recordings."""
 
 _WELL = frozenset({Stage.DONE})
@@ -39,7 +39,7 @@ def waiting(state: FleetState, robot: Robot) -> list[CommandRecord]:
     return [one for one in orders_of(state, robot) if one.stage is Stage.WAITING]
 
 
-def to_keep(state: FleetState, robot: Robot) -> Iterator[tuple[CommandRecord, tuple[Stop, ...]]]:
+def orders_to_save(state: FleetState, robot: Robot) -> Iterator[tuple[CommandRecord, tuple[Stop, ...]]]:
     """Return the orders with stops unknown to the robot, with the stops that are left."""
     for one in orders_of(state, robot):
         if isinstance(one.command, PlaceOrder):
@@ -49,7 +49,7 @@ def to_keep(state: FleetState, robot: Robot) -> Iterator[tuple[CommandRecord, tu
                 yield one, one.command.stops[one.leg + 1 :]
 
 
-def kept_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
+def waiting_orders_of(state: FleetState, robot: Robot) -> tuple[Order, ...]:
     """Return the orders that wait here, as shown in a queue."""
     return tuple(
         Order(one.order_id or "", one.command.stops, None, one.stage.value, 0)
@@ -61,7 +61,7 @@ def kept_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
 def all_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
     """Return the orders of a robot in driving sequence: its own, then those that wait here."""
     own = robot.orders.in_sequence()
-    return own + kept_orders(state, robot) if robot.kind.keeps_goals else own
+    return own + waiting_orders_of(state, robot) if robot.kind.keeps_goals else own
 
 
 def clearable(state: FleetState, robot: Robot) -> tuple[Order, ...]:
@@ -69,7 +69,7 @@ def clearable(state: FleetState, robot: Robot) -> tuple[Order, ...]:
     listed = tuple(order for order in all_orders(state, robot) if not order.is_over)
     if not robot.kind.keeps_goals:
         return listed
-    ours = {*own_ids(robot.goals), *(order.id for order in kept_orders(state, robot))}
+    ours = {*own_ids(robot.goals), *(order.id for order in waiting_orders_of(state, robot))}
     return tuple(order for order in listed if order.id in ours)
 
 
@@ -136,7 +136,9 @@ def withdrawn(state: FleetState, command_id: int, since: float) -> str:
 
 def hold_all(state: FleetState, reason: str) -> Iterator[QueueHeld]:
     """Return the events that hold every queue with stops left to send."""
-    return (QueueHeld(robot.name, reason) for robot in state.robots.values() if any(to_keep(state, robot)))
+    return (
+        QueueHeld(robot.name, reason) for robot in state.robots.values() if any(orders_to_save(state, robot))
+    )
 
 
 def with_held_queues(state: FleetState) -> FleetState:
@@ -152,14 +154,14 @@ def with_held_queues(state: FleetState) -> FleetState:
 def _held(state: FleetState, robot: Robot) -> str:
     """Return the reason to hold its queue from now on: the first one counts, as long as there is something to
     send, even the next stop of the current order."""
-    if not any(to_keep(state, robot)):
+    if not any(orders_to_save(state, robot)):
         return ""
     return robot.held or next(_reasons(state, robot), "")
 
 
 def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
     if foreign(state, robot):
-        yield SOMEBODY_ELSE
+        yield ANOTHER_CLIENT
     if state.links[robot.link].phase is not Phase.UP:
         yield "the link was lost"
     elif not state.is_online(robot):

@@ -5,14 +5,14 @@ import logging
 import time
 from collections.abc import Callable, Iterator
 
-from fleet_tui.client.queue_file import Kept, QueueFile
+from fleet_tui.client.queue_file import QueueFile, WaitingOrder
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.request import given_now
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.keeping import is_busy, next_to_send, to_keep, waiting
+from fleet_tui.rules.commands.local_queue import is_busy, next_to_send, orders_to_save, waiting
 from fleet_tui.rules.commands.pauses import late_goals
 from fleet_tui.state.store import Store
 
@@ -20,34 +20,34 @@ LOG = logging.getLogger(__name__)
 
 RESTARTED = "this console was restarted"
 
-MOST_KEPT = 100
+MOST_WAITING = 100
 """Maximum number of orders that wait for one robot."""
 
 Send = Callable[[int, Command, float], None]
 
 
-class Keeper:
+class WaitingOrders:
     """Runs on the network loop, except `load`. `send` sends the command of a number, given at a monotonic
-    second; `send_again` sends it once more without reporting progress; `new_id` returns the number of a
+    second; `resend` sends it once more without reporting progress; `new_id` returns the number of a
     command."""
 
     def __init__(
         self,
         file: QueueFile | None,
         store: Store,
-        tell: Callable[[Event], None],
+        apply: Callable[[Event], None],
         send: Send,
-        send_again: Callable[[Command], None],
+        resend: Callable[[Command], None],
         new_id: Callable[[], int],
     ) -> None:
         """Without a file this console keeps no orders."""
-        self._file, self._store, self._tell, self._send, self._new_id = file, store, tell, send, new_id
-        self._send_again = send_again
+        self._file, self._store, self._apply, self._send, self._new_id = file, store, apply, send, new_id
+        self._resend = resend
         self._stopped: set[str] = set()
         """Goals for which a pause was sent again."""
         self._leaving: set[int] = set()
-        self._saved: list[Kept] = []
-        self._of_others: list[Kept] = []
+        self._saved: list[WaitingOrder] = []
+        self._foreign: list[WaitingOrder] = []
         self._has_loaded = False
 
     def load(self) -> None:
@@ -62,51 +62,51 @@ class Keeper:
             return False
         if not self._has_loaded:
             self._has_loaded = True
-            self._take_up(file)
+            self._restore(file)
         return True
 
-    def _take_up(self, file: QueueFile) -> None:
+    def _restore(self, file: QueueFile) -> None:
         state, self._saved = self._store.state, file.load()
         for kept in self._saved:
             robot = state.robots.get(kept.robot)
             is_ours = robot is not None and state.links[robot.link].url == kept.url
             if robot is None or not is_ours or not robot.kind.keeps_goals:
-                self._of_others.append(kept)
+                self._foreign.append(kept)
                 continue
             command_id, now = self._new_id(), time.monotonic()
-            self._tell(
+            self._apply(
                 CommandIssued(command_id, PlaceOrder(robot.name, kept.stops), now, kept.wall, kept.floor)
             )
-            self._tell(CommandAdvanced(command_id, Stage.WAITING, now, RESTARTED))
-            self._tell(QueueHeld(robot.name, RESTARTED))
+            self._apply(CommandAdvanced(command_id, Stage.WAITING, now, RESTARTED))
+            self._apply(QueueHeld(robot.name, RESTARTED))
         if file.problem:
             LOG.warning("%s", file.problem)
 
-    def takes(self, command_id: int, command: Command, given_at: float) -> bool:
+    def handles(self, command_id: int, command: Command, given_at: float) -> bool:
         """Carry out a command here if it concerns waiting orders."""
         state = self._store.state
         robot = state.robots[command.robot]
         if not robot.kind.keeps_goals:
             return False
         if isinstance(command, PlaceOrder) and is_busy(state, robot, command_id):
-            stage, words = self._keep(robot)
-            self._tell(CommandAdvanced(command_id, stage, given_at, words))
+            stage, words = self._enqueue(robot)
+            self._apply(CommandAdvanced(command_id, stage, given_at, words))
             return True
         if isinstance(command, CancelOrder):
             for record in waiting(state, robot):
                 if record.order_id == command.order_id:
                     self._drop(record, given_at)
                     for stage in (Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED):
-                        self._tell(CommandAdvanced(command_id, stage, given_at, "was waiting here"))
+                        self._apply(CommandAdvanced(command_id, stage, given_at, "was waiting here"))
                     return True
         if isinstance(command, ClearOrders):
             for record in waiting(state, robot):
                 self._drop(record, given_at)
         return False
 
-    def _keep(self, robot: Robot) -> tuple[Stage, str]:
-        if len(waiting(self._store.state, robot)) >= MOST_KEPT:
-            return Stage.NOT_SENT, f"{robot.name} has {MOST_KEPT} orders waiting here, the maximum"
+    def _enqueue(self, robot: Robot) -> tuple[Stage, str]:
+        if len(waiting(self._store.state, robot)) >= MOST_WAITING:
+            return Stage.NOT_SENT, f"{robot.name} has {MOST_WAITING} orders waiting here, the maximum"
         busy = "is paused" if robot.paused_by_us else "has an order"
         if self._file is None:
             words = f"{robot.name} {busy} and has no queue: order from a console, or wait"
@@ -116,9 +116,9 @@ class Keeper:
         return Stage.WAITING, f"in the queue of this console ({self._file.owner})"
 
     def _drop(self, record: CommandRecord, at: float) -> None:
-        self._tell(CommandAdvanced(record.id, Stage.CANCELLED, at, "by this console before it was sent"))
+        self._apply(CommandAdvanced(record.id, Stage.CANCELLED, at, "by this console before it was sent"))
 
-    def look(self, now: float) -> None:
+    def tick(self, now: float) -> None:
         """Send the orders that may leave, and save the waiting ones. Called with each tick."""
         state = self._store.state
         self._save(state)
@@ -127,7 +127,7 @@ class Keeper:
             late = {goal.uuid for goal in late_goals(state, pause)} - self._stopped
             if late:
                 self._stopped |= late
-                self._send_again(pause.command)
+                self._resend(pause.command)
         for robot in state.robots.values():
             if robot.kind.keeps_goals:
                 record = next_to_send(state, robot)
@@ -136,17 +136,17 @@ class Keeper:
                     self._send(record.id, given_now(record.command, robot.kind, record.leg), now)
 
     def _save(self, state: FleetState) -> None:
-        kept = [*self._of_others, *self._kept(state)]
+        kept = [*self._foreign, *self._orders_to_save(state)]
         if self._file is not None and kept != self._saved:
             self._saved = kept
             self._file.save(kept)
 
-    def _kept(self, state: FleetState) -> Iterator[Kept]:
+    def _orders_to_save(self, state: FleetState) -> Iterator[WaitingOrder]:
         for robot in state.robots.values():
             if robot.kind.keeps_goals:
                 url = state.links[robot.link].url
-                for record, stops in to_keep(state, robot):
-                    yield Kept(url, robot.name, stops, record.wall, record.before.floor)
+                for record, stops in orders_to_save(state, robot):
+                    yield WaitingOrder(url, robot.name, stops, record.wall, record.before.floor)
 
     def close(self) -> None:
         """Let other consoles keep orders. Waiting ones stay in the file."""

@@ -2,7 +2,7 @@
 
 import msgspec
 
-from fleet_tui.controllers.held import LINK_WITHIN, PAUSE_WITHIN, Held
+from fleet_tui.controllers.startup_requests import LINK_WITHIN, PAUSE_WITHIN, StartupRequests
 from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
@@ -26,7 +26,7 @@ class Given:
     def __init__(self) -> None:
         self.commands: list[Command] = []
         self.said: list[str] = []
-        self.held = Held(lambda request: self.commands.extend(request.commands), self.said.append)
+        self.held = StartupRequests(lambda request: self.commands.extend(request.commands), self.said.append)
 
 
 def test_a_pause_of_all_does_not_wait_for_the_slowest_link() -> None:

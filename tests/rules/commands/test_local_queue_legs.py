@@ -14,7 +14,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
-from fleet_tui.rules.commands.keeping import all_orders, hold_all, next_to_send
+from fleet_tui.rules.commands.local_queue import all_orders, hold_all, next_to_send
 from fleet_tui.rules.commands.pauses import FOREIGN_STOPPED
 from tests.support.fleets import R0, T0, link_lost, link_up, tick, told
 from tests.support.legs import DONE, OFF, goal, lived, record, sent, site

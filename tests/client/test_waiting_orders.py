@@ -5,9 +5,9 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from fleet_tui.client import keeper
-from fleet_tui.client.keeper import RESTARTED
-from fleet_tui.client.queue_file import FILE, Kept
+from fleet_tui.client import waiting_orders
+from fleet_tui.client.queue_file import FILE, WaitingOrder
+from fleet_tui.client.waiting_orders import RESTARTED
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -18,7 +18,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import OrderState, at_vertices
-from fleet_tui.rules.commands.keeping import SOMEBODY_ELSE, kept_orders, waiting
+from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, waiting, waiting_orders_of
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from fleet_tui.simulator.ros.goals import CANCELED
 from fleet_tui.transports.rosbridge import connection
@@ -51,7 +51,7 @@ async def test_a_second_order_waits_here_and_leaves_when_the_first_is_done(
         second, third = link.submit(site.to("Base")), link.submit(site.to("Receiving", "Base"))
         await reached(store, third, Stage.WAITING)
         state = await store.until(lambda state: len(waiting(state, state.robots[R0])) == 2)
-        assert [one.id for one in kept_orders(state, state.robots[R0])] == ["k1", "k2"]
+        assert [one.id for one in waiting_orders_of(state, state.robots[R0])] == ["k1", "k2"]
         assert record_of(state, second).words.startswith("in the queue of this console (ana@")
         await store.until(lambda _: len(kept(tmp_path)) == 2)
         state = await store.until(lambda state: record_of(state, second).stage is Stage.CONFIRMED)
@@ -64,7 +64,7 @@ async def test_a_second_order_waits_here_and_leaves_when_the_first_is_done(
 
 
 async def test_only_so_many_orders_wait_for_a_robot(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(keeper, "MOST_KEPT", 1)
+    monkeypatch.setattr(waiting_orders, "MOST_WAITING", 1)
     async with linked(site.config, queue=keeping()) as (link, store):
         await store.until(nav2_ready)
         await finished(link, store, site.to("Consumidores"))
@@ -142,7 +142,7 @@ async def test_who_starts_anew_holds_what_was_kept(site: Site, tmp_path: Path) -
 
 
 async def test_what_another_configuration_kept_stays_in_the_file(site: Site, tmp_path: Path) -> None:
-    theirs = Kept("ws://other-site:9090", R0, at_vertices("1"), 1.0)
+    theirs = WaitingOrder("ws://other-site:9090", R0, at_vertices("1"), 1.0)
     (tmp_path / FILE).write_bytes(msgspec.json.encode([theirs]))
     async with linked(site.config, queue=keeping(tmp_path)) as (link, store):
         await store.until(nav2_ready)
@@ -160,7 +160,7 @@ async def test_while_someone_else_drives_the_queue_is_held(site: Site) -> None:
         await store.until(lambda state: state.robots[R0].orders.open)
         second = link.submit(site.to("Receiving"))
         await reached(store, second, Stage.WAITING)
-        state = await store.until(held(SOMEBODY_ELSE))
+        state = await store.until(held(ANOTHER_CLIENT))
         await store.until(lambda state: [one for one in state.alarms if one.key[1] == "held"])
         await store.until(lambda state: not state.robots[R0].orders.open)
         assert record_of(store.state, second).stage is Stage.WAITING and state.robots[R0].held

@@ -23,7 +23,7 @@ from fleet_tui.model.order import OrderState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
-from fleet_tui.rules.commands.keeping import next_to_send, waiting
+from fleet_tui.rules.commands.local_queue import next_to_send, waiting
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.lines.questions import question
 from fleet_tui.view.tables.fleet import fleet_table
@@ -181,8 +181,8 @@ def test_a_queue_in_which_nothing_waits_any_more_is_not_held() -> None:
 
 def test_a_robot_that_is_not_heard_is_not_said_to_have_stopped() -> None:
     pause = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, words="no action server")
-    unheard = after(of_kinds(fleet(), KIND), *KNOWN, link_up(T0), *pause)
-    assert record(after(unheard, tick(T0 + 0.1)), 1).stage is Stage.ACCEPTED
-    ended = record(after(unheard, *map(tick, (T0 + 0.1, T0 + 60))), 1)
+    offline = after(of_kinds(fleet(), KIND), *KNOWN, link_up(T0), *pause)
+    assert record(after(offline, tick(T0 + 0.1)), 1).stage is Stage.ACCEPTED
+    ended = record(after(offline, *map(tick, (T0 + 0.1, T0 + 60))), 1)
     assert (ended.stage, ended.words) == (Stage.NOT_CONFIRMED, "accepted; the robot is offline")
-    assert record(after(unheard, pose(T0 + 0.2), tick(T0 + 0.2)), 1).stage is Stage.CONFIRMED
+    assert record(after(offline, pose(T0 + 0.2), tick(T0 + 0.2)), 1).stage is Stage.CONFIRMED
