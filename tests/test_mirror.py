@@ -24,7 +24,6 @@ ACROSS = {
 
 TESTED_ELSEWHERE = {
     "app.py": "test_app_no_colour.py",
-    "bags/": "bags/test_convert.py",
     "cli/": "cli/test_main.py",
     "cli/orders/": "cli/orders/test_commands.py",
     "console.py": "recording/play/test_player.py",
@@ -32,7 +31,6 @@ TESTED_ELSEWHERE = {
     "controllers/offers.py": "screens/test_palette.py",
     "controllers/replay.py": "recording/play/test_player.py",
     "demo.py": "simulator/test_site.py",
-    "discovery/": "discovery/test_site.py",
     "doctor/": "doctor/test_run_site_faults.py",
     "entry.py": "screens/test_main_start.py",
     "screens/": "screens/test_main.py",
@@ -47,7 +45,7 @@ TESTED_ELSEWHERE = {
     "widgets/": "screens/test_main.py",
 }
 """Where modules are tested that have no file of their own: one module, or all that are left of a folder."""
-PENDING = 100
+PENDING = 93
 """So many modules are; each one less is welcome, none more."""
 
 
