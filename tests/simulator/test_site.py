@@ -73,13 +73,6 @@ def test_the_kinds_take_turns() -> None:
     assert max(len(crew.numbers) for crew in crews) - min(len(crew.numbers) for crew in crews) <= 1
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_a_fleet_has_the_robots_it_is_asked_for(kind: str) -> None:
-    fleet = KINDS[kind].build(3, 2, 1, 4, 3)
-    assert list(fleet.robots) == ["robot_4", "robot_7", "robot_10"]
-    assert [robot.index for robot in fleet.robots.values()] == [4, 7, 10]
-
-
 @pytest.mark.parametrize("floors", [1, 3])
 def test_fleets_behind_one_bridge_share_no_topic_service_or_listener(floors: int) -> None:
     both = fleets(8, floors)

@@ -106,11 +106,11 @@ class NavigatingWorld(ABC, Generic[N]):
             if robot.driving or navigation.busy:
                 continue
             if robot.battery < LOW and not robot.docked:
-                _dock(navigation)
+                self._dock(navigation)
             self._rest[name] -= STEP
             if robot.index % 2 and self._rest[name] <= 0.0 and robot.battery > 2 * LOW:
                 self._rest[name] = self._rng.uniform(10.0, 30.0)
-                _send(navigation, self._rng)
+                self._send(navigation)
 
     def _silence(self) -> None:
         """Every 3 to 4 minutes one robot is not heard for a moment, as where Wi-Fi hands over."""
@@ -119,16 +119,14 @@ class NavigatingWorld(ABC, Generic[N]):
             self._silence_in = self._rng.uniform(180.0, 240.0)
             self._rng.choice(tuple(self.robots.values())).silence = self._rng.uniform(1.0, 3.0)
 
+    def _dock(self, navigation: N) -> None:
+        """Send a robot to its charger."""
+        floor = navigation.robot.floor
+        charger = floor.graph.vertices[floor.vertex_of("charger")]
+        navigation.give(charger.x, charger.y)
 
-def _dock(navigation: Navigating) -> None:
-    """Send a robot to its charger."""
-    floor = navigation.robot.floor
-    charger = floor.graph.vertices[floor.vertex_of("charger")]
-    navigation.give(charger.x, charger.y)
-
-
-def _send(navigation: Navigating, rng: random.Random) -> None:
-    """Send a robot to a labelled vertex."""
-    floor = navigation.robot.floor
-    spot = floor.graph.vertices[rng.choice(tuple(floor.labels))]
-    navigation.give(spot.x, spot.y, rng.uniform(-3.0, 3.0))
+    def _send(self, navigation: N) -> None:
+        """Send a robot to a labelled vertex."""
+        floor = navigation.robot.floor
+        spot = floor.graph.vertices[self._rng.choice(tuple(floor.labels))]
+        navigation.give(spot.x, spot.y, self._rng.uniform(-3.0, 3.0))
