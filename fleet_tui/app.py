@@ -87,6 +87,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
             themes={name: partial(self.use_theme, name) for name in self._themes},
             announce=Annunciator(config.alarms, self.output.call).look,
             resized=self._start.show,
+            hatched=not self._colour or self.console.color_system in (None, "standard"),
             terminal=terminal,
             message=message,
         )

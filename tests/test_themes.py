@@ -11,14 +11,20 @@ from fleet_tui.view.roles import StyleRole
 
 SHIPPED = ("colourblind", "contrast", "dark", "light")
 
-QUIET = {
-    StyleRole.FLOOR,
-    StyleRole.UNKNOWN,
-    StyleRole.RULE,
-    StyleRole.EDGE,
-    StyleRole.TRAIL,
-    StyleRole.TRAIL_OLD,
-}
+READ = (
+    StyleRole.LABEL,
+    StyleRole.TARGET,
+    StyleRole.VERTEX_LABELLED,
+    *(ink for ink in StyleRole if ink >= StyleRole.TEXT and ink is not StyleRole.RULE),
+)
+ROBOTS = (
+    StyleRole.ROBOT,
+    StyleRole.CARGO,
+    StyleRole.ROBOT_SELECTED,
+    StyleRole.ROBOT_OFFLINE,
+    StyleRole.ROBOT_ALARM,
+)
+GROUND = (StyleRole.FLOOR, StyleRole.UNKNOWN)
 
 
 def test_the_shipped_themes_are_there_and_fault_free() -> None:
@@ -34,15 +40,56 @@ def test_a_shipped_theme_names_every_ink_itself_and_makes_a_textual_theme(name: 
     assert Theme(**theme.textual()).dark == (name != "light")
 
 
+class Look:
+    """The colours of a theme, as WCAG 2 measures them."""
+
+    def __init__(self, name: str) -> None:
+        self.styles = load_themes()[0][name].styles()
+
+    def colours(self, ink: StyleRole) -> tuple[Color, Color]:
+        """Return the colour of an ink and that behind it."""
+        style = self.styles[ink]
+        assert style.color
+        assert style.bgcolor
+        pair = Color.from_rich_color(style.color), Color.from_rich_color(style.bgcolor)
+        return (pair[1], pair[0]) if style.reverse else pair
+
+    def stands_out(self, ink: StyleRole, ground: Color) -> float:
+        """Return the contrast of an ink to a ground: of its chip, or of its letters if it has none."""
+        letters, behind = self.colours(ink)
+        return _contrast(behind if self.has_chip(ink) else letters, ground)
+
+    def has_chip(self, ink: StyleRole) -> bool:
+        return self.colours(ink)[1] not in [self.colours(ground)[1] for ground in GROUND]
+
+    @property
+    def grounds(self) -> list[Color]:
+        """Return floor, unknown ground and wall."""
+        return [*(self.colours(ground)[1] for ground in GROUND), self.colours(StyleRole.WALL)[0]]
+
+
 @pytest.mark.parametrize("name", SHIPPED)
-@pytest.mark.parametrize("ink", [ink for ink in StyleRole if ink not in QUIET])
-def test_what_must_be_read_stands_out(name: str, ink: StyleRole) -> None:
-    style = load_themes()[0][name].styles()[ink]
-    assert style.color
-    assert style.bgcolor
-    assert _contrast(Color.from_rich_color(style.color), Color.from_rich_color(style.bgcolor)) >= (
-        2.4 if ink in (StyleRole.VERTEX, StyleRole.MISSION_NEXT) else 4.0
-    )
+@pytest.mark.parametrize("ink", [*READ, *ROBOTS])
+def test_text_is_readable(name: str, ink: StyleRole) -> None:
+    assert _contrast(*Look(name).colours(ink)) >= 4.5
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+@pytest.mark.parametrize("ink", [*ROBOTS, StyleRole.MISSION, StyleRole.TARGET])
+def test_robots_and_missions_stand_out_from_floor_and_wall(name: str, ink: StyleRole) -> None:
+    look = Look(name)
+    assert min(look.stands_out(ink, ground) for ground in look.grounds) >= 3.0
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_robots_outshine_the_mission_then_labels_then_walls_then_edges(name: str) -> None:
+    look = Look(name)
+    floor = look.colours(StyleRole.FLOOR)[1]
+    ranks = (StyleRole.ROBOT, StyleRole.MISSION, StyleRole.LABEL, StyleRole.VERTEX, StyleRole.EDGE)
+    brightness = [look.stands_out(ink, floor) for ink in ranks]
+    assert brightness == sorted(brightness, reverse=True)
+    wall = look.stands_out(StyleRole.WALL, floor)
+    assert 1.8 <= wall < look.stands_out(StyleRole.LABEL, floor) / 1.5
 
 
 def _contrast(one: Color, other: Color) -> float:

@@ -4,10 +4,10 @@ import math
 from dataclasses import replace
 from time import monotonic
 
+from fleet_tui.controllers.stride import Stride
 from fleet_tui.view.map.camera import ZOOM_STEP
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.modes import CursorMode, MapMode, ViewMode
-from fleet_tui.view.map.stride import Stride
 from fleet_tui.widgets.map_view import MapView
 
 

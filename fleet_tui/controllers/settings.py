@@ -11,8 +11,9 @@ from fleet_tui.view.map.drawing import Drawing
 
 class ConsoleSettings(Struct, frozen=True):
     """`keys`: the keys of each id; `clock`: Unix seconds as text; `permissions`: those at the start;
-    `themes`: for each a function that switches to it; `announce` is called with every state, `resized`
-    after a change of size; `terminal`: its description in help; `message`: the first notice."""
+    `themes`: for each a function that switches to it; `announce` is called with every state, `resized` after
+    a change of size; `hatched`: colours don't tell unknown ground from floor; `terminal`: its description in
+    help; `message`: the first notice."""
 
     keys: Mapping[str, tuple[str, ...]]
     clock: Callable[[float], str]
@@ -21,5 +22,6 @@ class ConsoleSettings(Struct, frozen=True):
     themes: Mapping[str, Callable[[], None]]
     announce: Callable[[FleetState], None]
     resized: Callable[[], None]
+    hatched: bool = False
     terminal: str = ""
     message: str = ""

@@ -40,7 +40,7 @@ class Rest:
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
         navigation, notices = screen.navigation, screen.notices
         self.map = MapView(id="map")
-        self.map.picture.options = MapOptions(drawing=settings.drawing)
+        self.map.picture.options = MapOptions(drawing=settings.drawing, hatched=settings.hatched)
         self.map_controls = MapControls(self.map)
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
         self.order_form = OrderForm(lambda: store.state, dispatch.give)

@@ -15,6 +15,10 @@ ZOOM_STEP = math.sqrt(2.0)
 _DEAD_ZONE = 0.3  # of the view, to each side of its middle: a followed robot moves freely in it
 
 
+Area = tuple[float, float, float, float]
+"""left, top, right, bottom in map pixels."""
+
+
 @dataclass(frozen=True, slots=True)
 class Camera:
     """column, row: the view's centre in map pixels; scale: pixels per dot; width, height: cells;
@@ -28,10 +32,11 @@ class Camera:
     extent: tuple[int, int]
 
     @classmethod
-    def fit(cls, extent: tuple[int, int], width: int, height: int) -> "Camera":
-        """Return the camera that shows the whole map, as large as possible."""
-        scale = _fit_scale(extent, width, height)
-        return cls(extent[0] / 2, extent[1] / 2, scale, width, height, extent)
+    def fit(cls, extent: tuple[int, int], width: int, height: int, area: Area | None = None) -> "Camera":
+        """Return the camera that shows the area, by default the whole map, as large as possible."""
+        left, top, right, bottom = area or (0.0, 0.0, *extent)
+        scale = _fit_scale((right - left, bottom - top), width, height)
+        return cls((left + right) / 2, (top + bottom) / 2, scale, width, height, extent)
 
     @property
     def origin(self) -> tuple[int, int]:
@@ -95,7 +100,7 @@ class Camera:
         return moved.centred(*new.to_pixel(*old.to_world(self.column, self.row))).zoomed(1.0)
 
 
-def _fit_scale(extent: tuple[int, int], width: int, height: int) -> float:
+def _fit_scale(extent: tuple[float, float], width: int, height: int) -> float:
     # One extra cell on each side: snapping to whole cells then never cuts the map's rim off.
     across = extent[0] / (DOTS_X * max(width - 2, 1))
     return max(across, extent[1] / (DOTS_Y * max(height - 1, 1)), MIN_SCALE)

@@ -4,6 +4,7 @@ The picture is the selected robot's: its map, graph and labels. The others are p
 own map_metadata.
 """
 
+import re
 from dataclasses import replace
 from functools import lru_cache
 
@@ -12,6 +13,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.map.area import worth_seeing
 from fleet_tui.view.map.mission import mission, targets
 from fleet_tui.view.map.scene import Line, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
@@ -20,6 +22,9 @@ MARGIN, BLOCK = 2.0, 10.0
 EMPTY_RESOLUTION = 0.05
 FAR = 1e6
 """Metres beyond which a place is an error and doesn't extend the picture."""
+
+LONGEST_MARK = 4
+"""Digits of a number on the map."""
 
 Drawn = tuple[tuple[SceneVertex, ...], tuple[Line, ...], tuple[Line, ...]]
 
@@ -39,6 +44,16 @@ def _drawn(chart: RobotMap) -> Drawn:
     ]
     one_way = tuple(line for line, alone in lines if alone and graph.directed)
     return vertices, tuple(line for line, _ in lines), one_way
+
+
+@lru_cache(maxsize=2)
+def marks_of(names: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the numbers of robots on the map: the last digits of their names if these tell all robots apart,
+    else their places in the configuration, from 1."""
+    found = [re.findall(r"[0-9]+", name)[-1:] for name in names]
+    marks = tuple(digits[0] for digits in found if digits and len(digits[0]) <= LONGEST_MARK)
+    is_told_apart = len(names) == len(marks) == len({int(mark) for mark in marks})
+    return marks if is_told_apart else tuple(str(place + 1) for place in range(len(names)))
 
 
 def chart_robot(state: FleetState, selection: Selection) -> Robot | None:
@@ -110,7 +125,7 @@ def _placed(pose: Pose, own: MapFrame | None, picture: MapFrame) -> tuple[Pose, 
 
 
 def _robot(
-    state: FleetState, robot: Robot, selection: Selection, picture: MapFrame, tied: bool
+    state: FleetState, robot: Robot, selection: Selection, picture: MapFrame, tied: bool, mark: str
 ) -> SceneRobot | None:
     if robot.pose is None or robot.floor != selection.floor:
         return None
@@ -128,6 +143,7 @@ def _robot(
         other_map=other_map,
         age=state.now - robot.pose.at,
         size=robot.size,
+        mark=mark,
     )
 
 
@@ -154,12 +170,18 @@ def floor_scene(state: FleetState, selection: Selection) -> Scene:
     scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)
     scene = _with_map(floor, chart, scene)
     tied = floor.grid is not None and floor.tied
-    robots = (_robot(state, robot, selection, scene.frame, tied) for robot in state.robots.values())
+    marks = marks_of(tuple(state.robots))
+    robots = (
+        _robot(state, robot, selection, scene.frame, tied, mark)
+        for robot, mark in zip(state.robots.values(), marks, strict=True)
+    )
     selected = state.robots[selection.robot]
     notes = [note for note in (_elsewhere(state, selection), scene.note, floor.graph_problem) if note]
+    placed = tuple(robot for robot in robots if robot is not None)
     return replace(
         scene,
-        robots=tuple(robot for robot in robots if robot is not None),
+        area=worth_seeing(scene, placed),
+        robots=placed,
         target_vertices=targets(selected, floor.name),
         mission=mission(selected, floor.name),
         note=", ".join(notes),

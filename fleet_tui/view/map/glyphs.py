@@ -22,9 +22,14 @@ def robot_glyph(robot: SceneRobot, turned: float, plain: bool) -> str:
     return (_LOADED if robot.cargo else _EMPTY)[eighth]
 
 
+def robot_number(robot: SceneRobot) -> str:
+    """Return the number of a robot on the map."""
+    return robot.mark or str(robot.number)
+
+
 def robot_tag(robot: SceneRobot, plain: bool) -> str:
     """Return the text beside the arrow: the number, then the robot's special states."""
-    tag = str(robot.number)
+    tag = robot_number(robot)
     if plain and robot.cargo:
         tag += "+"
     if robot.obstacle:

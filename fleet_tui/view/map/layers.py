@@ -1,6 +1,5 @@
 """The map's layers, one function each, drawn in the order of the lists in `picture`."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fleet_tui.model.graph import Role
@@ -9,18 +8,18 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.glyphs import robot_glyph, robot_inks, robot_tag, vertex_glyph
+from fleet_tui.view.map.glyphs import vertex_glyph
 from fleet_tui.view.map.labels import Room
-from fleet_tui.view.map.places import Place, seen_robots, seen_vertices
+from fleet_tui.view.map.places import seen_vertices
 from fleet_tui.view.map.raster import ground
-from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.scene import Scene, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
 
 @dataclass(frozen=True, slots=True)
 class MapOptions:
     """The operator's options for the map. cursor: place of the map's cursor, x, y in metres; pointed: the id
-    of the vertex under it."""
+    of the vertex under it; hatched: mark unknown ground, where colours don't show it."""
 
     drawing: Drawing = Drawing.BRAILLE
     edges: bool = False
@@ -28,6 +27,7 @@ class MapOptions:
     trails: bool = False
     cursor: tuple[float, float] | None = None
     pointed: str | None = None
+    hatched: bool = False
 
     @property
     def plain(self) -> bool:
@@ -37,7 +37,7 @@ class MapOptions:
 
 def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw the occupancy map, over the previous content."""
-    below = ground(scene.grid, camera, look.drawing)
+    below = ground(scene.grid, camera, look.drawing, look.hatched)
     cells.codes[:] = below.codes
     cells.inks[:] = below.inks
 
@@ -81,61 +81,6 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
 def _rank(vertex: SceneVertex, targets: tuple[str, ...], look: MapOptions) -> tuple[bool, bool, bool, object]:
     """Return the sort key of a label, the smallest first."""
     return vertex.id not in targets, vertex.id != look.pointed, vertex.role is Role.PLAIN, natural(vertex.id)
-
-
-Tags = dict[int, Place]
-"""Offset of the number of each robot from its arrow, by number."""
-
-
-def draw_robots(
-    cells: Cells, scene: Scene, camera: Camera, look: MapOptions, tags: Tags | None = None
-) -> None:
-    """Draw every robot as an arrow with its number beside it; the selected one on top and placed first.
-
-    `tags` keeps the places of the numbers from picture to picture: they stay while there is space.
-    """
-    tags = {} if tags is None else tags
-    placed = seen_robots(scene, camera)
-    owners = {at: robot for robot, at in reversed(placed)}  # in a shared cell the first robot is visible
-    plain, turned = look.plain, scene.frame.origin.yaw
-    glyphs = {at: _robot_glyph(robot, at, owners, turned, plain) for at, robot in owners.items()}
-    room = Room(camera.width, camera.height, cells.inks)
-    for (x, y), glyph in glyphs.items():
-        room.take(x, y, len(glyph))
-    texts: list[tuple[int, int, str, StyleRole]] = []
-    for robot, at in placed:
-        glyph_ink, tag_ink = robot_inks(robot)
-        if owners[at] is robot:
-            texts.append((*at, glyphs[at], glyph_ink))
-        spot, tag = _tag(robot, at, len(glyphs[at]), plain, room, tags)
-        if spot:
-            texts.append((*spot, tag, tag_ink))
-    cells.write_all(texts)
-
-
-def _tag(
-    robot: SceneRobot, at: Place, glyph: int, plain: bool, room: Room, tags: Tags
-) -> tuple[Place | None, str]:
-    """Return a robot's number and its place: the earlier one, else the nearest that is free."""
-    (x, y), tag = at, robot_tag(robot, plain)
-    stood = tags.get(robot.number)
-    if stood and room.keep_tag(x, y, glyph, len(tag), *stood):
-        return (x + stood[0], y + stood[1]), tag
-    spot = room.tag_spot(x, y, glyph, len(tag))
-    if spot is None:
-        tag = str(robot.number)
-        spot = room.tag_spot(x, y, glyph, len(tag))
-    if spot:
-        tags[robot.number] = spot[0] - x, spot[1] - y
-    return spot, tag
-
-
-def _robot_glyph(
-    robot: SceneRobot, at: Place, owners: Mapping[Place, SceneRobot], turned: float, plain: bool
-) -> str:
-    """Return the arrow, only as wide as it hides no other robot."""
-    glyph = robot_glyph(robot, turned, plain)
-    return glyph[:1] if (at[0] + 1, at[1]) in owners else glyph
 
 
 def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:

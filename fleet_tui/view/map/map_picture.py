@@ -7,9 +7,10 @@ import numpy as np
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.layers import MapOptions, Tags
+from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.modes import MapMode, ViewMode
 from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.robots import Sides
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.trails import Trails
 from fleet_tui.view.map.viewport import Viewport, pick, pointed
@@ -26,8 +27,8 @@ class MapPicture:
         self.viewport = Viewport()
         self.scene: Scene | None = None
         self._trails = Trails()
-        self._tags: Tags = {}
-        self._tags_of: tuple[Camera, MapOptions] | None = None
+        self._sides: Sides = {}
+        self._sides_of: tuple[Camera, MapOptions] | None = None
         self._backdrop: Cells | None = None
         self._backdrop_of: tuple[Scene, Camera, MapOptions] | None = None
 
@@ -50,10 +51,10 @@ class MapPicture:
         if self.options.trails:
             scene = replace(scene, trail=self._trails.of(scene))
         head = caption_row(self._caption(scene, camera, focused))
-        if self._tags_of != (camera, self.options):
-            self._tags, self._tags_of = {}, (camera, self.options)
+        if self._sides_of != (camera, self.options):
+            self._sides, self._sides_of = {}, (camera, self.options)
         behind = self._still(scene, camera)
-        body = picture(behind, scene, camera, self.options, self._tags, self.mode.layers)
+        body = picture(behind, scene, camera, self.options, self._sides, self.mode.layers)
         return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.inks, body.inks)))
 
     def pick(self, x: int, y: int) -> SceneRobot | SceneVertex | None:

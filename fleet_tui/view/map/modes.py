@@ -5,9 +5,9 @@ from typing import Protocol
 from fleet_tui.view.map.layers import draw_cursor
 from fleet_tui.view.map.picture import Layer
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
-from fleet_tui.view.map.stride import COLUMNS, ROWS
 from fleet_tui.view.map.viewport import Viewport, pick
 
+COLUMNS, ROWS = 4, 2  # cells of one press: about as far in both directions
 Point = tuple[float, float]
 """x, y in metres."""
 

@@ -6,14 +6,13 @@ from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import (
     MapOptions,
-    Tags,
     draw_cursor,
     draw_ground,
     draw_labels,
-    draw_robots,
     draw_vertices,
 )
 from fleet_tui.view.map.lines import draw_approach, draw_edges, draw_mission, draw_outlines, draw_trails
+from fleet_tui.view.map.robots import Sides, draw_robots
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.roles import StyleRole
 
@@ -39,15 +38,15 @@ def picture(
     scene: Scene,
     camera: Camera,
     look: MapOptions,
-    tags: Tags | None = None,
+    sides: Sides | None = None,
     top: tuple[Layer, ...] = (draw_cursor,),
 ) -> Cells:
-    """Return the moving parts drawn over a copy of `behind` (made by `backdrop`); `tags` as in `draw_robots`.
-    `top`: the layers of the map's mode."""
+    """Return the moving parts drawn over a copy of `behind` (made by `backdrop`); `sides` as in
+    `draw_robots`. `top`: the layers of the map's mode."""
     cells = behind.copy()
     for draw in MOVING:
         draw(cells, scene, camera, look)
-    draw_robots(cells, scene, camera, look, tags)
+    draw_robots(cells, scene, camera, look, sides)
     for draw in top:
         draw(cells, scene, camera, look)
     return cells

@@ -1,7 +1,8 @@
-"""The map's ground in terminal cells: braille, half-blocks or ASCII, sampled from the pyramid.
+"""The map's ground in terminal cells: quadrants, half-blocks or ASCII, sampled from the pyramid.
 
 Every mode folds the same dots (2 x 4 per cell), each the maximum of exactly the pixels it
-covers, so that a wall one pixel thick is in the picture at any zoom.
+covers, so that a wall one pixel thick is in the picture at any zoom. Walls are solid blocks; dots of braille
+are left to routes and trails.
 """
 
 import math
@@ -22,8 +23,19 @@ COARSE = 12.0
 of walls is as dense as in the map."""
 
 
-def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cells:
-    """Return the map as the camera sees it; without a grid the extent is empty floor."""
+def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing, hatched: bool = False) -> Cells:
+    """Return the map as the camera sees it; without a grid the extent is empty floor. `hatched`: mark unknown
+    ground with sparse dots, for terminals on which its colour doesn't show."""
+    cells = _ground(grid, camera, drawing)
+    if hatched and drawing is not Drawing.ASCII:
+        left, top = camera.origin
+        rows, columns = np.ogrid[top : top + camera.height, left : left + camera.width]
+        marked = (cells.inks == StyleRole.UNKNOWN) & (rows % 2 == 0) & ((columns + rows) % 4 == 0)
+        cells.codes[marked] = _HATCH
+    return cells
+
+
+def _ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cells:
     left, top = camera.origin
     shape = (camera.height * DOTS_Y, camera.width * DOTS_X)
     if grid is None:
@@ -32,22 +44,17 @@ def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cell
         return _coarse(grid, camera, drawing)
     else:
         dots = sample(grid, camera.scale, left * DOTS_X, top * DOTS_Y, shape)
-    if drawing is Drawing.BRAILLE:
-        return _braille(dots, dots == OCCUPIED)
-    return _half_block(dots) if drawing is Drawing.HALF_BLOCK else _ascii(dots)
+    return _ascii(dots) if drawing is Drawing.ASCII else _blocks(dots, drawing)
 
 
 def _coarse(grid: OccupancyGrid, camera: Camera, drawing: Drawing) -> Cells:
-    """Return the ground with solid edges and a toned inside. Computed with one more cell on each side, so
-    that the view's own rim is no edge."""
+    """Return the ground with solid edges and walls in two tones inside. Computed with one more cell on each
+    side, so that the view's own rim is no edge."""
     left, top = camera.origin
     shape = ((camera.height + 2) * DOTS_Y, (camera.width + 2) * DOTS_X)
     part = (camera.scale, (left - 1) * DOTS_X, (top - 1) * DOTS_Y, shape)
     dots, shares = sample(grid, *part), _shares(grid, *part)
-    if drawing is Drawing.BRAILLE:
-        cells = _braille(dots, _dithered(dots == OCCUPIED, shares))
-    else:
-        cells = _half_block(dots, shares)
+    cells = _blocks(dots, drawing, shares)
     return Cells(cells.codes[1:-1, 1:-1], cells.inks[1:-1, 1:-1])
 
 
@@ -145,7 +152,7 @@ def _summed(shares: Classes) -> Classes:
 _BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 BRAILLE = np.arange(0x2800, 0x2900, dtype=np.uint32)
 BRAILLE[0] = ord(" ")  # some fonts draw rings for the empty pattern
-_HATCH = ord("⠂")
+_HATCH = ord("·")
 _WALLS = np.array([StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL_BEYOND, StyleRole.WALL], np.uint8)
 
 
@@ -167,14 +174,6 @@ def _known(dots: Classes) -> NDArray[np.bool_]:
     return cast("NDArray[np.bool_]", free | ~unknown)
 
 
-def _braille(dots: Classes, walls: NDArray[np.bool_]) -> Cells:
-    bits = pack(walls)
-    codes = BRAILLE[bits]
-    inks = _WALLS[(bits > 0) * np.uint8(2) + _known(dots)]
-    codes[inks == StyleRole.UNKNOWN] = _HATCH
-    return Cells(codes, inks)
-
-
 def _inside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return the walls with walls on all four sides."""
     inside = np.zeros_like(walls)
@@ -182,34 +181,29 @@ def _inside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return inside & walls
 
 
-def _dithered(walls: NDArray[np.bool_], shares: Classes) -> NDArray[np.bool_]:
-    """Return walls with a solid edge; inside one, two or three of four dots, by the share of wall."""
-    inside = _inside(walls)
-    left_out = inside.copy()
-    left_out[0::2, 0::2] = False
-    left_out[1::2, 1::2] &= shares[1::2, 1::2] < 2
-    left_out[0::2, 1::2] &= shares[0::2, 1::2] < 4
-    return walls & ~left_out
+def _letters(text: str) -> NDArray[np.uint32]:
+    return np.array([ord(letter) for letter in text], np.uint32)
 
 
-_HALVES = np.array([ord(" "), ord("▀"), ord("▄"), ord("█")], np.uint32)
-_TONES = np.array([ord("▒"), ord("▓")], np.uint32)
+_HALVES = _letters(" ▀▄█")
+_QUADRANTS = _letters(" ▘▝▀▖▌▞▛▗▚▐▜▄▙▟█")
+_TONES = _letters("▒▓")
 
 
-def _half_block(dots: Classes, shares: Classes | None = None) -> Cells:
-    """Return blocks of 2 x 2 dots. With `shares` the inside of walls is in two tones."""
-    pixels = _folded(dots, DOTS_Y // 2, DOTS_X)
-    upper, lower = pixels[0::2], pixels[1::2]
-    walls = (upper == OCCUPIED) + np.uint8(2) * (lower == OCCUPIED)
-    codes = _HALVES[walls]
+def _blocks(dots: Classes, drawing: Drawing, shares: Classes | None = None) -> Cells:
+    """Return blocks of 2 x 2 quadrants per cell, or of halves. With `shares` the inside of walls is in two
+    tones."""
+    columns = DOTS_X if drawing is Drawing.BRAILLE else 1
+    walls = _folded(dots, DOTS_Y // 2, DOTS_X // columns) == OCCUPIED
+    bits = np.zeros((walls.shape[0] // 2, walls.shape[1] // columns), np.uint8)
+    for bit in range(2 * columns):
+        bits |= walls[bit // columns :: 2, bit % columns :: columns].view(np.uint8) << np.uint8(bit)
+    codes = (_QUADRANTS if drawing is Drawing.BRAILLE else _HALVES)[bits]
     if shares is not None:
-        inside = _inside(pixels == OCCUPIED)
-        toned = inside[0::2] & inside[1::2]
+        toned = ~_folded(~_inside(walls), 2, columns)
         full = DOTS_X * DOTS_Y * 4
         codes[toned] = _TONES[(_summed(shares)[toned] * 2 >= full).astype(np.intp)]
-    inks = _WALLS[(walls > 0) * np.uint8(2) + _known(dots)]
-    codes[inks == StyleRole.UNKNOWN] = ord("░")
-    return Cells(codes, inks)
+    return Cells(codes, _WALLS[(bits > 0) * np.uint8(2) + _known(dots)])
 
 
 _ASCII = np.zeros(3, np.uint32)

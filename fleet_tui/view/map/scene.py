@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.view.map.camera import Area
 
 Line = tuple[float, float, float, float]
 """x1, y1, x2, y2 in metres."""
@@ -26,11 +27,10 @@ class SceneVertex:
 
 
 class SceneRobot(NamedTuple):
-    """A robot at its last known pose. number: 1 = first of the config; age: seconds since its last message;
-    size: length and width in metres, None if unknown.
+    """A robot at its last known pose. number: 1 = first of the config; mark: its number on the map if that is
+    another; age: seconds since its last message; size: length and width in metres, None if unknown.
 
-    A tuple, because a hundred of them are made ten times a second: it takes a third of the time.
-    """
+    A tuple, because a hundred of them are made ten times a second: it takes a third of the time."""
 
     name: str
     number: int
@@ -43,6 +43,7 @@ class SceneRobot(NamedTuple):
     other_map: bool = False
     age: float = 0.0
     size: tuple[float, float] | None = None
+    mark: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +61,7 @@ class Mission:
 class Scene:
     """One floor at the monotonic second `at`. Without `grid` the frame still gives the extent.
 
+    area: left, top, right, bottom in map pixels of the ground that is worth seeing, None for all;
     one_way: the edges that lead only from start to end; trail: past positions of robots, rows of x, y in
     metres and the age in seconds.
 
@@ -79,6 +81,7 @@ class Scene:
     mission: Mission | None = None
     trail: NDArray[np.float64] | None = None
     at: float = 0.0
+    area: Area | None = None
 
     @property
     def selected(self) -> SceneRobot | None:

@@ -44,7 +44,7 @@ class Viewport:
         frame = scene.frame
         kept = self._moved.get(scene.floor)
         if kept is None:
-            return Camera.fit((frame.width, frame.height), self.width, self.height)
+            return Camera.fit((frame.width, frame.height), self.width, self.height, scene.area)
         camera, made_for = kept
         camera = camera.resized(self.width, self.height)
         if made_for == frame:

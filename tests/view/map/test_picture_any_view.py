@@ -43,6 +43,7 @@ robots = st.builds(
     obstacle=st.booleans(),
     other_map=st.booleans(),
     age=metres,
+    mark=st.text("0123456789", max_size=4),
 )
 vertices = st.builds(
     SceneVertex,

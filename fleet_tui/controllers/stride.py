@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 
-COLUMNS, ROWS = 4, 2  # cells of one press: about as far in both directions
 _REPEATS = 0.15  # seconds; presses closer than this are from a held key
 _LONGEST = 4
 

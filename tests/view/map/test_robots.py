@@ -1,0 +1,52 @@
+"""Robots on the map: chips whose numbers stay at their arrows."""
+
+from dataclasses import replace
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.robots import Sides
+from fleet_tui.view.map.scene import Scene, SceneRobot
+
+CAMERA = Camera.fit((400, 200), 120, 40)
+CELL = CAMERA.scale * 2 * 0.05
+"""Metres."""
+EMPTY = Scene("f", MapFrame(0.05, 400, 200))
+
+
+def drawn(robots: tuple[SceneRobot, ...], sides: Sides | None = None) -> str:
+    scene = replace(EMPTY, robots=robots)
+    return picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions(), sides).text()
+
+
+def robot(number: int, cell: float, obstacle: bool = False) -> SceneRobot:
+    """A robot some cells right of the middle."""
+    return SceneRobot(f"r{number}", number, Pose(10.05 + cell * CELL, 5.0), obstacle=obstacle)
+
+
+def test_the_number_is_left_of_the_arrow_and_right_where_another_robot_is_there() -> None:
+    assert "1→ " in drawn((robot(1, 0),))
+    assert " 1→→2 " in drawn((robot(1, 0), robot(2, 1)))
+    assert " 1→2 " in drawn((robot(1, 0), robot(2, 0)))
+
+
+def test_a_number_stays_on_its_side_while_there_is_space() -> None:
+    sides: Sides = {}
+    assert "→2" in drawn((robot(1, 0), robot(2, 1)), sides)
+    assert "→2" in drawn((robot(2, 1),), sides)
+    assert "2→" in drawn((robot(2, 1),))
+
+
+def test_the_robot_in_trouble_has_its_number_before_the_others() -> None:
+    assert "4!→1" in drawn((robot(1, 0), robot(2, 0), robot(3, 0), robot(4, 0, obstacle=True)))
+
+
+@given(st.lists(st.tuples(st.floats(9.0, 11.0), st.floats(4.5, 5.5)), min_size=2, max_size=9))
+def test_two_numbers_never_read_as_one(at: list[tuple[float, float]]) -> None:
+    robots = tuple(SceneRobot(f"r{n}", n, Pose(*place), mark=str(100 + n)) for n, place in enumerate(at))
+    words = "".join(letter if letter.isdigit() else " " for letter in drawn(robots)).split()
+    assert {len(word) for word in words} <= {3}
