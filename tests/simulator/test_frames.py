@@ -15,14 +15,10 @@ from tests.support.bridge_client import (
     read,
     read_until,
     send,
+    subscribe,
 )
 
 MAP, MAP_TYPE = "/robot_0/floor_0/map", "nav_msgs/OccupancyGrid"
-
-
-async def subscribe(client: ClientConnection, topic: str, type_: str | None, **fields: object) -> None:
-    typed = {} if type_ is None else {"type": type_}
-    await send(client, "subscribe", topic=topic, queue_length=1, **typed, **fields)
 
 
 async def test_a_map_is_the_same_in_all_three_compressions(client: ClientConnection) -> None:

@@ -5,7 +5,7 @@ from websockets.asyncio.client import ClientConnection
 
 from tests.support.bridge_client import (
     call,
-    send,
+    subscribe,
 )
 
 GRAPH, GRAPH_TYPE = "/robot_0/floor_0/graph", "OH_ressources/Graph"
@@ -38,11 +38,6 @@ async def test_rosapi_describes_services(client: ClientConnection, verb: str, na
     assert typedef["type"] == f"OH_ressources/Execute_manual_order{verb.capitalize()}"
     assert typedef["fieldnames"] == names
     assert typedef["fieldarraylen"] == [-1] * len(names)
-
-
-async def subscribe(client: ClientConnection, topic: str, type_: str | None, **fields: object) -> None:
-    typed = {} if type_ is None else {"type": type_}
-    await send(client, "subscribe", topic=topic, queue_length=1, **typed, **fields)
 
 
 async def test_rosapi_answers_emptily_about_unknown_names(client: ClientConnection) -> None:

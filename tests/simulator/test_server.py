@@ -16,6 +16,7 @@ from tests.support.bridge_client import (
     read,
     read_until,
     send,
+    subscribe,
 )
 
 POSE, POSE_TYPE = "/robot_0/pose", "geometry_msgs/PoseStamped"
@@ -23,11 +24,6 @@ GRAPH, GRAPH_TYPE = "/robot_0/floor_0/graph", "OH_ressources/Graph"
 ORDER = "/robot_0/Application_layout/Execute_order"
 PAUSE = "/robot_0/Application_layout/Pause"
 ARGS = {"request_id": 1, "initial_point": 2, "end_point": 5}
-
-
-async def subscribe(client: ClientConnection, topic: str, type_: str | None, **fields: object) -> None:
-    typed = {} if type_ is None else {"type": type_}
-    await send(client, "subscribe", topic=topic, queue_length=1, **typed, **fields)
 
 
 async def test_poses_flow_to_every_client_alike(server: RosbridgeServer, client: ClientConnection) -> None:

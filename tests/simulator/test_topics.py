@@ -9,15 +9,11 @@ from tests.support.bridge_client import (
     frames_before_an_answer,
     read,
     send,
+    subscribe,
 )
 
 POSE, POSE_TYPE = "/robot_0/pose", "geometry_msgs/PoseStamped"
 GRAPH, GRAPH_TYPE = "/robot_0/floor_0/graph", "OH_ressources/Graph"
-
-
-async def subscribe(client: ClientConnection, topic: str, type_: str | None, **fields: object) -> None:
-    typed = {} if type_ is None else {"type": type_}
-    await send(client, "subscribe", topic=topic, queue_length=1, **typed, **fields)
 
 
 async def test_a_latched_topic_is_said_at_every_subscribe_and_to_every_client(

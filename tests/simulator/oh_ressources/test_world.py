@@ -1,7 +1,6 @@
 """The simulated fleet: orders are driven, robots stay on the road, and a seed repeats itself."""
 
 import math
-from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -9,16 +8,17 @@ from hypothesis import strategies as st
 
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
-
-Values = dict[str, Any]
-
-
-def call(world: World, verb: str, robot: str = "robot_0", **args: object) -> Values:
-    return world.answer(f"/{robot}/Application_layout/{verb}", args)
+from tests.support.sim_world import Values, call, off_road, order, run_until_idle
 
 
-def order(world: World, start: int, end: int, robot: str = "robot_0") -> Values:
-    return call(world, "Execute_order", robot, request_id=5, initial_point=start, end_point=end)
+@pytest.fixture
+def world() -> World:
+    return World(1, 2, seed=3, quiet=True)
+
+
+@pytest.fixture
+def robot(world: World) -> SimRobot:
+    return world.robots["robot_0"]
 
 
 def carry(world: World, end: int) -> Values:
@@ -38,37 +38,6 @@ def state(world: World) -> list[object]:
 
 def test_robots_of_several_worlds_can_be_numbered_on() -> None:
     assert [*World(2, 1, first=5).robots] == ["robot_5", "robot_6"]
-
-
-def off_road(world: World, robot: SimRobot) -> float:
-    """Metres between a robot and the nearest edge of the floor it says it is on."""
-    vertices = robot.floor.graph.vertices
-    distances = []
-    for edge in robot.floor.graph.edges:
-        start, end = vertices[edge.start], vertices[edge.end]
-        dx, dy = end.x - start.x, end.y - start.y
-        along = ((robot.pose.x - start.x) * dx + (robot.pose.y - start.y) * dy) / (dx * dx + dy * dy)
-        along = min(1.0, max(0.0, along))
-        spot = (start.x + along * dx, start.y + along * dy)
-        distances.append(math.dist(spot, (robot.pose.x, robot.pose.y)))
-    return min(distances)
-
-
-@pytest.fixture
-def world() -> World:
-    return World(1, 2, seed=3, quiet=True)
-
-
-@pytest.fixture
-def robot(world: World) -> SimRobot:
-    return world.robots["robot_0"]
-
-
-def run_until_idle(world: World, robot: SimRobot, seconds: float = 400.0) -> None:
-    end = world.time + seconds
-    while robot.orders:
-        assert world.time < end, f"{robot.name} still has {robot.orders}"
-        world.step(0.5)
 
 
 def test_a_quiet_robot_does_nothing_on_its_own(world: World, robot: SimRobot) -> None:
