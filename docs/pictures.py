@@ -88,8 +88,13 @@ def screen() -> Iterator[None]:
     try:
         for _ in range(50):
             time.sleep(0.1)
-            if not subprocess.run(["xdotool", "getdisplaygeometry"], env={"DISPLAY": DISPLAY}, check=False,
-                                  capture_output=True, executable=shutil.which("xdotool")).returncode:
+            if not subprocess.run(
+                ["xdotool", "getdisplaygeometry"],
+                env={"DISPLAY": DISPLAY},
+                check=False,
+                capture_output=True,
+                executable=shutil.which("xdotool"),
+            ).returncode:
                 break
         yield
     finally:
@@ -102,8 +107,12 @@ def terminal(console: Console, size: tuple[int, int]) -> Iterator[None]:
     """Run a console in a terminal of this size, in the corner of the screen."""
     with TemporaryDirectory() as home:
         environment = {
-            "DISPLAY": DISPLAY, "HOME": home, "XDG_STATE_HOME": home, "XDG_CONFIG_HOME": home,
-            "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8",
+            "DISPLAY": DISPLAY,
+            "HOME": home,
+            "XDG_STATE_HOME": home,
+            "XDG_CONFIG_HOME": home,
+            "PATH": "/usr/bin:/bin",
+            "LANG": "C.UTF-8",
         }
         geometry = f"{size[0]}x{size[1]}+0+0"
         # xterm drops COLORTERM from its own environment.

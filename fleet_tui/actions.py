@@ -156,6 +156,7 @@ class ViewActions(Struct, frozen=True):
     simple: Act
     why: Act
     all_orders: Act
+    enlarge: Act
     diagnostics: Act
     audit: Act
     go_to_time: Act

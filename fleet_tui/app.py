@@ -87,7 +87,6 @@ class FleetApp(LeanApp, inherit_bindings=False):
             themes={name: partial(self.use_theme, name) for name in self._themes},
             announce=Annunciator(config.alarms, self.output.call).look,
             resized=self._start.show,
-            hatched=not self._colour or self.console.color_system in (None, "standard"),
             terminal=terminal,
             message=message,
         )
@@ -110,6 +109,8 @@ class FleetApp(LeanApp, inherit_bindings=False):
     async def _mount_rest(self) -> None:
         """Mount the map, and the overlays."""
         await self.main.mount_rest()
+        few = not self.is_headless and self.console.color_system == "standard"
+        self.main.rest.map.picture.hatch(few or not self._colour)
         self.use_theme(self._config.ui.theme)
         self.main.tick()
 

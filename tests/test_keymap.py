@@ -1,5 +1,6 @@
 """One key does one thing, and the operator's page and the table of keys say the same."""
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -8,6 +9,7 @@ from hypothesis import strategies as st
 
 from fleet_tui.keymap import keymap
 from fleet_tui.keys import KEYS, Key, Pane
+from fleet_tui.keys.key import key_name
 
 IDS = [key.id for key in KEYS]
 # The operator's page, by what each key does. What is not there yet is in no table.
@@ -194,3 +196,11 @@ def test_whatever_is_asked_either_works_or_is_refused(changes: dict[str, str]) -
     for pane in (Pane.MAP, Pane.TABLE):
         own = [key for id_, keys in chosen.items() if panes[id_] == pane for key in keys]
         assert len(own) == len(set(own)) and not set(own) & set(everywhere)
+
+
+def test_the_reference_lists_every_id_with_its_keys() -> None:
+    lines = (Path(__file__).parent.parent / "docs" / "keys.md").read_text().splitlines()
+    listed = [line for line in lines if line.startswith("| `") and line.endswith(" |")]
+    for key in KEYS:
+        names = " ".join(f"`{key_name(one)}`" for one in key.keys) or "(palette)"
+        assert f"| `{key.id}` | {names} | {key.text} |" in listed

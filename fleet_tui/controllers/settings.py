@@ -22,6 +22,5 @@ class ConsoleSettings(Struct, frozen=True):
     themes: Mapping[str, Callable[[], None]]
     announce: Callable[[FleetState], None]
     resized: Callable[[], None]
-    hatched: bool = False
     terminal: str = ""
     message: str = ""

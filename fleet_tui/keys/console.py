@@ -116,6 +116,13 @@ CONSOLE: tuple[Key[Actions], ...] = (
         helps="leaves",
     ),
     Key(
+        "acknowledge",
+        ("a",),
+        lambda do: do.alarms.acknowledge(),
+        "Acknowledge the alarm under the cursor",
+        hint="ack",
+    ),
+    Key(
         "clear",
         ("X",),
         lambda do: do.commands.clear(),
@@ -158,6 +165,13 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key("repaint", ("ctrl+l",), lambda do: do.app.repaint(), "Redraw the screen", pane=Pane.ANYWHERE),
     Key("quit", ("q",), lambda do: do.app.quit(), "Quit"),
     Key("back", ("escape",), lambda do: do.app.back(), "Go back one level", in_palette=False),
+    Key(
+        "enlarge",
+        ("=",),
+        lambda do: do.view.enlarge(),
+        "Give the focused pane the whole column, or give it back",
+        hint="enlarge",
+    ),
     Key("next_pane", ("tab",), lambda do: do.app.next_pane(), "Next pane", in_palette=False),
     Key(
         "previous_pane",
@@ -202,13 +216,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
         lambda do: do.commands.arm(),
         "Arm: allow or block commands from this console",
         only_live=True,
-    ),
-    Key(
-        "acknowledge",
-        ("a",),
-        lambda do: do.alarms.acknowledge(),
-        "Acknowledge the alarm under the cursor",
-        hint="ack",
     ),
     Key("acknowledge_all", ("A",), lambda do: do.alarms.acknowledge_all(), "Acknowledge all alarms"),
 )

@@ -68,6 +68,19 @@ class Key(Struct, Generic[Doer], frozen=True):
         return Pane.MAP if self.of_map else self.pane
 
 
+_NAMES = {"escape": "Esc", "pageup": "PgUp", "pagedown": "PgDn"}
+
+
+def key_name(key: str) -> str:
+    """Return a key of the config as people write it: Ctrl-P, Shift-Tab, Esc, F1."""
+    *modifiers, last = key.split("+") if len(key) > 1 else [key]
+    if len(last) == 1:
+        name = last.upper() if "ctrl" in modifiers else last
+    else:
+        name = _NAMES.get(last, last.capitalize())
+    return "-".join([*(modifier.capitalize() for modifier in modifiers), name])
+
+
 def by_id(keys: Iterable[Key[Doer]]) -> dict[str, Key[Doer]]:
     """Return the keys of one table by their ids."""
     return {key.id: key for key in keys}

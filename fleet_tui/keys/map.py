@@ -4,7 +4,7 @@ from fleet_tui.actions import Actions
 from fleet_tui.keys.key import Key, Pane
 
 MAP: tuple[Key[Actions], ...] = (
-    Key("zoom_in", ("+", "="), lambda do: do.map.zoom_in(), "Zoom in", hint="zoom", of_map=True),
+    Key("zoom_in", ("+",), lambda do: do.map.zoom_in(), "Zoom in", hint="zoom", of_map=True),
     Key("zoom_out", ("-",), lambda do: do.map.zoom_out(), "Zoom out", of_map=True),
     Key("fit", ("0",), lambda do: do.map.fit(), "Fit the floor to the pane", hint="fit", of_map=True),
     Key(

@@ -33,8 +33,9 @@ OF_BAG = "rosbag://"
 class LinkState(Struct, frozen=True):
     """A bridge: `since` is the start of the phase, `next_try` the next attempt, both monotonic seconds;
     `reason` is the reason for no link in plain words; `commands_connected`: there is a connection for
-    commands, tested or not; `fault_at` is the time of the last bad frame; `late` are the seconds by which
-    its poses are late, `unsourced` the package whose messages the bridge lacks."""
+    commands, tested or not; `was_up`: it has been up before; `fault_at` is the time of the last bad frame;
+    `late` are the seconds by which its poses are late, `unsourced` the package whose messages the bridge
+    lacks."""
 
     name: str
     url: str
@@ -46,6 +47,7 @@ class LinkState(Struct, frozen=True):
     command_path: CommandPath = CommandPath.UNTRIED
     command_reason: str = ""
     commands_connected: bool = False
+    was_up: bool = False
     faults: int = 0
     last_fault: str = ""
     fault_at: float | None = None

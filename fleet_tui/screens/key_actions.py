@@ -17,6 +17,7 @@ from fleet_tui.actions import (
 from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
 from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.view.help.pages import help_pages
 from fleet_tui.view.lines.hints import hidden_keys
 
 if TYPE_CHECKING:
@@ -70,9 +71,11 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
 
     def show_help() -> None:
         state, robot = screen.store.state, navigation.robot
-        hidden = hidden_keys(state, robot)
-        kind = state.robots[robot].kind
-        rest.key_help.show(screen.focused_pane(), screen.settings.terminal, kind, hidden)
+        look = rest.map.picture.options
+        kind, terminal = state.robots[robot].kind, screen.settings.terminal
+        hidden = hidden_keys(state, robot) | screen.idle_keys()
+        pane = screen.focused_pane()
+        rest.key_help.show(help_pages(screen.settings.keys, pane, kind, hidden, look, terminal))
 
     return ViewActions(
         help=show_help,
@@ -80,6 +83,7 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         simple=rest.simple.turn,
         why=rest.why.show,
         all_orders=screen.all_orders,
+        enlarge=screen.enlarge,
         diagnostics=lambda: rest.diagnostics.show(navigation.robot),
         audit=rest.audit_log.show,
         go_to_time=partial(rest.palette.show, "@"),

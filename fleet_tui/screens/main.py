@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 from rich.style import Style
 from textual import on
 from textual.app import ComposeResult
-from textual.containers import Container
 from textual.screen import Screen
 
 from fleet_tui.backend import Backend
@@ -20,22 +19,22 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.replay import Replay
 from fleet_tui.controllers.session import ConsoleSession, LiveSession
 from fleet_tui.controllers.settings import ConsoleSettings
-from fleet_tui.keys import BY_ID, Pane
+from fleet_tui.keys import BY_ID, KEYS, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
-from fleet_tui.view.lines.hints import hidden_keys, hints
+from fleet_tui.view.lines.hints import footer, hidden_keys, hints
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
+from fleet_tui.view.tables.robot_page import robot_page
 from fleet_tui.widgets import messages
-from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.bindings import bindings, textual_key
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
-from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.screens.rest import Rest
@@ -48,7 +47,7 @@ class MainScreen(Screen[None]):
     BLANK = True  # the screen itself is covered completely
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
-    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall"), (38, "-taller"), (52, "-high")]  # noqa: RUF012  # as Textual declares it
+    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall")]  # noqa: RUF012  # as Textual declares it
 
     rest: "Rest"
     alarm_cleared_at = -math.inf
@@ -61,17 +60,10 @@ class MainScreen(Screen[None]):
         self.store, self.backend, self.settings, self.files = store, backend, settings, files
         self.is_complete = False
         self.status, self.message = LineView(id="status"), LineView(id="message")
-        self.hints = LineView(id="hints", keep_right=True)
-        self.fleet = RowsPane(id="fleet", rows=len(store.state.robots))
-        self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
-        self.views: list[InkView] = [
-            self.status,
-            self.fleet,
-            self.alarms,
-            self.queue,
-            self.message,
-            self.hints,
-        ]
+        self.hints = LineView(id="hints")
+        self.panes = Panes(len(store.state.robots))
+        self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
+        self.views: list[InkView] = [self.status, *self.panes.views, self.message, self.hints]
         self.notices = Notices(store, self.tick, settings.message)
         self.navigation = Navigation(store, self._mark_robot, lambda: self.rest.map_controls, self.tick)
         self.dispatch = Dispatch(
@@ -94,7 +86,7 @@ class MainScreen(Screen[None]):
         ):
             self.add_class([name for least, name in steps if cells >= least][-1])
         yield self.status
-        yield Panes(Container(id="map"), self.fleet, self.alarms, self.queue, id="panes")
+        yield self.panes
         yield self.message
         yield self.hints
 
@@ -122,17 +114,37 @@ class MainScreen(Screen[None]):
         state, robot = self.store.state, self.navigation.robot
         if self.is_complete:
             self._show_floor(state)
-        self.fleet.show(fleet_table(state, robot, self.fleet.row_width))
-        self._show_alarms(state)
-        self.queue.show(queue_table(state, robot, self._all_orders, self.queue.row_width))
+        self._mark_alarm(state)
+        tables = [
+            fleet_table(state, robot, self.fleet.row_width),
+            alarm_table(state, self.settings.clock),
+            queue_table(state, robot, self._all_orders, self.queue.row_width),
+        ]
+        self.panes.show(tables, lambda: robot_page(state, robot, self.settings.clock))
         self.status.show(*self.session.headline(state, robot))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
-        pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
-        may_command = not self.dispatch.permissions.read_only
-        self.hints.show(*hints(self.settings.keys, pane, may_command, hidden_keys(state, robot)))
+        self._show_hints(state, robot)
         self.settings.announce(state)
         if self.is_complete:
             self.rest.simple.show()
+
+    def _show_hints(self, state: FleetState, robot: str) -> None:
+        pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
+        keys, may_command = self.settings.keys, not self.dispatch.permissions.read_only
+        offered = hints(keys, pane, may_command, hidden_keys(state, robot))
+        runs, buttons = footer(*offered, keys, self.hints.size.width)
+        self.hints.show(runs, buttons=buttons)
+
+    def idle_keys(self) -> set[str]:
+        """Return the ids of keys without a use in this session."""
+        read_only = self.dispatch.permissions.read_only
+        return {key.id for key in KEYS if not self.session.offers(key) or (read_only and key.commands)}
+
+    def press_hint(self, id_: str) -> None:
+        """Press the key of a hint: with the same checks, and with the same effect in an overlay."""
+        key = textual_key(self.settings.keys[id_][0])
+        # Not from here: Textual ends the way of an event at its sender.
+        self.app.call_later(self.app.simulate_key, key)
 
     def _mark_robot(self, robot: str) -> None:
         """Put the fleet's cursor on a robot; it is drawn with the next rows."""
@@ -151,8 +163,8 @@ class MainScreen(Screen[None]):
             self.backend.show_map(*wanted)
         self.rest.map.show(floor_scene(state, selection))
 
-    def _show_alarms(self, state: FleetState) -> None:
-        """Show the newest alarms. Unless it has the focus, the cursor moves from acknowledged to
+    def _mark_alarm(self, state: FleetState) -> None:
+        """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to
         unacknowledged alarms; it never leaves an alarm that an `a` in the queue may mean."""
         fresh = unacknowledged(state)
         marked = self.alarms.listing.cursor
@@ -160,7 +172,6 @@ class MainScreen(Screen[None]):
             self.alarm_cleared_at = time.monotonic()
         if fresh and self.alarms.listing.cursor not in fresh and not self.alarms.has_focus:
             self.alarms.listing.cursor = fresh[0]
-        self.alarms.show(alarm_table(state, self.settings.clock))
 
     def _forget_trails(self) -> bool:
         if self.is_complete:
@@ -171,11 +182,18 @@ class MainScreen(Screen[None]):
         """Return the pane whose keys help and footer list first."""
         if self.session.pane or not self.is_complete or self.focused is self.rest.map:
             return self.session.pane or Pane.MAP
-        return Pane.DIAGNOSTICS if self.rest.diagnostics.is_open else Pane.TABLE
+        if self.rest.diagnostics.is_open:
+            return Pane.DIAGNOSTICS
+        return Pane.TABLE if isinstance(self.focused, RowsPane) else Pane.CONSOLE
 
     def all_orders(self) -> None:
         """Show the selected robot's orders, or all robots'."""
         self._all_orders = not self._all_orders
+        self.tick()
+
+    def enlarge(self) -> None:
+        """Give the focused pane its whole column, or all of them their places."""
+        self.panes.enlarge()
         self.tick()
 
     async def action_key(self, id_: str) -> None:

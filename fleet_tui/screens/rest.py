@@ -36,20 +36,22 @@ if TYPE_CHECKING:
 class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
+    inked: list[InkView | Diagnostics]
+
     def __init__(self, screen: "MainScreen") -> None:
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
         navigation, notices = screen.navigation, screen.notices
         self.map = MapView(id="map")
-        self.map.picture.options = MapOptions(drawing=settings.drawing, hatched=settings.hatched)
+        self.map.picture.options = MapOptions(drawing=settings.drawing)
         self.map_controls = MapControls(self.map)
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
         self.order_form = OrderForm(lambda: store.state, dispatch.give)
-        self.key_help = Help(settings.keys)
+        self.key_help = Help()
         self.why = Why(lambda: (store.state, navigation.robot), settings.keys)
         self.audit_log = AuditLog(lambda: screen.files.audit)
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
-        self.inked: list[InkView | Diagnostics] = [self.map, self.audit_log.rows, self.diagnostics]
+        self.inked = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
         menu, form, queue = self.menu.show, self.order_form.start, screen.queue
         self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, menu, settings.clock)
         self.robots = RobotRequests(store, dispatch, navigation, self.orders, menu, self.why.show)
@@ -63,7 +65,7 @@ class Rest:
         run = partial(_run, screen)
         offers = Offers(store, dispatch, navigation, screen.session, self.save, settings.themes, run)
         self.palette = Palette(offers.entries, offers.typed)
-        self._navigation, self._session, self._fleet = navigation, screen.session, screen.fleet
+        self._screen, self._navigation, self._session = screen, navigation, screen.session
         self.simple = self._simple_switch(screen)
         self.actions = key_actions(screen, self)
 
@@ -99,7 +101,7 @@ class Rest:
                 self.orders.start_at(event.id, self._navigation.floor)
             case messages.RowPicked():
                 # The fleet's cursor selects. It may have moved since.
-                if event.pane == "fleet" and event.key == self._fleet.listing.cursor:
+                if event.pane == "fleet" and event.key == self._screen.fleet.listing.cursor:
                     self._navigation.select(str(event.key))
             case messages.RowChosen():
                 self._open_menu(event)
@@ -120,10 +122,12 @@ class Rest:
                 self.alarms.menu(source, kind)
 
     def _press_button(self, event: messages.ButtonPressed) -> None:
-        match event.name, event.key:
-            case "cancel", (str(robot), str(order_id), _):
+        match event.pane, event.name, event.key:
+            case "hints", id_, _:
+                self._screen.press_hint(id_)
+            case _, "cancel", (str(robot), str(order_id), _):
                 self.orders.ask_cancel(robot, order_id)
-            case "clear", _:
+            case _, "clear", _:
                 self.orders.clear()
 
 

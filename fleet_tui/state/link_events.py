@@ -34,6 +34,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
             reason=truncate(event.reason) or (link.reason if event.phase is not Phase.UP else ""),
             next_try=event.next_try,
             since=link.since if same_side and link.since else event.at,
+            was_up=link.was_up or event.phase is Phase.UP,
             unsourced=link.unsourced if event.phase is Phase.UP else "",
         ),
     )

@@ -18,11 +18,17 @@ class StyleRole(IntEnum):
     """The way of the orders after the current one."""
     MISSION = auto()
     """The way the selected robot is driving."""
+    MISSION_NEXT_THROUGH = auto()
+    MISSION_THROUGH = auto()
+    """The same ways through a wall, on the wall's colour."""
     VERTEX = auto()
     VERTEX_LABELLED = auto()
     ELEVATOR = auto()
     DOCKING = auto()
     LABEL = auto()
+    LABEL_BEYOND = auto()
+    """A label on unknown ground."""
+    TARGET_BEYOND = auto()
     TARGET = auto()
     """The ends of the selected robot's order, vertex and label."""
     CURSOR = auto()

@@ -1,9 +1,73 @@
-"""The layout of the panes."""
+"""The panes of the main screen, and how they share its lines."""
+
+from collections.abc import Callable, Sequence
 
 from textual.containers import Container
 
+from fleet_tui.view.layout import Wanted, below_map, beside_map
+from fleet_tui.view.tables.table import Table
+from fleet_tui.widgets.rows_pane import RowsPane
+
+OTHERS = 3
+"""Lines of the screen that are no panes: status, message, footer."""
+
 
 class Panes(Container):
-    """Only its background is visible, between the panes: Textual need not build it row by row."""
+    """The place of the map, fleet, alarms, queue, and the page of the selected robot. Only its background is
+    visible, between the panes: Textual need not build it row by row."""
 
     BLANK = True
+
+    def __init__(self, robots: int) -> None:
+        self.fleet = RowsPane(id="fleet", rows=robots)
+        self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
+        self.page = RowsPane(id="robot")
+        self.page.can_focus = False
+        super().__init__(Container(id="map"), self.fleet, self.alarms, self.queue, self.page, id="panes")
+        self._alone = ""
+        self._shared_out: tuple[str, str, bool] | None = None
+
+    @property
+    def views(self) -> list[RowsPane]:
+        """Return the panes of rows."""
+        return [self.fleet, self.alarms, self.queue, self.page]
+
+    def show(self, tables: Sequence[Table], page: Callable[[], Table]) -> None:
+        """Show fleet, alarms and queue, and the page if there are lines for it."""
+        if not self.is_attached:
+            return  # the console ends
+        self._share_out(Wanted(*(table.lines for table in tables)))
+        for pane, table in zip(self.views, tables, strict=False):
+            pane.show(table)
+        if self.page.size.height:
+            self.page.show(page())
+
+    def enlarge(self) -> None:
+        """Give the focused pane its whole column, or all of them their places."""
+        inside = [pane.id or "" for pane in self.children if pane.has_focus]
+        self._alone = inside[0] if inside and not self._alone else ""
+
+    def _share_out(self, wanted: Wanted) -> None:
+        """Give the panes their heights. In tiny and simple layouts the style sheet does it."""
+        screen = self.screen
+        by_sheet = self.has_class("-simple") or screen.has_class("-tiny") or screen.has_class("-flat")
+        lines, is_wide = self.app.size.height - OTHERS, screen.has_class("-wide")
+        alone = "" if by_sheet else self._alone
+        if by_sheet:
+            heights: tuple[int, ...] = ()
+        elif alone:
+            heights = (lines, 0, 0, 0)
+        else:
+            heights = beside_map(lines, wanted) if is_wide else below_map(lines, wanted)
+        rows = " ".join(map(str, heights))
+        if (rows, alone, is_wide) == self._shared_out:
+            return
+        self._shared_out = rows, alone, is_wide
+        if rows:
+            self.styles.grid_rows = rows
+        else:
+            self.styles.clear_rule("grid_rows")
+        for pane in self.children:
+            keeps = is_wide and pane.id == "map"
+            pane.set_class(bool(alone) and pane.id != alone and not keeps, "-hidden")
+            pane.set_class(bool(alone) and pane.id == alone and (not is_wide or alone == "map"), "-across")

@@ -1,7 +1,9 @@
 """Rows of the table of keys: where they work, and which section of help lists them."""
 
+import pytest
+
 from fleet_tui.keys import KEYS
-from fleet_tui.keys.key import Pane, by_id
+from fleet_tui.keys.key import Pane, by_id, key_name
 
 
 def test_keys_that_work_everywhere_are_those_without_a_pane_of_their_own() -> None:
@@ -17,3 +19,21 @@ def test_a_key_of_the_map_is_in_its_section_wherever_it_works() -> None:
 def test_every_row_is_found_by_its_id() -> None:
     assert len(by_id(KEYS)) == len(KEYS)
     assert all(by_id(KEYS)[key.id] is key for key in KEYS)
+
+
+@pytest.mark.parametrize(
+    ("key", "name"),
+    [
+        ("o", "o"),
+        ("P", "P"),
+        ("+", "+"),
+        ("ctrl+p", "Ctrl-P"),
+        ("alt+x", "Alt-x"),
+        ("shift+tab", "Shift-Tab"),
+        ("escape", "Esc"),
+        ("f12", "F12"),
+        ("pagedown", "PgDn"),
+    ],
+)
+def test_keys_are_named_as_people_write_them(key: str, name: str) -> None:
+    assert key_name(key) == name

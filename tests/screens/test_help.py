@@ -1,11 +1,92 @@
-"""Help tells of the keys and words there are."""
+"""Help: what a newcomer sees first, the other pages, and the search in all of them."""
 
-from fleet_tui.screens.help import notes
-from tests.support.kinds import BARE, FULL
+import pytest
+
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.view.map.drawing import Drawing
+from tests.support.console_pilot import Console, console
+from tests.support.watched_store import config_of
+
+TASKS = ("Send an order", "Stop a robot", "See what is wrong", "Look around on the map", "Look back in time")
 
 
-def test_help_tells_of_what_can_be_typed() -> None:
-    assert "pause all" in notes(FULL) and "cargo on board to B" in notes(FULL)
-    for word in ("pause", "cancel", "clear", "cargo"):
-        assert word not in notes(BARE).partition("Confirmations: ")[0]
-    assert "directly to B" in notes(BARE)
+def shown(it: Console) -> str:
+    """What stands in the open help."""
+    return it.pane("help-text")
+
+
+@pytest.mark.parametrize("size", [(120, 40), (200, 60), (100, 30)])
+async def test_it_opens_on_all_tasks_at_once(server: RosbridgeServer, size: tuple[int, int]) -> None:
+    async with console(config_of(server.url, 1), size) as it:
+        await it.press("?")
+        await it.shows("Send an order", "help-text")
+        assert [task for task in TASKS if task not in shown(it)] == []
+        assert "P F12" in shown(it) and "robot_1" not in shown(it)
+
+
+async def test_at_80_by_24_the_tasks_are_two_screens(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1), (80, 24)) as it:
+        await it.press("?")
+        await it.shows("Send an order", "help-text")
+        first = shown(it)
+        await it.press("pagedown")
+        await it.hides("Send an order")
+        second = shown(it)
+        assert all((task in first) is not (task in second) for task in TASKS)
+        assert second.startswith("Look around on the map"), "no task is divided"
+        assert "One level back; quit" in second
+        await it.press("pagedown")
+        assert shown(it) == second
+        await it.press("up")
+        assert shown(it).splitlines()[1:] == second.splitlines()[:-1]
+
+
+async def test_tab_and_clicks_turn_the_pages(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("?", "tab")
+        await it.shows("Zoom in", "help-text")
+        await it.press("tab")
+        await it.shows("a docking station", "help-text")
+        await it.press("shift+tab", "shift+tab")
+        await it.shows("Stop a robot", "help-text")
+        await it.pilot.click("#help-pages", offset=(it.pane("help-pages").index("Commands"), 0))
+        await it.shows("robot_0 Base > Store", "help-text")
+        assert server.url in it.text
+        await it.press("escape")
+        await it.hides("robot_0 Base > Store")
+        await it.press("?")
+        await it.shows("Stop a robot", "help-text")
+
+
+async def test_typing_searches_tasks_keys_and_legend(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("?")
+        await it.type("pause all")
+        await it.shows("Pause all robots immediately", "help-text")
+        assert "P F12" in shown(it) and "Zoom in" not in shown(it)
+        await it.press("tab", "?")
+        assert "a docking station" not in shown(it)
+        await it.press("backspace")
+        await it.type("legend")
+        await it.shows("a docking station", "help-text")
+        assert "⌂ Dock" in shown(it) and "Pause" not in shown(it)
+        await it.type("zzz")
+        await it.shows("nothing matches 'legendzzz'", "help-text")
+
+
+async def test_the_legend_is_drawn_as_the_map(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("m", "m")
+        assert it.app.main.rest.map.picture.options.drawing is Drawing.ASCII
+        await it.press("?")
+        await it.type("docking station")
+        await it.shows("D.Dock", "help-text")
+
+
+async def test_it_follows_the_size_of_the_terminal(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("?")
+        await it.shows("Look back in time", "help-text")
+        await it.pilot.resize_terminal(80, 24)
+        await it.hides("Look back in time")
+        await it.shows("Send an order", "help-text")

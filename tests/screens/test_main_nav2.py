@@ -30,7 +30,7 @@ async def test_map_graph_and_robots_are_on_the_screen(site: Site) -> None:
         await it.shows("robot_1", "fleet")
         assert "floor_0" in it.text and "0 alarms" in it.text
         await it.until(lambda state: state.floors["floor_0"].live)
-        await it.shows("⣀⣀⣀", "map")
+        await it.shows("▄▄▄", "map")
         await it.shows("%", "fleet")
 
 

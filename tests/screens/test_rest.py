@@ -38,7 +38,7 @@ async def test_the_first_picture_is_the_console_without_its_map(size: tuple[int,
     picture = "\n".join(seen)
     assert [pane for pane in panes.split() if pane not in picture] == []
     assert "robot_2" in picture
-    assert "no link" in picture and "ws://127.0.0.1:1" in picture
+    assert "connecting" in picture and "ws://127.0.0.1:1" in picture
 
 
 async def test_keys_typed_before_anything_is_painted_open_and_fill_the_form(server: RosbridgeServer) -> None:

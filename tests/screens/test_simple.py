@@ -47,6 +47,31 @@ async def test_an_order_with_arrows_and_enter_alone(server: RosbridgeServer, siz
         await it.shows("From: choose")
 
 
+@pytest.mark.parametrize("size", [(60, 15), (45, 12), (120, 15)])
+async def test_on_a_small_terminal_the_form_works_with_the_worst_alarm_in_view(
+    server: RosbridgeServer, size: tuple[int, int]
+) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        await it.pilot.resize_terminal(*size)
+        server.world.robots["robot_1"].battery = 5.0
+        await it.until(lambda state: state.unacknowledged)
+        await it.press("s")
+        await it.shows("Robot: robot_0")
+        for word in ("Robot: robot_0", "From: choose", "To: choose", "Send", "▲ new", "robot_1"):
+            assert word in it.text
+        assert " menu " not in it.pane("hints")
+        for label in ("Base", "Consumidores"):
+            await it.press("enter")
+            await pick_by_arrows(it, label)
+        await it.shows("To: Consumidores")
+        assert "▲ new" in it.text
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
+        assert [service for service, _ in sent(server)] == ["Execute_order"]
+        await it.press("s")
+        await it.shows("● 1 robot_0")
+
+
 async def test_an_order_with_the_mouse_alone(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("s")

@@ -19,10 +19,10 @@ async def test_shows_floor_scale_map_graph_and_robots() -> None:
         app, _ = await started(pilot)
         rows = app.rows()
         assert rows[0].startswith("─ floor_0 ── 2 m ├")
-        assert "follow off" in rows[0]
-        assert "zoom centre" in rows[0]
+        assert "follow" not in rows[0]
+        assert "zoom" not in rows[0]
         text = "\n".join(rows)
-        for part in ("o Base", "Store", "→1", "→2", "⡏", "·"):
+        for part in ("o Base", "Store", "1→", "2→", "▛", "·"):
             assert part in text
         assert all(len(row) == 100 for row in rows)
 

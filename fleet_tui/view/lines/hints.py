@@ -1,13 +1,14 @@
-"""The footer: the keys available at the current focus."""
+"""The footer: the keys available at the current focus, by importance."""
 
 from collections.abc import Collection, Mapping
 from typing import Any
 
 from fleet_tui.keys import KEYS, LISTS, Key, Pane
+from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import Run
+from fleet_tui.view.tables.table import Button, Run, width_of
 
 
 def hidden_keys(state: FleetState, selected: str) -> set[str]:
@@ -25,27 +26,54 @@ def _serves(robot: Robot, need: str) -> bool:
     return robot.kind.lists_orders if need == LISTS else robot.kind.can(need)
 
 
-def _runs(key: Key[Any], keys: Mapping[str, tuple[str, ...]]) -> list[Run]:
-    shown = keys[key.id][0]
-    return [(f" {shown} ", StyleRole.KEY), (f"{key.hint} ", StyleRole.DIM)]
-
-
 def hints(
     keys: Mapping[str, tuple[str, ...]],
     pane: Pane,
     can_command: bool = True,
     hidden: Collection[str] = (),
-) -> tuple[list[Run], list[Run]]:
-    """Return the hints at the left, the pane's own first, and the permanent ones at the right. In an overlay
-    only global keys reach the console. `hidden`: ids of keys without a use here."""
+) -> tuple[list[Key[Any]], list[Key[Any]]]:
+    """Return the keys to hint at the left, the pane's own first, and the permanent ones at the right. In an
+    overlay only global keys reach the console. `hidden`: ids of keys without a use here."""
     away = {*hidden, *(key.id for key in KEYS if key.commands and not can_command)}
     offered = [key for key in KEYS if key.hint and keys[key.id] and key.id not in away]
     if pane is Pane.ANYWHERE:
-        left, right = [key for key in offered if key.pane is pane], []
-    else:
-        offered.sort(key=lambda key: key.pane is not pane)
-        left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
-        right = [key for key in offered if key.always]
-    return [run for key in left for run in _runs(key, keys)], [
-        run for key in right for run in _runs(key, keys)
-    ]
+        return [key for key in offered if key.pane is pane], []
+    offered.sort(key=lambda key: key.pane is not pane)
+    left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
+    return left, [key for key in offered if key.always]
+
+
+def footer(
+    left: Collection[Key[Any]],
+    right: Collection[Key[Any]],
+    keys: Mapping[str, tuple[str, ...]],
+    width: int,
+) -> tuple[list[Run], list[Button]]:
+    """Return the hints that fit whole into `width` cells, and their cells, each button with the id of its
+    key. The permanent ones are placed first, then the others up to the first that does not fit."""
+    at_right = _whole(right, keys, width)
+    at_left = _whole(left, keys, width - sum(size for _, _, size in at_right))
+    gap = width - sum(size for _, _, size in (*at_left, *at_right))
+    runs: list[Run] = []
+    buttons = []
+    for key, parts, size in (*at_left, (None, [(" " * gap, StyleRole.TEXT)], gap), *at_right):
+        start = width_of(runs)
+        runs += parts
+        if key is not None:
+            buttons.append(Button(start, start + size, key.id))
+    return runs, buttons
+
+
+def _whole(
+    offered: Collection[Key[Any]], keys: Mapping[str, tuple[str, ...]], width: int
+) -> list[tuple[Key[Any], list[Run], int]]:
+    """Return the first keys that fit into `width` cells, each with its runs and their width."""
+    kept = []
+    for key in offered:
+        name = key_name(keys[key.id][0])
+        parts = [(f" {name} ", StyleRole.KEY), (f"{key.hint} ", StyleRole.DIM)]
+        width -= width_of(parts)
+        if width < 0:
+            break
+        kept.append((key, parts, width_of(parts)))
+    return kept

@@ -12,6 +12,8 @@ from fleet_tui.view.tables.table import Run
 
 # A link with a message within this many seconds is well.
 SILENT_AFTER = 2.0
+# Without a first connection for so many seconds there is no link; before, the console is connecting.
+STARTING = 2.0
 # The writer ticks ten times a second. Without ticks, ages stop and everything looks live.
 BLIND_AFTER = 2.0
 
@@ -28,17 +30,26 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     return [note for note, holds in notes.items() if holds]
 
 
+def _no_link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
+    if not link.was_up and now - link.since < STARTING:
+        yield "○ connecting ", StyleRole.TEXT
+        yield f"{address} ", StyleRole.DIM
+        yield sanitize(link.reason), StyleRole.DIM
+        return
+    yield f"○ no link for {age(now - link.since)}: ", StyleRole.ALARM
+    if link.reason:
+        yield f"{sanitize(link.reason)}, ", StyleRole.WARN
+    if link.phase is Phase.CONNECTING or link.next_try is None:
+        yield "connecting", StyleRole.TEXT
+    else:
+        yield f"retry in {max(0.0, link.next_try - now):.0f} s", StyleRole.TEXT
+    heard = "" if link.heard is None else f", last message {age(now - link.heard)} ago"
+    yield f"{heard} {address}", StyleRole.DIM
+
+
 def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.phase is not Phase.UP:
-        yield f"○ no link for {age(now - link.since)}: ", StyleRole.ALARM
-        if link.reason:
-            yield f"{sanitize(link.reason)}, ", StyleRole.WARN
-        if link.phase is Phase.CONNECTING or link.next_try is None:
-            yield "connecting", StyleRole.TEXT
-        else:
-            yield f"retry in {max(0.0, link.next_try - now):.0f} s", StyleRole.TEXT
-        heard = "" if link.heard is None else f", last message {age(now - link.heard)} ago"
-        yield f"{heard} {address}", StyleRole.DIM
+        yield from _no_link_runs(link, now, address)
         return
     yield "● ", StyleRole.GOOD
     yield f"{address} ", StyleRole.TEXT

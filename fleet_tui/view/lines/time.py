@@ -21,7 +21,7 @@ class MarkKind(IntEnum):
     ALARM = 3
 
 
-_SIGNS = {
+MARKS = {
     MarkKind.COMMAND: ("◆", StyleRole.ACCENT),
     MarkKind.GAP: ("╳", StyleRole.WARN),
     MarkKind.ALARM: ("▲", StyleRole.ALARM),
@@ -71,7 +71,7 @@ def bar(moment: ReplayPosition, width: int) -> tuple[Run, ...]:
     here = _cell(moment, moment.at, cells)
     signs = [("━", StyleRole.ACCENT) if n < here else ("─", StyleRole.DIM) for n in range(cells)]
     for mark in sorted(moment.marks, key=lambda mark: mark.kind):
-        signs[_cell(moment, mark.at, cells)] = _SIGNS[mark.kind]
+        signs[_cell(moment, mark.at, cells)] = MARKS[mark.kind]
     signs[here] = "●", StyleRole.TITLE_FOCUSED
     return ((before, StyleRole.TEXT), *signs, (after, StyleRole.DIM))
 
@@ -124,7 +124,7 @@ def told(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> t
     ]
     mark = passed(moment)
     if mark is not None:
-        sign, ink = _SIGNS[mark.kind]
+        sign, ink = MARKS[mark.kind]
         runs += [(f"{sign} ", ink), (f"{sanitize(mark.text)}  ", StyleRole.TEXT)]
     if moment.note:
         runs.append((sanitize(moment.note), StyleRole.WARN))

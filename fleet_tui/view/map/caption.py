@@ -62,9 +62,8 @@ def _pieces(facts: Caption) -> list[Piece]:
         *pieces,
         (_bar(facts), StyleRole.DIM),
         *_turn(facts),
-        (f"follow {'on' if facts.follow else 'off'}", StyleRole.TEXT if facts.follow else StyleRole.DIM),
-        (f"zoom {'robot' if facts.zoom_robot else 'centre'}", StyleRole.DIM),
-        (facts.drawing.value, StyleRole.DIM),
+        *([("follow on", StyleRole.TEXT)] if facts.follow else []),
+        *([("zoom robot", StyleRole.DIM)] if facts.zoom_robot else []),
     ]
 
 

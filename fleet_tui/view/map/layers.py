@@ -2,9 +2,11 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from fleet_tui.model.graph import Role
 from fleet_tui.model.order import natural
-from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
@@ -48,7 +50,7 @@ def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
     placed = seen_vertices(scene, camera)
     for vertex, (x, y) in sorted(placed, key=lambda at: vertex_glyph(at[0], look.plain)[1]):
         glyph, ink = vertex_glyph(vertex, look.plain)
-        if ink is StyleRole.VERTEX and cells.inks[y, x] == StyleRole.MISSION:
+        if ink is StyleRole.VERTEX and cells.inks[y, x] in (StyleRole.MISSION, StyleRole.MISSION_THROUGH):
             glyph, ink = ("*" if look.plain else "•"), StyleRole.MISSION
         cells.write(x, y, glyph, StyleRole.TARGET if vertex.id in scene.target_vertices else ink)
 
@@ -75,7 +77,16 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
             text = text.encode("ascii", "replace").decode()
         spot = room.label_spot(x, y, text, cells.inks)
         if spot:
-            cells.write(*spot, text, StyleRole.TARGET if vertex.id in targets else StyleRole.LABEL)
+            cells.write(*spot, text, _label_ink(cells, spot, text, vertex.id in targets))
+
+
+def _label_ink(cells: Cells, spot: tuple[int, int], text: str, is_target: bool) -> StyleRole:
+    """Return the ink of a label for the ground that it covers most of."""
+    x, y = spot
+    below = cells.inks[y, x : x + cell_width(text)]
+    if np.count_nonzero(below == StyleRole.UNKNOWN) * 2 > below.size:
+        return StyleRole.TARGET_BEYOND if is_target else StyleRole.LABEL_BEYOND
+    return StyleRole.TARGET if is_target else StyleRole.LABEL
 
 
 def _rank(vertex: SceneVertex, targets: tuple[str, ...], look: MapOptions) -> tuple[bool, bool, bool, object]:

@@ -39,7 +39,14 @@ def _table(*inks: StyleRole) -> NDArray[np.bool_]:
 _GROUND = _table(StyleRole.FLOOR, StyleRole.UNKNOWN)
 _OPEN = _table(StyleRole.FLOOR, StyleRole.UNKNOWN, StyleRole.EDGE, StyleRole.TRAIL, StyleRole.TRAIL_OLD)
 _WAYS = (StyleRole.MISSION, StyleRole.MISSION_NEXT)
-_KEPT = _table(StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.MISSION_NEXT, StyleRole.MISSION)
+_KEPT = _table(StyleRole.MISSION_NEXT, StyleRole.MISSION)
+_WALLS = _table(
+    StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.MISSION_NEXT_THROUGH, StyleRole.MISSION_THROUGH
+)
+_THROUGH = {
+    StyleRole.MISSION_NEXT: StyleRole.MISSION_NEXT_THROUGH,
+    StyleRole.MISSION: StyleRole.MISSION_THROUGH,
+}
 
 
 def _mask(camera: Camera) -> Mask:
@@ -171,8 +178,8 @@ def _thick(mask: Mask) -> Mask:
 def _stroke(cells: Cells, mask: Mask, ink: StyleRole, look: MapOptions, plain: str) -> None:
     """Draw the dots in one ink except over more important cells; as ASCII the character `plain`.
 
-    The current mission is thick. A wall under a mission keeps its glyph and only takes the ink: the line goes
-    on through it.
+    The current mission is thick. It goes on through walls: on their colour, or in ASCII as the wall's
+    character.
     """
     passed = pack(mask)
     bits = pack(_thick(mask)) if ink is StyleRole.MISSION and not look.plain else passed
@@ -183,6 +190,10 @@ def _stroke(cells: Cells, mask: Mask, ink: StyleRole, look: MapOptions, plain: s
         cells.codes[dotted] |= bits[dotted]
         cells.codes[crossed & (cells.codes == ord(_NEXT))] = ord(plain)
         cells.inks[crossed] = ink
+        through = (passed > 0) & _WALLS[cells.inks]
+        if not look.plain:
+            cells.codes[through] = BRAILLE[bits[through]]
+        cells.inks[through] = _THROUGH[ink]
     cells.codes[drawn] = ord(plain) if look.plain else BRAILLE[bits[drawn]]
     cells.inks[drawn] = ink
 

@@ -32,6 +32,10 @@ class MapPicture:
         self._backdrop: Cells | None = None
         self._backdrop_of: tuple[Scene, Camera, MapOptions] | None = None
 
+    def hatch(self, hatched: bool) -> None:
+        """Mark unknown ground, or leave it to its colour."""
+        self.options = replace(self.options, hatched=hatched)
+
     def show(self, scene: Scene) -> None:
         """Take the newest scene."""
         self.scene = scene

@@ -9,7 +9,7 @@ from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
-_SIGNS = {
+SIGNS = {
     AlarmStage.UNACKNOWLEDGED: "▲ new ",
     AlarmStage.RETURNED: "▽ over",
     AlarmStage.ACKNOWLEDGED: "△ seen",
@@ -35,7 +35,7 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     return Row(
         alarm.key,
         (
-            (f"{_SIGNS[alarm.stage]}{shelf} ", ink),
+            (f"{SIGNS[alarm.stage]}{shelf} ", ink),
             (
                 f"{_PRIORITIES[alarm.condition.priority]} ",
                 StyleRole.DIM if alarm.stage is AlarmStage.RETURNED else ink,

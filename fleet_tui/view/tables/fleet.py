@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from functools import partial
-from typing import NamedTuple
 
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.fleet import FleetState, obstacle_text
@@ -17,10 +16,15 @@ from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.fleet_columns import Columns, floor_text
 from fleet_tui.view.tables.progress import progress_text
-from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column, width_of
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table
 
 CARGO = "■"
+STILL_FROM = 5.0
+"""Seconds from which a robot stands still."""
+SEEN_FROM = 2.0
+"""Seconds from which the age of a robot's last message is shown."""
 
 
 def place(robot: Robot, vertex: str) -> str:
@@ -43,13 +47,6 @@ def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
 def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
     """Return stops by their labels."""
     return route_text(stops, partial(place, robot))
-
-
-def floor_text(state: FleetState, robot: Robot) -> str:
-    """Return the floor a robot is on, as far as its pose shows."""
-    if robot.pose is None:
-        return "-" if "pose" in robot.kind.reports else ""
-    return robot.floor or "unknown floor"
 
 
 def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
@@ -111,68 +108,79 @@ def _battery(state: FleetState, robot: Robot) -> Run:
     return f"{int(percent):3d} %", ink
 
 
-class _Columns(NamedTuple):
-    """Widths in cells, 0 for a column for which no robot of the fleet has a value."""
-
-    numbers: int
-    names: int
-    battery: bool
-    floors: int
-    cargo: int
-
-    @classmethod
-    def of(cls, state: FleetState) -> "_Columns":
-        robots = state.robots.values()
-        reported = {value for robot in robots for value in robot.kind.reports}
-        return cls(
-            len(str(len(robots))),
-            column((robot.name for robot in robots), 6, 14),
-            "battery" in reported,
-            column({floor_text(state, robot) for robot in robots}, 5, 13) if "pose" in reported else 0,
-            3 if "cargo" in reported else 1,
-        )
-
-
-def _head(state: FleetState, robot: Robot, selected: bool, columns: _Columns) -> list[Run]:
-    """Return the start of every row: link state, name, battery."""
+def _head(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> list[Run]:
+    """Return the start of every row: link state, number, name, battery, floor, cargo, times."""
     online = state.is_online(robot)
     ink = StyleRole.TEXT if online else StyleRole.DIM
     dot: Run = (
-        ("●", StyleRole.GOOD) if online else ("○", StyleRole.DIM if robot.heard is None else StyleRole.ALARM)
+        ("● ", StyleRole.GOOD)
+        if online
+        else ("○ ", StyleRole.DIM if robot.heard is None else StyleRole.ALARM)
     )
-    return [
+    runs: list[Run] = [
         dot,
-        (f" {robot.number:{columns.numbers}d} ", StyleRole.DIM),
-        (fit(robot.name, columns.names), StyleRole.ACCENT if selected else ink),
-        (" ", ink),
-        *([_battery(state, robot), (" ", ink)] if columns.battery else []),
+        (f"{robot.number:{columns.number - 1}d} ", StyleRole.DIM),
+        (fit(robot.name, columns.name), StyleRole.ACCENT if selected else ink),
     ]
+    if columns.battery:
+        runs += [_battery(state, robot), (" ", ink)]
+    if columns.floor:
+        runs.append((fit(columns.floors[floor_text(state, robot)], columns.floor), ink))
+    if columns.cargo:
+        runs.append((f"{CARGO} " if robot.has_cargo else "  ", ink))
+    if columns.waiting:
+        runs.append((f"{_waiting(state, robot) or '':>5} ", StyleRole.DIM))
+    if columns.seen:
+        runs.append((f"{_seen(state, robot):>6} ", StyleRole.DIM))
+    return runs
 
 
-def _doing(state: FleetState, robot: Robot, ink: StyleRole) -> Run:
-    current = robot.orders.current
-    if current is not None:
-        progress = progress_text(state, robot, current)
-        return whose_mission(state, robot, current) + (f"  {progress}" if progress else ""), ink
+def _waiting(state: FleetState, robot: Robot) -> int:
+    """Return the number of orders that wait for the current one, or for their start."""
+    return sum(not (order.is_over or robot.orders.is_current(order)) for order in all_orders(state, robot))
+
+
+def _seen(state: FleetState, robot: Robot) -> str:
+    """Return the age of a robot's last message, empty while it is young."""
+    seconds = 0.0 if robot.heard is None else state.now - robot.heard
+    return age(seconds) if seconds >= SEEN_FROM else ""
+
+
+def _movement(state: FleetState, robot: Robot) -> str:
+    """Return whether a robot with an order moves, empty if nothing fresh tells."""
+    if robot.standing is None or not state.is_fresh(robot, "pose"):
+        return ""
+    seconds = state.now - robot.standing.at
+    return f"still {age(seconds)}" if seconds >= STILL_FROM else "moving"
+
+
+def _without_order(state: FleetState, robot: Robot) -> str:
+    """Return the state of a robot that drives no order."""
     if not state.is_online(robot) or not robot.kind.lists_orders:
-        return "", StyleRole.DIM
+        return ""
     waiting = sum(not order.is_over for order in all_orders(state, robot))
     if robot.queue is None and not waiting:
-        return "queue missing" if robot.kind.expects("queue") else "-", StyleRole.DIM
-    return f"{waiting} waiting" if waiting else "idle", StyleRole.DIM
+        return "queue missing" if robot.kind.expects("queue") else "-"
+    return f"{waiting} waiting" if waiting else "idle"
 
 
-def _row(state: FleetState, robot: Robot, head: list[Run], columns: _Columns, width: int) -> Row:
+def _row(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> Row:
     ink = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     told: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", ink))]
-    floor: list[Run] = [
-        (fit(floor_text(state, robot), columns.floors), ink),
-        (f" {CARGO} " if robot.has_cargo else " " * columns.cargo, ink),
-    ]
-    # News must not be cut: if both don't fit, the floor is dropped.
-    fits = width_of([*head, *floor, *told]) <= width + 1
-    middle = [*floor, *told] if fits else [*told, *floor]
-    return Row(robot.name, (*head, *middle, _doing(state, robot, ink)))
+    current, order = robot.orders.current, ""
+    if current is None:
+        told = told or [(_without_order(state, robot), StyleRole.DIM)]
+    else:
+        order = whose_mission(state, robot, current)
+    progress = progress_text(state, robot, current) if current is not None else ""
+    if not columns.order:
+        return Row(
+            robot.name, (*_head(state, robot, selected, columns), *told, (f"{order}  {progress}", ink))
+        )
+    if current is not None and not told:
+        told = [(progress or _movement(state, robot), StyleRole.DIM)]
+    placed = fit(order, columns.order - 1) + " "
+    return Row(robot.name, (*_head(state, robot, selected, columns), (placed, ink), *told))
 
 
 def in_trouble_first(state: FleetState) -> list[Robot]:
@@ -189,12 +197,12 @@ def fleet_table(state: FleetState, selected: str, width: int) -> Table:
     config."""
     robots = in_trouble_first(state)
     online = sum(state.is_online(robot) for robot in robots)
-    columns = _Columns.of(state)
+    columns = Columns.of(state, width)
 
     def row(place: int) -> Row:
         robot = robots[place]
-        head = _head(state, robot, robot.name == selected, columns)
-        return _row(state, robot, head, columns, width)
+        return _row(state, robot, robot.name == selected, columns)
 
     rows = LateRows([robot.name for robot in robots], row)
-    return Table((("Fleet", StyleRole.TITLE), (f" {online} of {len(rows)} online", StyleRole.DIM)), rows)
+    title = ("Fleet", StyleRole.TITLE), (f" {online} of {len(rows)} online", StyleRole.DIM)
+    return Table(title, rows, head=columns.head)

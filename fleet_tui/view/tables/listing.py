@@ -1,18 +1,20 @@
 """The visible part of a table: a cursor that stays with its row, scrolling in both directions."""
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import Button, Row, Run, Table, cut, width_of
+from fleet_tui.view.tables.table import Button, Run, Table, cut, width_of
 
 MARK = "▸"
 NO_MARK = (" ", StyleRole.TEXT)
 SLIDE = 8
 """Cells that long rows slide at once."""
+HEAD_FROM = 5
+"""Lines of a pane from which the columns have heads."""
 
 
 class Listing:
-    """`cursor` is the key of the row for keys and menus."""
+    """`cursor` is the key of the row for keys and menus; rows of the key None have no cursor."""
 
     def __init__(self) -> None:
         self.cursor: Hashable | None = None
@@ -20,6 +22,8 @@ class Listing:
         self._top = 0
         self._slid = 0
         self._place = 0
+        self._first = 1
+        """The line of the first row."""
 
     def show(self, table: Table) -> None:
         """Show the newest rows. If the cursor's row is gone, it moves to the one now in its place."""
@@ -45,19 +49,27 @@ class Listing:
 
     def lines(self, width: int, height: int, focused: bool) -> list[tuple[Run, ...]]:
         """Return the title and the rows in view, each `width` cells wide."""
-        rows = height - 1
+        head = [self._head(width)] if self._table.head and self._table.rows and height >= HEAD_FROM else []
+        self._first = 1 + len(head)
+        rows = max(0, height - self._first)
         # The cursor's row stays visible, and no line is wasted at the end.
         self._top = max(0, min(self._top, self._place, len(self._table.rows) - rows))
         self._top = max(self._top, self._place - rows + 1, 0)
         mark = MARK, StyleRole.ACCENT if focused else StyleRole.DIM
         shown = [
-            (mark if row.key == self.cursor else NO_MARK, *_slide(row, self._slid, max(0, width - 1)))
+            (
+                mark if row.key is not None and row.key == self.cursor else NO_MARK,
+                *_slide(row.runs, self._slid, max(0, width - 1)),
+            )
             for row in self._table.rows[self._top : self._top + rows]
         ]
         if not shown:
             shown = [cut([NO_MARK, (self._table.empty, StyleRole.DIM)], width)]
         blank = [((" " * width, StyleRole.TEXT),)] * (rows - len(shown))
-        return [self._title(width, rows, focused), *shown, *blank][:height]
+        return [self._title(width, rows, focused), *head, *shown, *blank][:height]
+
+    def _head(self, width: int) -> tuple[Run, ...]:
+        return (NO_MARK, *_slide(self._table.head, self._slid, max(0, width - 1)))
 
     def _title(self, width: int, rows: int, focused: bool) -> tuple[Run, ...]:
         title: list[Run] = [
@@ -71,11 +83,11 @@ class Listing:
 
     def shows_row(self, y: int) -> bool:
         """Tell whether line `y` is that of a row."""
-        return y > 0 and self._top + y - 1 < len(self._table.rows)
+        return self._first <= y < self._first + len(self._table.rows) - self._top
 
     def steps_to(self, y: int) -> int:
         """Return the number of rows from the cursor to the row of line `y`."""
-        return self._top + y - 1 - self._place
+        return self._top + y - self._first - self._place
 
     def button_at(self, x: int, y: int) -> str:
         """Return the name of the button in cell (x, y), empty if there is none: in the title, or in the
@@ -89,13 +101,13 @@ def _pressed(buttons: tuple[Button, ...], x: int) -> str:
     return next((button.name for button in buttons if button.start <= x < button.end), "")
 
 
-def _slide(row: Row, cells: int, width: int) -> tuple[Run, ...]:
+def _slide(row: Sequence[Run], cells: int, width: int) -> tuple[Run, ...]:
     """Return a row without its first cells, at most to its end."""
     if not cells:
-        return cut(row.runs, width)
-    left = max(0, min(cells, width_of(row.runs) - width))
+        return cut(row, width)
+    left = max(0, min(cells, width_of(row) - width))
     runs: list[Run] = []
-    for text, role in row.runs:
+    for text, role in row:
         gone = min(left, len(text))
         left -= gone
         runs.append((text[gone:], role))

@@ -106,7 +106,7 @@ def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots:
     if placed:
         runs.append((f" +{placed} not in the queue yet", StyleRole.WARN))
     if not all_robots and robot.has_cargo:
-        runs.append((" cargo on board", StyleRole.CARGO))
+        runs.append((" cargo on board", StyleRole.TEXT))
     if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
         runs.append((f" {age(state.now - robot.queue.at)} old", StyleRole.WARN))
     return runs

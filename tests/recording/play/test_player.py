@@ -100,6 +100,7 @@ async def test_help_and_hints_begin_with_the_recording(night: Path) -> None:
         await it.press("?")
         await it.shows("The recording")
         assert it.text.index("The recording") < it.text.index("Play or pause")
+        assert "Look around on the map" in it.text and "Pause the selected robot" not in it.text
 
 
 async def test_old_trails_are_forgotten_where_time_jumps(night: Path) -> None:

@@ -118,17 +118,18 @@ async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
 
 async def test_help_names_its_keys(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        await it.press("?")
+        await it.press("d", "f1")
+        await it.shows("Diagnostics (d)")
         await it.type("Freeze")
-        await it.shows("space f    Freeze or resume the message or the robot log")
+        await it.shows("Space f  Freeze or resume the message or the robot log")
 
 
 async def test_the_footer_names_no_key_that_does_nothing(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         for opened in ("d", "o", ":"):
             await it.press(opened)
-            await it._wait(lambda: " f12 pause all" in it.text.splitlines()[-1], "footer")
+            await it._wait(lambda: " F12 pause all" in it.text.splitlines()[-1], "footer")
             footer = it.text.splitlines()[-1]
-            assert " f1 help" in footer and not {" o order", " ? help", " menu"} & {*re.split("  +", footer)}
+            assert " F1 help" in footer and not {" o order", " ? help", " menu"} & {*re.split("  +", footer)}
             await it.press("escape")
             await it._wait(lambda: " o order" in it.text.splitlines()[-1], "footer")

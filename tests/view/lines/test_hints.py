@@ -1,47 +1,76 @@
 """Keys are hinted where they do something, and where the selected robot has a use for them."""
 
+from itertools import pairwise
+
 import pytest
 
 from fleet_tui.keymap import keymap
 from fleet_tui.keys import Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PAUSE, Kind
-from fleet_tui.view.lines.hints import hidden_keys, hints
-from tests.support.fleets import (
-    R0,
-    text_of,
-)
+from fleet_tui.view.lines.hints import footer, hidden_keys, hints
+from fleet_tui.view.tables.table import width_of
+from tests.support.fleets import R0, text_of
 from tests.support.kinds import BARE, FULL, KEYS, LATE, heard
+
+Keys = dict[str, tuple[str, ...]]
+
+
+def line(chosen: Keys, pane: Pane, width: int = 200, can_command: bool = True) -> str:
+    return text_of(footer(*hints(chosen, pane, can_command), chosen, width)[0])
 
 
 @pytest.mark.parametrize("pane", [Pane.MAP, Pane.TABLE])
 def test_hints_show_the_keys_as_they_are_set(pane: Pane) -> None:
     chosen, problems = keymap({"order": "O", "menu": "home"})
-    left, right = hints(chosen, pane)
+    shown = line(chosen, pane)
     assert problems == []
-    assert " O order " in text_of(left) and " ? help " in text_of(right) and " : command " in text_of(right)
-    assert (" home menu " in text_of(left)) is (pane is Pane.TABLE)
-    assert text_of(left).startswith(" home menu " if pane is Pane.TABLE else " O order ")
+    assert " O order " in shown and shown.endswith(" ? help  : command ")
+    assert (" Home menu " in shown) is (pane is Pane.TABLE)
+    assert shown.startswith(" Home menu " if pane is Pane.TABLE else " O order ")
 
 
 def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
     chosen, _ = keymap({"help_anywhere": "f2"})
-    left, right = hints(chosen, Pane.ANYWHERE)
-    assert text_of(left) == " f2 help  f12 pause all " and right == []
+    assert line(chosen, Pane.ANYWHERE).rstrip() == " F2 help  F12 pause all"
 
 
 @pytest.mark.parametrize("pane", [Pane.MAP, Pane.TABLE, Pane.RECORDING, Pane.ANYWHERE])
 def test_a_console_that_can_not_command_offers_no_commands(pane: Pane) -> None:
-    chosen, _ = keymap({})
-    may = "".join(text_of(part) for part in hints(chosen, pane))
-    may_not = "".join(text_of(part) for part in hints(chosen, pane, can_command=False))
+    may, may_not = (line(KEYS, pane, can_command=can) for can in (True, False))
     assert " pause all " in may and " help " in may_not
     assert not any(f" {word} " in may_not for word in ("order", "cancel", "clear", "pause", "resume"))
 
 
+def test_the_most_important_hints_are_whole_at_80_columns() -> None:
+    shown = line(KEYS, Pane.MAP, 80)
+    places = [shown.index(f" {word} ") for word in ("order", "pause", "resume", "pause all", "why", "cancel")]
+    assert places == sorted(places) and " simple " not in shown
+
+
+@pytest.mark.parametrize("pane", list(Pane))
+def test_hints_are_never_cut(pane: Pane) -> None:
+    offered = hints(KEYS, pane)
+    labels = {key.id: f" {key.hint} " for key in (*offered[0], *offered[1])}
+    for width in range(1, 200):
+        runs, buttons = footer(*offered, KEYS, width)
+        assert width_of(runs) == width
+        text = text_of(runs)
+        for button in buttons:
+            assert text[button.start : button.end].endswith(labels[button.name])
+        assert not "".join(text[one.end : other.start] for one, other in pairwise(buttons)).strip()
+
+
 def offered(state: FleetState) -> set[str]:
     left, _ = hints(KEYS, Pane.CONSOLE, hidden=hidden_keys(state, R0))
-    return set(text_of(left).split()) & {"order", "cancel", "clear", "pause", "resume", "all"}
+    return set(" ".join(key.hint for key in left).split()) & {
+        "order",
+        "cancel",
+        "clear",
+        "pause",
+        "resume",
+        "all",
+    }
 
 
 def test_keys_are_hinted_where_the_selected_robot_has_a_use_for_them() -> None:

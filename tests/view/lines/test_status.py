@@ -40,6 +40,22 @@ def test_no_link_says_why_since_when_and_when_it_is_tried_next() -> None:
 
 def test_before_the_first_connection() -> None:
     assert "no link for 3 s: connecting ws://site:9090" in line(told(fleet(), tick(T0 + 3)))
+    refused = told(fleet(), link_lost(T0 + 0.1, "connection refused", T0 + 4), tick(T0 + 3))
+    assert "no link for 3 s: connection refused, retry in 1 s ws://site:9090" in line(refused)
+
+
+@pytest.mark.parametrize("before", [(), (link_lost(T0 + 0.1, "connection refused", T0 + 1),)])
+def test_the_first_seconds_of_connecting_are_no_trouble(before: tuple[events.Event, ...]) -> None:
+    state = told(fleet(), *before, tick(T0 + 1.9))
+    assert "○ connecting ws://site:9090" in line(state) and "no link" not in line(state)
+    assert {ink for _, ink in status_line(state, R0)}.isdisjoint({StyleRole.ALARM, StyleRole.WARN})
+    assert ("connection refused" in line(state)) is bool(before)
+    assert "no link for 2 s" in line(told(state, tick(T0 + 2.1)))
+
+
+def test_a_link_that_is_lost_is_trouble_at_once() -> None:
+    state = told(fleet(), link_up(T0), link_lost(T0 + 0.5, "it closed"), tick(T0 + 0.6))
+    assert "no link for 0 s: it closed" in line(state)
 
 
 def test_a_link_shows_the_age_of_the_last_message() -> None:
@@ -99,7 +115,7 @@ def test_a_shelved_alarm_is_not_counted() -> None:
 
 
 def test_what_must_not_be_cut_stands_first() -> None:
-    text = line(told(fleet(), link_lost(T0), tick(T0)), "read-only")
+    text = line(told(fleet(), link_up(T0), link_lost(T0), tick(T0)), "read-only")
     assert text.index(R0) < text.index("alarms") < text.index("read-only") < text.index("no link")
 
 

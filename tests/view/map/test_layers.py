@@ -42,7 +42,12 @@ def test_labels_are_whole_or_absent_and_never_overlap(
     for text, ink in shown:
         assert "\x1b" not in text
         assert "\u202e" not in text
-        if ink in (StyleRole.LABEL, StyleRole.TARGET) and text not in ("o", "·"):
+        if ink in (
+            StyleRole.LABEL,
+            StyleRole.TARGET,
+            StyleRole.LABEL_BEYOND,
+            StyleRole.TARGET_BEYOND,
+        ) and text not in ("o", "·"):
             assert text in {_safe(label) for label in wanted}
 
 

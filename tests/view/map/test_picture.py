@@ -57,6 +57,8 @@ def _ways(cells: Cells) -> str:
     """Which cells have the inks of ways and trails: a wall under a way has the way's."""
     marks = {
         StyleRole.MISSION: "*",
+        StyleRole.MISSION_THROUGH: "*",
+        StyleRole.MISSION_NEXT_THROUGH: ":",
         StyleRole.MISSION_NEXT: ":",
         StyleRole.TRAIL: ",",
         StyleRole.TRAIL_OLD: "'",

@@ -1,0 +1,1 @@
+"""Help as sections of rows: tasks, keys, the legend of the map, typed commands."""

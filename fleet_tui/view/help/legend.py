@@ -1,0 +1,145 @@
+"""The legend of the map and the tables: each sign as it is drawn, and its meaning."""
+
+import math
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+
+from fleet_tui.model.alarm import AlarmStage
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.graph import Role
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, build_grid
+from fleet_tui.view.help.section import HelpRow, HelpSection
+from fleet_tui.view.lines.time import MARKS, MarkKind
+from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.map.glyphs import robot_glyph
+from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.alarms import SIGNS
+from fleet_tui.view.tables.fleet import CARGO
+from fleet_tui.view.tables.listing import MARK
+from fleet_tui.view.tables.table import Run
+
+CELLS = 10
+"""Width of a sign drawn by the map."""
+_WIDTH, _HEIGHT = CELLS * DOTS_X, DOTS_Y
+_FRAME = MapFrame(1.0, _WIDTH, _HEIGHT)
+_CAMERA = Camera(_WIDTH / 2, _HEIGHT / 2, 1.0, CELLS, 1, (_WIDTH, _HEIGHT))
+_AT = (1.0, 2.0)  # in the first cell
+_WAY: tuple[Line, ...] = ((1.0, 2.0, _WIDTH - 1.0, 2.0),)
+_ROBOT = SceneRobot("robot_4", 4, Pose(*_AT))
+
+
+def _ground(kind: int) -> Classes:
+    """Return free ground, in the middle of another kind."""
+    classes = np.full((_HEIGHT, _WIDTH), FREE, np.uint8)
+    classes[1:3] = kind
+    return classes
+
+
+_FLOOR = Scene("", _FRAME, build_grid(_FRAME, _ground(FREE)))
+_MAPS = (
+    (replace(_FLOOR, grid=build_grid(_FRAME, _ground(OCCUPIED))), "a wall or another obstacle of the map"),
+    (_FLOOR, "free floor"),
+    (replace(_FLOOR, grid=build_grid(_FRAME, np.full_like(_ground(FREE), UNKNOWN))), "unknown ground"),
+)
+
+
+def _robots(*robots: SceneRobot) -> Scene:
+    return replace(_FLOOR, robots=robots)
+
+
+_ROBOTS = (
+    (_robots(_ROBOT), "a robot: its heading and number"),
+    (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
+    (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
+    (_robots(_ROBOT._replace(obstacle=True)), "! stopped by an obstacle"),
+    (_robots(_ROBOT._replace(paused=True)), "paused"),
+    (_robots(_ROBOT._replace(other_map=True)), "its own map differs from the one shown"),
+    (_robots(_ROBOT._replace(online=False, age=95.0)), "offline, with the age of its last message"),
+    (_robots(_ROBOT._replace(pose=Pose(9.0, 2.0), size=(7.0, 3.0))), "zoomed in: its outline to scale"),
+)
+
+
+def _vertex(label: str = "", role: Role = Role.PLAIN, target: bool = False) -> Scene:
+    vertices = (SceneVertex("7", *_AT, role, label),)
+    return replace(_FLOOR, vertices=vertices, target_vertices=("7",) if target else ())
+
+
+_PLACES = (
+    (_vertex("Base"), "a vertex with its label"),
+    (_vertex("Base", target=True), "start or end of the selected robot's order"),
+    (_vertex(), "a vertex without a label"),
+    (_vertex("Dock", Role.DOCKING), "a docking station"),
+    (_vertex("Lift", Role.ELEVATOR), "an elevator"),
+)
+
+
+def _trail(age: float) -> Scene:
+    return replace(_FLOOR, trail=np.array([(x, 2.0, age) for x in range(1, _WIDTH, 2)], np.float64))
+
+
+_LINES = (
+    (replace(_FLOOR, mission=Mission(current=_WAY)), "the way of the selected robot's order"),
+    (replace(_FLOOR, mission=Mission(following=_WAY)), "the way of its next orders"),
+    (replace(_FLOOR, edges=_WAY), "an edge of the route graph"),
+    (replace(_FLOOR, edges=_WAY, one_way=_WAY), "a one-way edge"),
+    (_trail(5.0), "trail of the last half minute"),
+    (_trail(45.0), "trail, up to a minute old"),
+)
+
+
+def _tables() -> tuple[HelpRow, ...]:
+    alarm, text = StyleRole.ALARM, StyleRole.TEXT
+    marks = {
+        MARK: (StyleRole.ACCENT, "cursor of the table"),
+        "●": (StyleRole.GOOD, "online; in the status line: the link is up"),
+        "○": (alarm, "offline, or no link"),
+        CARGO: (text, "cargo on board"),
+        SIGNS[AlarmStage.UNACKNOWLEDGED]: (alarm, "alarm that waits for an acknowledgement"),
+        SIGNS[AlarmStage.ACKNOWLEDGED]: (text, "acknowledged alarm that still holds"),
+        SIGNS[AlarmStage.RETURNED]: (StyleRole.DIM, "alarm that is over, not acknowledged"),
+        SIGNS[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while"),
+        MARKS[MarkKind.COMMAND][0]: (StyleRole.ACCENT, "recording: a command"),
+        MARKS[MarkKind.GAP][0]: (StyleRole.WARN, "recording: a gap"),
+        MARKS[MarkKind.ALARM][0]: (alarm, "recording: an alarm"),
+    }
+    return tuple(_row(((mark, role),), meaning) for mark, (role, meaning) in marks.items())
+
+
+def _headings(look: MapOptions) -> HelpRow:
+    poses = (Pose(0.0, 0.0, quarter * math.pi / 2) for quarter in range(4))
+    glyphs = (robot_glyph(_ROBOT._replace(pose=pose), 0.0, look.plain) for pose in poses)
+    return _row(((" ".join(glyphs), StyleRole.ROBOT),), "headings: right, up, left, down")
+
+
+def _row(mark: tuple[Run, ...], text: str) -> HelpRow:
+    """Return a row that its signs find; the ground below them is none."""
+    signs = {sign for part, role in mark for sign in part if role not in (StyleRole.FLOOR, StyleRole.CURSOR)}
+    return HelpRow(mark, text, tuple(sign for sign in signs if not sign.isalnum() and not sign.isspace()))
+
+
+def _drawn(scene: Scene, text: str, look: MapOptions) -> HelpRow:
+    """Return a row with a small picture of the map."""
+    cells = picture(backdrop(scene, _CAMERA, look), scene, _CAMERA, look)
+    return _row(tuple((part, StyleRole(ink)) for part, ink in cells.runs(0)), text)
+
+
+@lru_cache(maxsize=1)
+def legend(look: MapOptions) -> tuple[HelpSection, ...]:
+    """Return the legend in the drawing mode of the map."""
+    drawing = replace(look, edges=True, labels=True, trails=True, cursor=None, pointed=None)
+    sections = {"robots": _ROBOTS, "places": _PLACES, "lines": _LINES, "ground": _MAPS}
+    cursor = _drawn(_FLOOR, "the map cursor", replace(drawing, cursor=_AT))
+    drawn = {
+        name: tuple(_drawn(scene, text, drawing) for scene, text in rows) for name, rows in sections.items()
+    }
+    drawn["robots"] += (_headings(look),)
+    drawn["ground"] += (cursor,)
+    return (
+        *(HelpSection(f"Legend: {name}, {look.drawing.value}", rows) for name, rows in drawn.items()),
+        HelpSection("Legend: tables and status line", _tables()),
+    )

@@ -1,0 +1,103 @@
+"""The pages of help: tasks, keys, the legend, typed commands."""
+
+from collections.abc import Collection, Mapping, Sequence
+
+from fleet_tui.keys import KEYS, Pane
+from fleet_tui.model.kind import Kind
+from fleet_tui.view.help.legend import legend
+from fleet_tui.view.help.section import HelpRow, HelpSection, key_row
+from fleet_tui.view.help.tasks import ROBOTS, tasks
+from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Button, Run, width_of
+
+Pages = Mapping[str, Sequence[HelpSection]]
+"""The sections of each page, by its name."""
+
+SECTIONS = (Pane.RECORDING, Pane.CONSOLE, Pane.MAP, Pane.TABLE, Pane.DIAGNOSTICS, Pane.ANYWHERE)
+
+TYPED = {
+    "order": (
+        ("robot_0 Base > Store", "an order"),
+        ("robot_0 A > B > C", "an order with legs"),
+        ("robot_0 > B", "{alone} to B"),
+        ('order robot_0 Base "Dock 7"', "labels with spaces"),
+    ),
+    "cancel": (("cancel 12, cancel robot_0 12", "one order"),),
+    "clear": (("clear robot_0", "all its orders"),),
+    "pause": (("pause robot_0, pause all", "immediately"),),
+    "resume": (("resume robot_0, resume all", "immediately"),),
+}
+"""Examples of typed commands and their meaning, by the verb that a kind must accept."""
+
+NOTES = (
+    "Robots go by name or number, places by label or id; id=7 is always the id.",
+    "Order form: typing filters the labels, Enter takes the marked one; > after a label adds a leg.",
+    "The same order within 1 s is not sent twice.",
+    "Confirmations: y confirms; n, Esc or Enter cancels.",
+    "Mouse: wheel zooms at the pointer, drag pans, click selects, also the keys in the last line. "
+    "To select text with the terminal, hold Shift.",
+    "Pause is not a safety device: near people, use the robot's own stop.",
+)
+
+
+def help_pages(
+    keys: Mapping[str, tuple[str, ...]],
+    pane: Pane,
+    kind: Kind,
+    hidden: Collection[str],
+    look: MapOptions,
+    terminal: str,
+) -> Pages:
+    """Return the pages for robots of a kind and the focused pane, without the `hidden` keys. The legend is
+    drawn as the map with `look`; `terminal` describes the terminal."""
+    own = [] if pane in (Pane.MAP, Pane.TABLE, Pane.CONSOLE) else [_section(pane, keys, hidden)]
+    ordered = sorted(SECTIONS, key=lambda section: section is not pane)
+    every = [_section(section, keys, hidden) for section in ordered]
+    return {
+        "Tasks": [*own, *tasks(keys, hidden)],
+        "Keys": [section for section in every if section.rows],
+        "Legend": legend(look),
+        "Commands": [_typed(kind), HelpSection("Notes", _texts((*NOTES, terminal)))],
+    }
+
+
+def _section(pane: Pane, keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> HelpSection:
+    """Return every key of a pane; those that select a robot by number are one row."""
+    rows = []
+    for key in KEYS:
+        if key.section is not pane or key.id in hidden or key.id in ROBOTS[1:]:
+            continue
+        if key.id == ROBOTS[0]:
+            rows.append(key_row(ROBOTS, "Select a robot by its number in the configuration", keys, 9))
+        else:
+            rows.append(key_row([key.id], key.text, keys, 9))
+    return HelpSection(pane.value, tuple(rows))
+
+
+def _typed(kind: Kind) -> HelpSection:
+    alone = "cargo on board" if "cargo" in kind.reports else "directly"
+    rows = [
+        HelpRow(((example, StyleRole.KEY),), text.format(alone=alone))
+        for verb, examples in TYPED.items()
+        if kind.can(verb)
+        for example, text in examples
+    ]
+    return HelpSection("Typed commands: Tab completes, Enter sends", tuple(rows))
+
+
+def _texts(texts: Sequence[str]) -> tuple[HelpRow, ...]:
+    return tuple(HelpRow((), text) for text in texts if text)
+
+
+def tabs(pages: Pages, shown: str) -> tuple[list[Run], list[Button]]:
+    """Return the names of the pages, the open one in brackets, and their cells."""
+    runs: list[Run] = []
+    buttons = []
+    for name in pages:
+        start = width_of(runs)
+        is_shown = name == shown
+        text = f"[{name}]" if is_shown else f" {name} "
+        runs.append((text, StyleRole.TITLE_FOCUSED if is_shown else StyleRole.DIM))
+        buttons.append(Button(start, width_of(runs), name))
+    return runs, buttons

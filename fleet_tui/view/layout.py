@@ -1,0 +1,38 @@
+"""Heights of the panes: lines go where rows need them, and no pane vanishes."""
+
+from typing import NamedTuple
+
+LEAST_FLEET, LEAST_LIST = 4, 3
+"""Lines, with the title."""
+LEAST_MAP = 9
+LEAST_PAGE = 6
+"""Lines from which the robot's page is worth its place."""
+
+
+class Wanted(NamedTuple):
+    """Lines that each pane could use, with its title and the heads of its columns."""
+
+    fleet: int
+    alarms: int
+    queue: int
+
+
+def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
+    """Share out the column beside the map: fleet, alarms, queue, the robot's page (0 for none)."""
+    alarms = _share(wanted.alarms, lines // 3)
+    queue = _share(wanted.queue + 1, lines // 4)
+    fleet = max(LEAST_FLEET, min(wanted.fleet, lines - alarms - queue))
+    left = max(0, lines - fleet - alarms - queue)
+    page = left if left >= LEAST_PAGE else 0
+    return fleet, alarms, queue + left - page, page
+
+
+def below_map(lines: int, wanted: Wanted) -> tuple[int, int, int]:
+    """Share out a narrow screen: the map, the fleet, and the line of alarms and queue side by side."""
+    low = _share(max(wanted.alarms, wanted.queue), lines // 4)
+    fleet = max(LEAST_FLEET, min(wanted.fleet, (lines - low) * 2 // 5, lines - low - LEAST_MAP))
+    return max(1, lines - low - fleet), fleet, low
+
+
+def _share(wanted: int, most: int) -> int:
+    return max(LEAST_LIST, min(wanted, most))

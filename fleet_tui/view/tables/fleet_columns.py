@@ -1,0 +1,91 @@
+"""The columns of the fleet pane, by its width and by what the robots report."""
+
+from collections.abc import Collection, Mapping
+from itertools import takewhile
+from typing import NamedTuple
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.text.sanitize import fit
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Run, column
+
+DOT = 2
+STATE, ORDER_LEAST, ORDER_MOST = 15, 15, 30
+"""Cells that states must have, and those of the column of orders before them."""
+WHOLE_FLOORS, WITH_MORE = 54, 70
+"""Cells of a pane from which floors have their whole names, and from which it has more columns."""
+UNKNOWN_FLOOR = "unknown floor"
+NO_FLOOR = ("", "-", UNKNOWN_FLOOR)
+
+
+def floor_text(state: FleetState, robot: Robot) -> str:
+    """Return the floor a robot is on, as far as its pose shows."""
+    if robot.pose is None:
+        return "-" if "pose" in robot.kind.reports else ""
+    return robot.floor or UNKNOWN_FLOOR
+
+
+class Columns(NamedTuple):
+    """Widths in cells with the gap after them, 0 for a column for which no robot of the fleet has a value or
+    the pane no space. `floors` are their names as shown."""
+
+    number: int
+    name: int
+    battery: int
+    floor: int
+    cargo: int
+    order: int
+    waiting: int
+    seen: int
+    floors: Mapping[str, str]
+
+    @classmethod
+    def of(cls, state: FleetState, width: int) -> "Columns":
+        """Return the columns of a pane of `width` cells."""
+        robots = state.robots.values()
+        reported = {value for robot in robots for value in robot.kind.reports}
+        names = {floor_text(state, robot) for robot in robots}
+        is_narrow = width < WHOLE_FLOORS
+        floors = shortened(names) if is_narrow else {name: name for name in names}
+        is_obvious = is_narrow and len(state.floors) == 1 and not names.intersection(NO_FLOOR)
+        fixed = cls(
+            number=len(str(len(robots))) + 1,
+            name=column((robot.name for robot in robots), 6, 14) + 1,
+            battery=6 if "battery" in reported else 0,
+            floor=column(floors.values(), 5, 13) + 1 if "pose" in reported and not is_obvious else 0,
+            cargo=2 if "cargo" in reported else 0,
+            order=0,
+            waiting=6 if width >= WITH_MORE and "queue" in reported else 0,
+            seen=7 if width >= WITH_MORE else 0,
+            floors=floors,
+        )
+        left = width - DOT - sum(fixed[:-1])
+        return fixed._replace(order=min(left - STATE, ORDER_MOST) if left >= STATE + ORDER_LEAST else 0)
+
+    @property
+    def head(self) -> tuple[Run, ...]:
+        """Return their names."""
+        names = (
+            ("", DOT),
+            ("#".rjust(self.number - 1), self.number),
+            ("Robot", self.name),
+            ("Batt", self.battery),
+            ("Floor", self.floor),
+            ("", self.cargo),
+            ("Queue", self.waiting),
+            ("  Seen", self.seen),
+            ("Order", self.order),
+        )
+        shown = "".join(fit(name, width) for name, width in names if width)
+        return ((shown + ("State" if self.order else "State, order"), StyleRole.DIM),)
+
+
+def shortened(floors: Collection[str]) -> Mapping[str, str]:
+    """Return floors without the beginning that all of them have, up to its last separator: `floor_0` and
+    `floor_1` as `0` and `1`."""
+    real = [name for name in floors if name not in NO_FLOOR]
+    pairs = zip(min(real), max(real), strict=False) if len(real) > 1 else ()
+    common = "".join(one for one, _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+    start = max(common.rfind(mark) for mark in " _-.") + 1
+    return {name: name if name in NO_FLOOR else name[start:] or name for name in floors}

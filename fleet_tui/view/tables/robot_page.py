@@ -1,0 +1,107 @@
+"""The selected robot on one page: its values with their ages, its order, its last commands."""
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import ago
+from fleet_tui.view.lines.commands import command_text, stage_text
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.fleet import news, whose_mission
+from fleet_tui.view.tables.fleet_columns import floor_text
+from fleet_tui.view.tables.progress import progress_text
+from fleet_tui.view.tables.table import Row, Run, Table
+
+NAME, VALUE = 10, 24
+"""Cells of the columns of names and values."""
+LAST = 5
+"""Commands and ended orders that are listed."""
+
+
+def robot_page(state: FleetState, name: str, clock: Callable[[float], str]) -> Table:
+    """Return the page of a robot; `clock` formats Unix seconds as a local time."""
+    robot = state.robots[name]
+    rows = [_named("State", *(news(state, robot) or ())), *_values(state, robot), *_orders(state, robot)]
+    rows += _commands(state, robot, clock)
+    listed = tuple(Row(None, runs) for runs in rows if runs)
+    title = (
+        (sanitize(name), StyleRole.TITLE),
+        (f" {robot.kind.name} on {sanitize(robot.link)}", StyleRole.DIM),
+    )
+    return Table(title, listed)
+
+
+def _named(name: str, *runs: Run) -> tuple[Run, ...]:
+    """Return a line with its name, empty without runs."""
+    if not runs:
+        return ()
+    spaced = [run for one in runs for run in (one, (" ", StyleRole.TEXT))]
+    return ((f"{name:<{NAME}}", StyleRole.DIM), *spaced)
+
+
+def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
+    """Yield each value that this kind of robot reports, with its age."""
+    texts: dict[str, tuple[str, Reading[Any] | None]] = {
+        "pose": (_pose_text(state, robot), robot.pose),
+        "battery": (_number(robot.battery, "%"), robot.battery),
+        "cargo": (_yes_or_no(robot.cargo), robot.cargo),
+        "obstacle": (_number(robot.obstacle, "s of contact"), robot.obstacle),
+        "paused": (_yes_or_no(robot.paused), robot.paused),
+    }
+    for value, (text, reading) in texts.items():
+        if value not in robot.kind.reports:
+            continue
+        if reading is None:
+            yield _named(value.capitalize(), ("not received", StyleRole.DIM))
+            continue
+        is_old = not state.is_fresh(robot, value)
+        yield _named(
+            value.capitalize(),
+            (f"{text:<{VALUE}}", StyleRole.DIM if is_old else StyleRole.TEXT),
+            (ago(reading.at, state.now), StyleRole.WARN if is_old else StyleRole.DIM),
+        )
+    if robot.standing is not None and state.is_fresh(robot, "pose"):
+        yield _named("Still", (f"for {age(state.now - robot.standing.at)}", StyleRole.TEXT))
+
+
+def _pose_text(state: FleetState, robot: Robot) -> str:
+    if robot.pose is None:
+        return ""
+    pose = robot.pose.value
+    degrees = f"{math.degrees(pose.yaw):.0f}°" if math.isfinite(pose.yaw) else "no heading"
+    return f"{pose.x:.1f}, {pose.y:.1f} m, {degrees}, {floor_text(state, robot)}"
+
+
+def _number(reading: Reading[float] | None, unit: str) -> str:
+    return "" if reading is None else f"{reading.value:.0f} {unit}"
+
+
+def _yes_or_no(reading: Reading[bool] | None) -> str:
+    return "" if reading is None else "yes" if reading.value else "no"
+
+
+def _orders(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
+    current = robot.orders.current
+    if current is not None:
+        progress = progress_text(state, robot, current)
+        text = whose_mission(state, robot, current) + (f", {progress}" if progress else "")
+        yield _named("Order", (text, StyleRole.TEXT))
+    for gone in reversed(robot.gone[-LAST:]):
+        text = whose_mission(state, robot, gone.order)
+        yield _named(
+            "Ended", (f"{text}: {gone.stage.value}", StyleRole.TEXT), (ago(gone.at, state.now), StyleRole.DIM)
+        )
+
+
+def _commands(state: FleetState, robot: Robot, clock: Callable[[float], str]) -> Iterator[tuple[Run, ...]]:
+    own = [record for record in state.commands if record.command.robot == robot.name]
+    for record in reversed(own[-LAST:]):
+        text = command_text(state, record.command).removeprefix(f"{robot.name} ")
+        yield _named(
+            clock(record.wall),
+            (f"{text}: {stage_text(record, state.now)}", StyleRole.TEXT),
+        )

@@ -1,0 +1,48 @@
+"""Help in one or two columns: whole sections, keys in a column, nothing cut."""
+
+import pytest
+
+from fleet_tui.view.help.layout import TWO_FROM, help_lines
+from fleet_tui.view.help.section import HelpRow, HelpSection
+from fleet_tui.view.help.tasks import tasks
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import width_of
+from tests.support.fleets import text_of
+from tests.support.kinds import KEYS
+
+TASKS = tasks(KEYS, ())
+
+
+def text(sections: list[HelpSection], width: int) -> list[str]:
+    return [text_of(line) for line in help_lines(sections, width)]
+
+
+@pytest.mark.parametrize("width", [40, 56, 76, TWO_FROM, 116, 196])
+def test_every_line_is_as_wide_as_wanted_and_no_word_is_missing(width: int) -> None:
+    assert {width_of(line) for line in help_lines(TASKS, width)} == {width}
+    words = " ".join(text(TASKS, width)).split()
+    wanted = [word for section in TASKS for row in section.rows for word in row.text.split()]
+    assert sorted(set(wanted) - set(words)) == []
+
+
+def test_wide_help_has_two_columns_and_narrow_help_fits_two_screens_of_80_by_24() -> None:
+    two, one = text(TASKS, TWO_FROM), text(TASKS, 76)
+    assert len(two) <= 22 and len(one) <= 34
+    assert len(one) == sum(len(section.rows) + 1 for section in TASKS), "a text goes on in the next line"
+    assert two[0].split("  ")[0] == TASKS[0].title and any(
+        TASKS[-1].title in line and not line.startswith(TASKS[-1].title) for line in two
+    )
+
+
+def test_long_texts_go_on_below_themselves() -> None:
+    row = HelpRow((("Enter", StyleRole.KEY),), "one two three four five six")
+    assert [line.rstrip() for line in text([HelpSection("T", (row,))], 24)] == [
+        "T",
+        "  Enter  one two three",
+        "         four five six",
+    ]
+
+
+def test_texts_without_a_mark_begin_at_the_left() -> None:
+    assert text([HelpSection("T", (HelpRow((), "note"),))], 8) == ["T       ", "  note  "]
+    assert text([], 8) == []

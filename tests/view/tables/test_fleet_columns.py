@@ -1,0 +1,34 @@
+"""Columns of the fleet pane: fixed by the width, and by what robots report."""
+
+import pytest
+
+from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.view.tables.fleet_columns import Columns, shortened
+from tests.support.fleets import R0, T0, battery, fleet, link_up, pose, text_of, told
+
+
+@pytest.mark.parametrize(
+    ("floors", "shown"),
+    [
+        ({"floor_0", "floor_1"}, {"floor_0": "0", "floor_1": "1"}),
+        ({"floor_1", "floor_10", "-"}, {"floor_1": "1", "floor_10": "10", "-": "-"}),
+        ({"east", "west"}, {"east": "east", "west": "west"}),
+        ({"hall_0"}, {"hall_0": "hall_0"}),
+        ({"a_", "a_b"}, {"a_": "a_", "a_b": "b"}),
+        (set(), {}),
+    ],
+)
+def test_floors_lose_the_beginning_that_all_have(floors: set[str], shown: dict[str, str]) -> None:
+    assert shortened(floors) == shown
+
+
+@pytest.mark.parametrize("width", [30, 47, 60, 79, 120])
+def test_heads_begin_where_their_columns_do(width: int) -> None:
+    state = told(fleet(1, 2), link_up(T0), pose(T0), battery(T0))
+    table = fleet_table(state, R0, width)
+    head, row = text_of(table.head), text_of(table.rows[0].runs)
+    assert head.index("Robot") == row.index("robot_0")
+    assert head.index("Batt") - 1 == row.index(" 80 %") or head.index("Batt") == row.index(" 80 %")
+    assert head.index("Floor") == row.index("floor_0") or width < 54
+    assert (Columns.of(state, width).order > 0) == (width >= 60)
+    assert "State" in head

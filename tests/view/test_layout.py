@@ -1,0 +1,37 @@
+"""Lines go where rows need them; every pane keeps a place, and none is wasted."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.view.layout import LEAST_LIST, LEAST_MAP, Wanted, below_map, beside_map
+
+wishes = st.builds(Wanted, st.integers(2, 502), st.integers(2, 60), st.integers(2, 60))
+
+
+@given(st.integers(13, 200), wishes)
+def test_every_line_beside_the_map_is_given_away_and_every_pane_has_some(lines: int, wanted: Wanted) -> None:
+    heights = beside_map(lines, wanted)
+    assert sum(heights) == lines
+    assert min(heights[:3]) >= LEAST_LIST
+
+
+@given(st.integers(13, 200), wishes)
+def test_every_line_of_a_narrow_screen_is_given_away(lines: int, wanted: Wanted) -> None:
+    heights = below_map(lines, wanted)
+    assert sum(heights) == lines
+    assert min(heights) >= LEAST_LIST
+    assert lines < 20 or heights[0] >= LEAST_MAP
+
+
+def test_thirty_robots_have_twenty_four_rows_at_120_by_40() -> None:
+    assert beside_map(37, Wanted(32, 3, 3))[0] >= 24 + 2
+    assert beside_map(37, Wanted(32, 12, 9))[0] >= 16
+
+
+def test_a_small_fleet_leaves_lines_to_the_robots_page() -> None:
+    assert beside_map(37, Wanted(5, 2, 2)) == (5, 3, 3, 26)
+
+
+def test_more_alarms_have_more_lines() -> None:
+    assert beside_map(37, Wanted(14, 9, 2))[1] == 9
+    assert below_map(21, Wanted(14, 9, 2))[2] == 5
