@@ -167,7 +167,7 @@ def test_a_slow_disk_holds_nobody_for_long(
     """Each line takes less than would be said: after the first nobody waits for a while."""
 
     def append(line: bytes) -> None:
-        time.sleep(0.03)
+        time.sleep(0.03)  # the slowness itself
         AuditFile.append(disk, line)
 
     monkeypatch.setattr(disk, "append", append)
@@ -185,7 +185,7 @@ def test_one_slow_line_leaves_no_command_before_its_own(
     """The disk is well, only the machine was busy for a moment."""
 
     def slowly(line: bytes) -> None:
-        time.sleep(0.03)
+        time.sleep(0.03)  # the slowness itself
         AuditFile.append(disk, line)
 
     audit = Audit(disk, ANA)
