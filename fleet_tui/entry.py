@@ -53,7 +53,7 @@ class EntryApp(LeanApp, inherit_bindings=False):
 
     def _found(self, site: DiscoveredSite | None) -> None:
         if site is not None and (site.choices or site.lacks):
-            self.switch_screen(Arrival(self._inks, site, self._end))
+            self.push_screen(Arrival(self._inks, site, self._end))
         else:
             self._end(site)
 

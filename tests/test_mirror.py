@@ -22,48 +22,6 @@ ACROSS = {
 }
 """Test files that belong to no module, and what they are about."""
 
-TESTED_ELSEWHERE = {
-    "adapters/adapter.py": "adapters/test_registry.py",
-    "adapters/ros/navigation.py": "adapters/nav2/test_reading.py",
-    "adapters/ros_navigation/base.py": "adapters/nav2/test_adapter.py",
-    "app.py": "test_app_no_colour.py",
-    "audit/": "audit/test_log.py",
-    "bags/": "bags/test_convert.py",
-    "cli/": "cli/test_main.py",
-    "cli/orders/": "cli/orders/test_commands.py",
-    "client/": "client/test_fleet_link.py",
-    "console.py": "recording/play/test_player.py",
-    "controllers/map.py": "widgets/test_map_view.py",
-    "controllers/offers.py": "screens/test_palette.py",
-    "controllers/replay.py": "recording/play/test_player.py",
-    "demo.py": "simulator/test_site.py",
-    "discovery/": "discovery/test_site.py",
-    "doctor/": "doctor/test_run_site_faults.py",
-    "entry.py": "screens/test_main_start.py",
-    "keys/": "test_keymap.py",
-    "maps/": "maps/test_images.py",
-    "model/order_life.py": "rules/commands/test_confirmation_order_life.py",
-    "recording/": "recording/test_recorder.py",
-    "recording/play/": "recording/play/test_player.py",
-    "rules/": "rules/commands/test_checks.py",
-    "rules/alarms/": "rules/alarms/test_conditions.py",
-    "rules/why/": "rules/why/test_why.py",
-    "screens/": "screens/test_main.py",
-    "serve/": "serve/test_run.py",
-    "simulator/": "simulator/test_server.py",
-    "simulator/move_base/": "simulator/move_base/test_fleet.py",
-    "simulator/nav2/": "simulator/nav2/test_fleet.py",
-    "simulator/ros/": "simulator/ros/test_ros2.py",
-    "simulator/sessions/": "simulator/test_server_clients.py",
-    "state/": "state/test_reducer.py",
-    "terminal/": "terminal/test_lean_app.py",
-    "view/map/": "view/map/test_picture.py",
-    "widgets/": "screens/test_main.py",
-}
-"""Where modules are tested that have no file of their own: one module, or all that are left of a folder."""
-PENDING = 143
-"""So many modules are; each one less is welcome, none more."""
-
 
 def _has_logic(path: Path) -> bool:
     """Tell whether a module has a function that does something: declarations and protocols need no test."""
@@ -81,18 +39,8 @@ def _mirror(module: str) -> Path:
     return path.with_name(f"test_{path.name}")
 
 
-def _elsewhere(module: str) -> str:
-    """The entry that covers a module: its own, or that of the nearest folder."""
-    folders = [f"{parent.as_posix()}/" for parent in Path(module).parents if parent != Path()]
-    return next((entry for entry in (module, *folders) if entry in TESTED_ELSEWHERE), "")
-
-
-def test_every_module_has_its_test_file_or_says_where_it_is_tested() -> None:
-    bare = [name for name, path in MODULES.items() if _has_logic(path) and not _mirror(name).exists()]
-    assert [name for name in bare if not _elsewhere(name)] == []
-    assert {_elsewhere(name) for name in bare} == set(TESTED_ELSEWHERE), "an entry that covers nothing goes"
-    assert [file for file in TESTED_ELSEWHERE.values() if not (TESTS / file).exists()] == []
-    assert len(bare) <= PENDING
+def test_every_module_has_its_test_file() -> None:
+    assert [name for name, path in MODULES.items() if _has_logic(path) and not _mirror(name).exists()] == []
 
 
 def test_every_test_file_is_called_as_the_module_it_tests() -> None:

@@ -8,7 +8,7 @@ Fields = dict[str, Any]
 
 
 def upgrade_audit(record: Fields) -> Fields:
-    """Upgrade a line of the audit log. Raises KeyError, TypeError."""
+    """Upgrade a line of the audit log. Raises KeyError, TypeError, ValueError."""
     if record["version"] >= VERSION:
         return record
     return record | {name: text_id(record[name]) for name in ("start", "end", "order") if name in record}

@@ -3,7 +3,6 @@
 import math
 import shutil
 from collections.abc import Iterable
-from itertools import pairwise
 from pathlib import Path
 
 import msgspec
@@ -23,8 +22,7 @@ from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.link import Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import EventRecord, ReceivedFrame
+from fleet_tui.recording.records import ReceivedFrame
 from fleet_tui.state.reducer import apply
 from tests.support.bag_replay import MAP, battery, made_of, nanoseconds, night, played, pose
 from tests.support.bags import KINDS, WALL, Said, bag_config, written
@@ -110,53 +108,6 @@ def test_it_is_said_that_it_is_a_bag_and_nothing_secret_is_kept(tmp_path: Path) 
     assert "hidden" not in repr(recording.header) and b"hidden" not in content
 
 
-def test_alarms_ripen_as_they_would_have(tmp_path: Path) -> None:
-    """Robot 0 is silent for 20 s, robot 1 all the time: five seconds, as the config has it."""
-    said = [pose(n / 10) for n in range(50)] + [pose(25 + n / 10) for n in range(50)]
-    config = bag_config("mcap", robots=2)
-    _, recording = made_of(written(tmp_path, "mcap", said), config, tmp_path / "r.jsonl.gz")
-    raised = [(mark.at, mark.record.robot) for mark in recording.marks if mark.record.change == "raised"]
-    assert [robot for _, robot in raised] == ["robot_1", "robot_0"]
-    assert [at for at, _ in raised] == pytest.approx([1 + 5.0, 1 + 4.9 + 5.0], abs=0.21)
-    back = [mark.at for mark in recording.marks if mark.record.robot == R0 and mark.record.change == "over"]
-    assert all(at > 26 for at in back)
-
-
-def test_a_picture_may_begin_at_every_minute(tmp_path: Path) -> None:
-    said = [*night(), *(pose(12 + n, 0.1 * n) for n in range(200))]
-    _, recording = made_of(written(tmp_path, "mcap", said), bag_config("mcap"), tmp_path / "r.jsonl.gz")
-    assert [moment.at for moment in recording.keyframes] == [1.0, 61.0, 121.0, 181.0]
-    assert len({(place.member, place.nth) for place in recording.places}) == 4
-    ends = [plain(played(recording, moment.at)) for moment in recording.keyframes]
-    assert all(end == ends[0] for end in ends)
-
-
-def ticks(recording: Recording) -> list[float]:
-    return [
-        record.at
-        for record in recording.records()
-        if isinstance(record, EventRecord) and isinstance(record.event, events.TimePassed)
-    ]
-
-
-def test_an_hour_without_a_message_is_lived_through(tmp_path: Path) -> None:
-    bag = written(tmp_path, "ros1", [pose(0), pose(3600)])
-    _, recording = made_of(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")
-    assert len(ticks(recording)) == 36001 and len(recording.keyframes) == 61
-    assert recording.end.at == 3601.0
-
-
-def test_a_year_without_a_message_is_leapt_over(tmp_path: Path) -> None:
-    year = 365 * 86400
-    bag = written(tmp_path, "ros1", [pose(0), pose(year), pose(year + 1)])
-    _, recording = made_of(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")
-    times = ticks(recording)
-    assert len(times) == pytest.approx(72_000 + 12, abs=3)
-    assert max(after - before for before, after in pairwise(times)) > year - 7300
-    assert recording.end.wall == WALL + year + 1
-    assert played(recording).now == pytest.approx(year + 2, abs=0.11)
-
-
 def test_out_of_order_messages_are_taken_as_they_come(tmp_path: Path) -> None:
     """Parts of a folder overlap where several were written at once."""
     first = written(tmp_path, "sqlite3", [pose(n / 10, 1.0) for n in range(30)], name="first")
@@ -199,57 +150,6 @@ def test_bad_data_is_that_of_the_robot_as_it_is_live(form: str, tmp_path: Path) 
     assert robot.battery is not None and robot.battery.value == 50.0
     frames = [record.text for record in recording.records() if isinstance(record, ReceivedFrame)]
     assert frames[1].endswith('"msg":{"data":null}}') and frames[2] == frames[1]
-
-
-def test_another_type_is_not_read_and_the_remedy_is_said(tmp_path: Path) -> None:
-    said = [pose(0), Said(1, f"/{R0}/battery", "std_msgs/msg/Float64", {"data": 5.0})]
-    report, recording = made_of(written(tmp_path, "ros1", said), bag_config("ros1"), tmp_path / "r.jsonl.gz")
-    problem = (
-        "/robot_0/battery has type std_msgs/msg/Float64, not std_msgs/Float32:"
-        " correct profile.topics.battery or profile.types.battery"
-    )
-    assert problem in report.notes and report.messages == 1
-    robot = played(recording).robots[R0]
-    assert robot.battery is None and robot.last_fault == problem
-
-
-def test_what_is_missing_is_said_once_with_the_nearest_name(tmp_path: Path) -> None:
-    said = [
-        pose(0),
-        Said(0, f"/{R0}/action_queue", "ActionQueue", {}),
-        Said(0, "/tf\x1b[2J", "std_msgs/msg/Bool", {}),
-    ]
-    config = bag_config("ros1", robots=3)
-    report, _ = made_of(written(tmp_path, "ros1", said), config, tmp_path / "r.jsonl.gz")
-    assert report.notes[1:] == [
-        "not in the bag: robot_1, robot_2",
-        "not in the bag: /robot_0/queue, did you mean /robot_0/action_queue?, /robot_0/obstacle,"
-        " /robot_0/battery, /robot_0/cargo, /robot_0/floor_0/graph and 3 more (correct [profile.topics])",
-        "in the bag, not used: /robot_0/action_queue, /tf\x1b[2J",
-    ]
-
-
-def test_a_bag_of_other_robots_is_refused(tmp_path: Path) -> None:
-    bag = written(tmp_path, "ros1", [pose(0, robot="agv_1")])
-    with pytest.raises(BagError) as raised:
-        convert(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")
-    assert str(raised.value) == (
-        f"{bag}: none of the configured topics is in the bag: not /robot_0/pose, did you mean /agv_1/pose?;"
-        " it has /agv_1/pose: correct [profile.topics] or [[robots]]"
-    )
-    assert not (tmp_path / "r.jsonl.gz").exists()
-
-
-def test_of_many_live_maps_the_first_robots_stay(tmp_path: Path) -> None:
-    grid = {"info": {"resolution": 1.0, "width": 2, "height": 1, "origin": {"orientation": {"w": 1.0}}}}
-    said = [Said(0, f"/robot_{n}/{F0}/map", MAP, {**grid, "data": [n, n]}) for n in range(6)]
-    config = bag_config("mcap", robots=6)
-    report, recording = made_of(written(tmp_path, "mcap", said), config, tmp_path / "r.jsonl.gz")
-    robots = played(recording).robots
-    assert [name for name, robot in robots.items() if robot.charts[F0].grid] == [
-        f"robot_{n}" for n in range(4)
-    ]
-    assert f"4 of 6 live maps read, not /robot_4/{F0}/map, /robot_5/{F0}/map" in report.notes
 
 
 def test_a_large_map_needs_no_process_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,14 +1,12 @@
 """The command line: exit codes, messages with remedies, no tracebacks."""
 
 import os
-import signal
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from fleet_tui.simulator.faults import FAULTS
 from tests.support.command_line import run
 
 BAD = """
@@ -67,15 +65,6 @@ def test_a_theme_and_a_map_that_are_not_there(tmp_path: Path) -> None:
     assert "did you mean dark?" in done.stderr
 
 
-@pytest.mark.parametrize(
-    "args", [("--config", "mine.toml", "check"), ("check", "--config", "mine.toml"), ("check", "mine.toml")]
-)
-def test_the_config_is_taken_before_and_after_the_command(tmp_path: Path, args: tuple[str, ...]) -> None:
-    (tmp_path / "mine.toml").write_text(GOOD)
-    done = run(*args, cwd=tmp_path)
-    assert (done.returncode, done.stdout) == (0, "mine.toml: valid: 1 robot, 1 floor\n")
-
-
 def test_the_config_is_found_in_order(tmp_path: Path) -> None:
     (tmp_path / "fleet-tui").mkdir()
     (tmp_path / "fleet-tui" / "config.toml").write_text(GOOD)
@@ -105,52 +94,10 @@ def test_usage_errors_end_with_2_and_a_remedy(tmp_path: Path, args: tuple[str, .
     assert "Traceback" not in done.stderr
 
 
-@pytest.mark.parametrize(
-    "args", [["record"], ["replay"], ["run"], ["check"], ["--config"], ["status", "--config"]]
-)
-def test_what_an_unset_variable_leaves_is_no_file(tmp_path: Path, args: list[str]) -> None:
-    done = run(*args, "", cwd=tmp_path)
-    assert (done.returncode, done.stdout) == (2, "") and "empty file name" in done.stderr
-
-
-def test_the_help_of_the_simulator_lists_every_fault(tmp_path: Path) -> None:
-    text = run("sim", "--help", cwd=tmp_path).stdout
-    assert all(f"  {name:<15}{what}" in text for name, (what, _) in FAULTS.items())
-
-
 def test_the_console_without_a_terminal_says_so(tmp_path: Path) -> None:
     done = run(cwd=tmp_path)
     assert done.returncode == 1
     assert "needs a terminal" in done.stderr
-
-
-def test_sim_prints_its_url_and_ends_with_130_on_ctrl_c(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0"]
-    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
-        assert child.stdout is not None
-        assert child.stderr is not None
-        assert child.stdout.readline().startswith(b"ws://127.0.0.1:")
-        child.send_signal(signal.SIGINT)
-        assert child.wait(10) == 130
-        assert child.stderr.read() == b""
-
-
-def test_a_port_in_use_is_named(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0"]
-    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE) as child:
-        assert child.stdout is not None
-        port = child.stdout.readline().decode().strip().rpartition(":")[2]
-        done = run("sim", "--port", port, cwd=tmp_path)
-        child.terminate()
-    assert done.returncode == 1
-    assert port in done.stderr
-    assert "Traceback" not in done.stderr
-
-
-def test_an_option_that_a_command_would_ignore_is_refused(tmp_path: Path) -> None:
-    done = run("--read-only", "check", cwd=tmp_path)
-    assert done.returncode == 2
-    assert "--read-only is not an option of check" in done.stderr
 
 
 @pytest.mark.parametrize("line", [["check"], ["config", "show"], ["audit"], ["doctor", "--timeout", "1"]])

@@ -24,7 +24,7 @@ async def grown(path: Path, records: int, within: float = 20.0) -> Recording:
                     return recording
             except RecordingError:
                 pass
-            await asyncio.sleep(0.1)
+            await asyncio.sleep(0.1)  # another process writes it: nobody tells
 
 
 async def test_for_a_while(server: RosbridgeServer, folder: Path) -> None:

@@ -1,12 +1,9 @@
 """The whole link against the real loopback simulator."""
 
 import asyncio
-import gc
 
 import msgspec
-import pytest
 
-from fleet_tui.client import writer
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -31,16 +28,6 @@ async def test_everything_is_heard(server: RosbridgeServer) -> None:
         assert set(robot.charts) == {"floor_0", "floor_1"}
         assert "Base" in robot.charts["floor_0"].labels.values()
         assert state.is_online(robot)
-
-
-async def test_garbage_is_looked_for_while_it_runs(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Python by itself waits for a million new objects: for a console at work that is 10 minutes and more."""
-    monkeypatch.setattr(writer, "TIDY_EVERY", 0.0)
-    looks = gc.get_stats()[2]["collections"]
-    async with linked(config_of(server.url)) as (_, store):
-        await store.until(lambda _: gc.get_stats()[2]["collections"] > looks + 1)
 
 
 async def test_a_map_arrives_as_binary_when_its_floor_is_shown(server: RosbridgeServer) -> None:

@@ -73,7 +73,7 @@ async def test_nothing_is_repeated_on_another_connection(publisher: Publishing, 
     publisher.start()
     publisher.send(lock("goal"))
     publisher.stop()
-    await asyncio.sleep(2 * publishing.KNOWN_AFTER)
+    await asyncio.sleep(2 * publishing.KNOWN_AFTER)  # a repeat would have come by then
     publisher.start()
     assert sent.published() == ["goal"]
 

@@ -6,24 +6,9 @@ from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.adapters import adapter_of
+from tests.support.ear import Ear
 from tests.support.links import finished, linked, ready
 from tests.support.watched_store import config_of
-
-
-class Ear:
-    def __init__(self) -> None:
-        self.heard_frames: list[tuple[str, str, bytes, float]] = []
-        self.sent_frames: list[tuple[str, str, bytes]] = []
-        self.facts: list[events.Event] = []
-
-    def on_received(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
-        self.heard_frames.append((link, channel, payload, at))
-
-    def on_sent(self, link: str, channel: str, payload: bytes) -> None:
-        self.sent_frames.append((link, channel, payload))
-
-    def on_event(self, event: events.Event) -> None:
-        self.facts.append(event)
 
 
 async def test_a_command_is_heard_as_it_leaves_and_as_it_is_answered(server: RosbridgeServer) -> None:

@@ -7,14 +7,10 @@ from collections.abc import AsyncIterator
 import numpy as np
 import pytest
 
-from fleet_tui.adapters.adapter import Feed
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.operations import topic_of
 from fleet_tui.adapters.ros.reading import WORTH_A_PROCESS
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
-from fleet_tui.errors import WireError
-from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.watched_store import WatchedStore, config_of
 
@@ -65,20 +61,10 @@ async def test_a_large_json_map_arrives(server: RosbridgeServer, store: WatchedS
     assert np.shape(level) == (HEIGHT, WIDTH)
 
 
-MAP = Feed("map", ("robot_0",), "floor_0", "/robot_0/floor_0/map", "nav_msgs/OccupancyGrid")
-
-
 async def test_a_large_map_whose_size_lies_is_named(server: RosbridgeServer, store: WatchedStore) -> None:
     server.bridge.publish_raw("/robot_0/floor_0/map", frame(info={**INFO, "height": 7}).decode())
     state = await store.until(lambda state: state.robots["robot_0"].faults)
     assert "1500 x 7 px has" in state.robots["robot_0"].last_fault
-
-
-def test_what_is_no_map_is_named() -> None:
-    with pytest.raises(WireError, match="info"):
-        decode_apart(Profile(), MAP, frame(info=None))
-    with pytest.raises(WireError, match="bytes"):
-        decode_apart(Profile(), MAP, b'{"op":')
 
 
 @pytest.mark.parametrize(

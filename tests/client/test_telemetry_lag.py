@@ -21,7 +21,7 @@ async def test_a_console_that_is_behind_says_so_and_blames_no_robot(monkeypatch:
     read, slowness = FrameReader.read, 0.0
 
     def slow(self: FrameReader, payload: bytes, is_binary: bool, at: float) -> Read:
-        time.sleep(slowness)
+        time.sleep(slowness)  # the slowness itself
         return read(self, payload, is_binary, at)
 
     monkeypatch.setattr(FrameReader, "read", slow)

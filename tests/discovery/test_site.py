@@ -8,10 +8,7 @@ from contextlib import asynccontextmanager
 import pytest
 
 from fleet_tui.config.load import from_text
-from fleet_tui.discovery.rosapi import AT_ONCE
 from fleet_tui.errors import FleetError, LinkError
-from fleet_tui.simulator.calls import Call
-from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.run import DIALECTS
@@ -71,34 +68,6 @@ async def test_a_hundred_robots_cost_few_questions(kind: str) -> None:
         asked = Counter(one.get("service") for one in server.bridge.received)
     assert len(found.config.robots) == 100
     assert asked["/rosapi/publishers"] <= 200 and asked["/rosapi/service_type"] <= 50
-
-
-async def test_a_bridge_with_two_thousand_topics_is_neither_flooded_nor_asked_for_minutes(
-    server: RosbridgeServer,
-) -> None:
-    server.bridge.services.types |= {f"/thing_{n % 37}/part_{n}": "std_msgs/String" for n in range(2000)}
-    under_way, most = 0, 0
-
-    def answer(call: Call, frame: Frame) -> None:
-        nonlocal under_way
-        under_way -= 1
-        call.reply(frame)
-
-    def deliver(call: Call, frame: Frame) -> None:
-        nonlocal under_way, most
-        under_way += 1
-        most = max(most, under_way)
-        asyncio.get_running_loop().call_later(0.002, answer, call, frame)
-
-    server.bridge.services.deliveries |= {"/rosapi/publishers": deliver, "/rosapi/service_type": deliver}
-    progress: list[tuple[int, int, str]] = []
-    found = await discovered(server.url, progress)
-    asked = Counter(one.get("service") for one in server.bridge.received)
-    assert asked["/rosapi/publishers"] <= 300 and asked["/rosapi/service_type"] <= 100
-    assert most <= AT_ONCE
-    assert found.summary == "2 robots (oh_ressources), 2 floors"
-    counted = [(done, total) for done, total, doing in progress if doing == "looking up publishers"]
-    assert counted[-1][0] == counted[-1][1] <= 300
 
 
 @pytest.mark.parametrize(

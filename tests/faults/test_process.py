@@ -85,10 +85,10 @@ def test_a_terminal_that_does_not_read_any_more(demo: InTerminal) -> None:
     demo.reads.clear()
     demo.press("m")
     demo.resize(200, 60)
-    time.sleep(0.5)
+    time.sleep(0.5)  # what it still sends fills the terminal: of that nobody tells
     for width in range(100, 160):
         demo.resize(width, 40)
-        time.sleep(0.02)
+        time.sleep(0.02)  # as fast as a window is dragged
     demo.child.send_signal(signal.SIGTERM)
     took = demo.ends()
     assert took < SOON
@@ -111,7 +111,7 @@ def test_resized_to_nothing_and_back_hundreds_of_times(demo: InTerminal) -> None
     for _ in range(200):
         for size in ((1, 1), (120, 40)):
             demo.resize(*size)
-            time.sleep(0.004)
+            time.sleep(0.004)  # faster than it can paint, but each is seen
     demo.sent = b""
     demo.press("\x0c")
     healed = demo.until(lambda: "robot_1" in demo.text() and "floor_0" in demo.text(), what="the picture")

@@ -25,7 +25,7 @@ from fleet_tui.recording import part_files, recorder
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.part_files import PartLimits
 from fleet_tui.recording.recorder import Recorder
-from fleet_tui.recording.records import EventRecord, Keyframe, Mark, ReceivedFrame, RecordingError, SentFrame
+from fleet_tui.recording.records import EventRecord, Keyframe, Mark, ReceivedFrame, SentFrame
 from fleet_tui.recording.taps import Taps
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.reducer import apply
@@ -139,27 +139,6 @@ async def test_a_replay_is_at_every_instant_what_the_run_was(
     assert at > 100 and open_recording(path).marks
 
 
-def test_a_file_that_is_there_is_left_alone(recording: Recorder, store: Store) -> None:
-    for name in ("night.jsonl.gz", "night.0003.jsonl.gz"):
-        recording.path.with_name(name).touch()
-        with pytest.raises(RecordingError, match="exists"):
-            Recorder(recording.path, CONFIG, store, ORIGIN)
-
-
-def test_a_link_of_somebody_is_not_followed(tmp_path: Path, store: Store) -> None:
-    (tmp_path / "x").symlink_to(tmp_path / "elsewhere")
-    with pytest.raises(RecordingError, match="exists"):
-        Recorder(tmp_path / "x", CONFIG, store, ORIGIN)
-    assert not (tmp_path / "elsewhere").exists()
-
-
-def test_where_nothing_can_be_written(tmp_path: Path, store: Store) -> None:
-    (tmp_path / "file").touch()
-    for place in ("file/x", "a\0b"):
-        with pytest.raises(RecordingError, match="not writable"):
-            Recorder(tmp_path / place, CONFIG, store, ORIGIN)
-
-
 def test_only_the_owner_reads_it(recording: Recorder) -> None:
     assert stat.S_IMODE(recording.path.stat().st_mode) == 0o600
 
@@ -183,15 +162,6 @@ def test_any_program_can_read_it(recording: Recorder, store: Store) -> None:
     recording.close()
     lines = subprocess.run(["zcat", recording.path], check=True, capture_output=True).stdout.splitlines()
     assert [json.loads(line)["kind"] for line in lines] == ["header", "keyframe", "told", "told"]
-
-
-def test_a_frame_that_was_read_late_says_when_it_came(recording: Recorder, store: Store) -> None:
-    ticks(recording, store, 1)
-    now = time.monotonic()
-    recording.on_received("rosbridge", "topics", b"{}", False, now - 1.0)
-    recording.close()
-    *_, told, late = open_recording(recording.path).records()
-    assert isinstance(late, ReceivedFrame) and late.came == now - 1.0 and late.at == told.at
 
 
 def test_old_parts_go_and_each_begins_with_all_that_is_known(tmp_path: Path, store: Store) -> None:
@@ -280,30 +250,6 @@ def test_the_folder_is_taken_away(tmp_path: Path, store: Store) -> None:
     assert recording.flush() and recording.problem == ""
     recording.close()
     assert open_recording(recording.path).keyframes
-
-
-def test_several_record_at_once_and_end_by_themselves(tmp_path: Path, store: Store) -> None:
-    taps = Taps()
-    one = taps.attach(Recorder(tmp_path / "one.gz", CONFIG, store, ORIGIN))
-    taps.on_event(events.TimePassed(T0, WALL))
-    other = taps.attach(Recorder(tmp_path / "other.gz", CONFIG, store, ORIGIN))
-    taps.on_event(events.TimePassed(T0 + 1, WALL))
-    taps.detach(one)
-    taps.on_event(events.TimePassed(T0 + 2, WALL))
-    taps.detach(other)
-    assert store.watchers == []
-    for path, count in ((one.path, 2), (other.path, 2)):
-        assert [type(record) for record in open_recording(path).records()] == [
-            Keyframe,
-            *[EventRecord] * count,
-        ]
-
-
-def test_what_cannot_be_written_costs_no_more_than_itself(recording: Recorder, store: Store) -> None:
-    tell(recording, store, events.MessageRejected("robot_0", "half \ud800 a pair"))
-    tell(recording, store, events.TimePassed(T0, WALL))
-    recording.close()
-    assert [type(record) for record in open_recording(recording.path).records()] == [Keyframe, EventRecord]
 
 
 def test_nothing_is_taken_after_the_end(recording: Recorder, store: Store) -> None:

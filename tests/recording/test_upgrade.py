@@ -8,11 +8,9 @@ and the lines and the CSV of the audit log.
 """
 
 import gzip
-import io
 import json
 import math
 import re
-from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -21,12 +19,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.audit.export import write_csv
-from fleet_tui.audit.file import FILE_NAME
-from fleet_tui.audit.reader import AuditReader
-from fleet_tui.audit.search import search_of
-from fleet_tui.cli.audit import write_records
-from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.events import GraphReceived, LabelsReceived, QueueReported
 from fleet_tui.model.fleet import FleetState, Limits
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
@@ -42,7 +34,6 @@ from tests.support.fleets import order, order_queue, text_of
 FILES = Path(__file__).parent / "of_version_1"
 RECORDING = FILES / "recording.jsonl.gz"
 MEANING: dict[str, Any] = json.loads(gzip.decompress((FILES / "meaning.json.gz").read_bytes()))
-NOW = datetime.now().astimezone()
 
 
 def shown(state: FleetState) -> dict[str, Any]:
@@ -59,17 +50,6 @@ def expected(meant: dict[str, Any]) -> dict[str, Any]:
     """Today the position is left out, and the robot's letter where its state is known."""
     rows = [re.sub(r"^(\S+) +\d+ +", r"\1 #", row) for row in meant["queue"]]
     return meant | {"queue": [" ".join(row.replace("W in process", "in process").split()) for row in rows]}
-
-
-def has(line: str, typed: str) -> bool:
-    return all(word in line.casefold() for word in typed.split())
-
-
-@pytest.fixture
-def audit_log(tmp_path: Path) -> Path:
-    path = tmp_path / FILE_NAME
-    path.write_bytes(gzip.decompress((FILES / "audit.jsonl.gz").read_bytes()))
-    return path
 
 
 def test_a_recording_plays_as_it_did() -> None:
@@ -122,35 +102,6 @@ def test_the_marks_of_a_recording_read_as_they_did() -> None:
     assert [line_text(mark.record) for mark in marks] == MEANING["marks"]
 
 
-def test_an_audit_log_reads_searches_and_exports_as_it_did(audit_log: Path) -> None:
-    reading = AuditReader(audit_log)
-    records = list(reading.newest_first())
-    assert not reading.unreadable and {record.version for record in records} == {1}
-    assert [line_text(record) for record in records] == MEANING["audit"]
-    out = io.StringIO(newline="")
-    assert write_csv(out, records) == len(records)
-    assert out.getvalue().splitlines() == MEANING["csv"]
-    for typed in ("dispatch -> receiving", "order 999 refused", "cancel order 2"):
-        found = [line_text(record) for record in records if search_of(typed, NOW).wants(record)]
-        assert found and found == [line for line in MEANING["audit"] if has(line, typed)]
-
-
-def test_the_audit_command_prints_an_old_log(audit_log: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fleet_tui.cli.audit.state_folder", lambda: audit_log.parent)
-    out = io.StringIO()
-    assert write_records("", False, False, out) == ""
-    assert out.getvalue().splitlines() == MEANING["audit"]
-
-
-def test_old_and_new_lines_stand_in_one_log(audit_log: Path) -> None:
-    old = next(record for record in AuditReader(audit_log).newest_first() if record.order)
-    new = msgspec.structs.replace(old, version=2, order="a1f3", start="dock", end="(1.2, 3.4)")
-    with audit_log.open("ab") as file:
-        file.write(msgspec.json.encode(new) + b"\n")
-    reading = AuditReader(audit_log)
-    assert next(record.order for record in reading.newest_first()) == "a1f3" and not reading.unreadable
-
-
 ANYTHING = st.recursive(
     st.none() | st.booleans() | st.integers() | st.text(max_size=5),
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),
@@ -172,11 +123,6 @@ def test_a_damaged_record_is_refused_with_a_reason(
     line = {"kind": kind, "at": 1.0, "wall": 1.0, "event": {"type": event, **fields}, "record": record}
     with pytest.raises(RecordingError, match="unreadable record"):
         decode(msgspec.json.encode(line), 1)
-
-
-def test_every_field_of_an_old_log_that_was_a_number_is_text() -> None:
-    types = {field.name: field.type for field in msgspec.structs.fields(AuditRecord)}
-    assert {name for name, type_ in types.items() if type_ == str | None} == {"start", "end", "order"}
 
 
 def test_limits_of_older_recordings_latch_every_class_of_alarms() -> None:

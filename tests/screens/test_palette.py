@@ -2,14 +2,12 @@
 
 from textual.widgets import Input
 
-from fleet_tui.model.events import BatteryReported, QueueReported
-from fleet_tui.model.order import OrderQueue
 from fleet_tui.model.problem import Permissions
-from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
+from tests.support.console_trips import trips
 from tests.support.fleets import place_order
 from tests.support.ordering import one_packet, place, sent, vertex
 from tests.support.watched_store import config_of
@@ -18,18 +16,6 @@ from tests.support.watched_store import config_of
 def request(it: Console) -> str:
     """The line of the palette as it is typed so far."""
     return it.app.main.query_one("#request", Input).value
-
-
-def trips(server: RosbridgeServer, it: Console) -> list[str]:
-    """The orders that reached the wire, by label."""
-    found = []
-    for name, args in sent(server):
-        assert name == "Execute_order"
-        robot = it.store.state.robots["robot_0"]
-        found.append(
-            f"{robot.name_of(str(args['initial_point']))} -> {robot.name_of(str(args['end_point']))}"
-        )
-    return found
 
 
 async def test_a_typed_order_is_the_first_entry_and_enter_sends_it(server: RosbridgeServer) -> None:
@@ -191,39 +177,6 @@ async def test_an_order_of_another_console_is_not_ours(server: RosbridgeServer) 
         await it.until(lambda state: state.robots["robot_0"].orders.orders)
         await it.press("shift+tab", "enter")
         await it.shows("not sent by this console")
-
-
-async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        await it.press("p")
-        await it.until(lambda state: (paused := state.robots["robot_0"].paused) and paused.value)
-        for answer in ("enter", "escape", "n"):
-            await place(it)
-            await it.shows("robot_0 is paused: send anyway?")
-            await it.press(answer)
-            await it.hides("send anyway?")
-        assert sent(server) == [("Pause", {})]
-        await place(it)
-        await it.shows("robot_0 is paused: send anyway?")
-        await it.press("y")
-        await it.until(lambda _: len(server.bridge.services.calls) == 2)
-        assert not it.app.main.query_one(OrderForm).is_open
-
-
-async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].silence = 600.0
-    async with console(config_of(server.url, 1), wait=False) as it:
-        await it.until(lambda state: state.links["rosbridge"].heard)
-        await it.until(lambda state: state.robots["robot_0"].knows_all_graphs())
-        one_packet(it, ":robot_0 Base > Store\r")
-        await it.shows("robot_0 was never seen: send anyway?")
-        it.store.apply(BatteryReported("robot_0", it.store.state.now, 50.0))
-        await it.shows("the queue of robot_0 was not received")
-        it.store.apply(QueueReported("robot_0", it.store.state.now, OrderQueue(0, "", ())))
-        await it.shows("Send?")
-        assert it.app.main.query_one(Confirm).is_open
-        await it.press("y")
-        await it.until(lambda _: trips(server, it) == ["Base -> Store"])
 
 
 async def test_a_read_only_console_says_so_in_the_form(server: RosbridgeServer) -> None:

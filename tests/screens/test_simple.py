@@ -1,12 +1,9 @@
 """The simple interface: an order with arrows and Enter alone, or with the mouse alone."""
 
 import pytest
-from textual.app import ComposeResult
 
 from fleet_tui.model.events import LabelsReceived
-from fleet_tui.screens.simple import Simple
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.text.sanitize import sanitize
 from tests.support.console_pilot import Console, console
 from tests.support.ordering import sent, vertex
 from tests.support.watched_store import config_of
@@ -125,22 +122,6 @@ async def test_with_cargo_on_board_there_is_only_a_destination(
         ]
 
 
-async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
-        await it.press("s")
-        await it.shows("From: choose")
-        assert not it.app.main.rest.map.display
-        await it.press("enter")
-        await it.shows("From where?")
-        await it.press("f12")
-        await it.until(lambda state: all(state.is_paused(robot) for robot in state.robots.values()))
-        await it.press("escape")
-        await it.shows("From: choose")
-        await it.press("s")
-        await it.shows(sanitize("Base"), "map")
-        assert it.app.main.focused is it.app.main.rest.map
-
-
 async def test_a_label_that_looks_like_markup_is_text(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         it.store.apply(LabelsReceived("robot_0", "floor_0", {"0": "[bold]Base[/]"}))
@@ -150,18 +131,3 @@ async def test_a_label_that_looks_like_markup_is_text(server: RosbridgeServer) -
         await it.shows("[bold]Base[/]  (floor_0)")
         await it.press("enter")
         await it.shows("From: [bold]Base[/]")
-
-
-async def test_a_tick_while_it_is_being_made(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    made = Simple.compose
-    async with console(config_of(server.url, 2), (120, 40)) as it:
-
-        def compose(simple: Simple) -> ComposeResult:
-            it.app.main.tick()
-            yield from made(simple)
-
-        monkeypatch.setattr(Simple, "compose", compose)
-        await it.press("s")
-        await it.shows("Robot: robot_0")

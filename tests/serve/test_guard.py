@@ -5,7 +5,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.serve.guard import is_loopback, is_ours, is_same_origin, names_of
-from fleet_tui.serve.tab import HIGHEST, WIDEST, within
 
 LOOPBACK = names_of("127.0.0.1")
 
@@ -65,9 +64,3 @@ def test_a_page_is_ours_if_it_came_from_here(origin: str, same: bool) -> None:
 )
 def test_loopback_is_known(host: str, alone: bool) -> None:
     assert is_loopback(host) is alone
-
-
-@given(st.integers(), st.integers())
-def test_any_size_becomes_one_that_can_be_painted(width: int, height: int) -> None:
-    wide, high = within(width, height)
-    assert 1 <= wide <= WIDEST and 1 <= high <= HIGHEST

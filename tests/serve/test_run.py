@@ -3,7 +3,6 @@
 import asyncio
 import os
 import signal
-import socket
 from contextlib import AsyncExitStack
 from pathlib import Path
 from urllib.error import HTTPError
@@ -16,7 +15,6 @@ from websockets.typing import Origin
 
 from fleet_tui.serve.run import MOST_TABS
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.cli import config_file, run
 from tests.support.serve import WITHIN, Serving, about, serving, until
 
 pytestmark = pytest.mark.timeout(120)
@@ -195,21 +193,6 @@ async def test_secrets_are_in_no_argument(tmp_path: Path, monkeypatch: pytest.Mo
         assert b"hunter2" not in about(console, "cmdline")
 
 
-async def test_a_taken_port_is_said(tmp_path: Path) -> None:
-    config_file(tmp_path, "ws://127.0.0.1:1")
-    with socket.create_server(("127.0.0.1", 0)) as taken:
-        port = taken.getsockname()[1]
-        ended = await run(tmp_path, "serve", "--port", str(port))
-    assert ended.code == 1
-    assert f"127.0.0.1 port {port}" in ended.err and "--port 0" in ended.err
-
-
-async def test_what_is_wrong_with_the_config_is_said_before_anything_is_served(tmp_path: Path) -> None:
-    config_file(tmp_path, "ws://127.0.0.1:1").write_text("[rosbridge]\nur = 3\n")
-    ended = await run(tmp_path, "serve", "--port", "0")
-    assert ended.code == 2 and "did you mean" in ended.err and not ended.out
-
-
 async def test_another_address_than_loopback_is_warned_of(tmp_path: Path) -> None:
     async with serving(tmp_path, "ws://127.0.0.1:1", "--host", "0.0.0.0") as it:
         _, said = await it.stop()
@@ -227,8 +210,3 @@ async def test_a_browser_on_what_is_behind_an_address(server: RosbridgeServer, t
         await page.shows("2 robots (oh_ressources), 2 floors. :save keeps it")
         await page.shows("2 of 2 online")
     assert not server.bridge.services.calls
-
-
-async def test_what_is_wrong_with_an_address_is_said_before_a_tab_is_open(tmp_path: Path) -> None:
-    dead = await run(tmp_path, "serve", "--port", "0", "--url", "ws://127.0.0.1:9")
-    assert (dead.code, dead.out) == (3, "") and "connection refused" in dead.err

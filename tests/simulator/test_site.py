@@ -10,11 +10,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-import msgspec
 import pytest
 from websockets.asyncio.client import connect
 
-from fleet_tui.config.schema import Config, RobotEntry
+from fleet_tui.config.schema import Config
 from fleet_tui.demo import demo_config
 from fleet_tui.errors import ConfigError
 from fleet_tui.simulator.faults import parse_faults_of
@@ -74,13 +73,6 @@ def test_the_kinds_take_turns() -> None:
     assert max(len(crew.numbers) for crew in crews) - min(len(crew.numbers) for crew in crews) <= 1
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_a_fleet_has_the_robots_it_is_asked_for(kind: str) -> None:
-    fleet = KINDS[kind].build(3, 2, 1, 4, 3)
-    assert list(fleet.robots) == ["robot_4", "robot_7", "robot_10"]
-    assert [robot.index for robot in fleet.robots.values()] == [4, 7, 10]
-
-
 @pytest.mark.parametrize("floors", [1, 3])
 def test_fleets_behind_one_bridge_share_no_topic_service_or_listener(floors: int) -> None:
     both = fleets(8, floors)
@@ -117,35 +109,6 @@ def test_the_graphs_topic_and_file_agree(tmp_path: Path) -> None:
             for name in (f"/robot_0/{floor.name}/map", f"/{floor.name}/map")
         ]
         assert maps[0]["data"] == maps[1]["data"] and maps[0]["info"] == maps[1]["info"]
-
-
-def test_the_demos_configuration_names_links_and_profiles(tmp_path: Path) -> None:
-    config = demo_config(Config(), URLS[0], 4, 2, kind=MIXED, folder=tmp_path, further=URLS[1:])
-    assert (config.rosbridge.url, {name: link.url for name, link in config.links.items()}) == (
-        URLS[0],
-        {"ros2": URLS[1]},
-    )
-    assert config.robots == [
-        RobotEntry("robot_0", profile="oh_ressources"),
-        RobotEntry("robot_1", profile="move_base"),
-        RobotEntry("robot_2", link="ros2", profile="nav2"),
-        RobotEntry("robot_3", profile="oh_ressources"),
-    ]
-    assert {name: profile.kind for name, profile in config.profiles.items()} == {kind: kind for kind in KINDS}
-    assert config.profiles["nav2"].topics == {"floor": "/{robot}/floor", "map": "/{floor}/map"}
-    assert not config.profiles["oh_ressources"].types  # on ROS 1, as usual
-    assert all(Path(floor.graph).is_file() for floor in config.floors)
-
-
-def test_the_demo_of_one_kind_has_one_profile_and_one_link(tmp_path: Path) -> None:
-    config = demo_config(Config(), URLS[0], 2, 1, kind="move_base", folder=tmp_path)
-    assert (config.profile.kind, config.profiles, config.links) == ("move_base", {}, {})
-    assert config.robots == [RobotEntry("robot_0"), RobotEntry("robot_1")]
-    assert config.floors[0].graph == str(tmp_path / "graph.geojson")
-    other = demo_config(Config(), URLS[0], 2, 1, kind="oh_ressources", folder=tmp_path)
-    assert other.floors[0].graph == "" and msgspec.structs.asdict(other.profile)["topics"] == {
-        "paused": "/{robot}/paused"
-    }
 
 
 class TestFaults:

@@ -1,75 +1,34 @@
 """Goals of action servers as the orders of a robot: legs, replaced ones, ends, and whose each is."""
 
-import math
-
-import pytest
-from msgspec.structs import replace
-
-from fleet_tui.adapters.adapter import Site
-from fleet_tui.adapters.nav2.adapter import Nav2
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
-from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.navigation import Goal, Progress
+from fleet_tui.model.navigation import Progress
 from fleet_tui.model.navigation_events import (
     GoalAnswered,
-    GoalsReported,
-    LocalisationReported,
     OdometryReported,
     PlanReported,
     ProgressReported,
 )
 from fleet_tui.model.order import OrderState, Stop, at_vertices
-from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import LISTED_FOR
 from fleet_tui.rules.commands.local_queue import foreign
-from tests.support.fleets import F0, R0, T0, commanded, fleet, graph, link_up, tick, told
-
-NAV2 = Nav2(Profile(kind="nav2"), Site()).kind
-TO_POSE, WAYPOINTS = "navigate_to_pose", "follow_waypoints"
-ON, DONE, FAILED, OFF = (
-    OrderState.IN_PROCESS,
-    OrderState.DONE,
-    OrderState.FAILED,
-    OrderState.CANCELLED,
+from tests.support.fleets import R0, T0, commanded, tick, told
+from tests.support.nav2_goals import (
+    DONE,
+    FAILED,
+    ON,
+    WAYPOINTS,
+    goal,
+    goals,
+    localised,
+    nav2,
+    odometry,
+    robot,
 )
+
 B, A_B = PlaceOrder(R0, at_vertices("2")), PlaceOrder(R0, at_vertices("1", "2"))
 SENT = (Stage.SENT,)
-
-
-def unheard() -> FleetState:
-    """A robot with Nav2 of which nothing has come."""
-    state = fleet()
-    return told(replace(state, robots={R0: replace(state.robots[R0], kind=NAV2)}), link_up(T0))
-
-
-def nav2() -> FleetState:
-    """A robot with Nav2 in the middle of its life, at T0."""
-    return told(unheard(), graph(1, 2, 3), odometry(T0), tick(T0))
-
-
-def odometry(at: float, x: float = 0.0, y: float = 0.0, yaw: float = 0.0) -> OdometryReported:
-    return OdometryReported(R0, at, Pose(x, y, yaw), at)
-
-
-def localised(at: float, x: float, y: float = 0.0, yaw: float = 0.0) -> LocalisationReported:
-    return LocalisationReported(R0, at, Pose(x, y, yaw), "map", at, 0.01)
-
-
-def goal(id_: str, state: OrderState | None = ON, stamp: float | None = None) -> Goal:
-    return Goal(id_, f"uuid of {id_}", "", state, state.value if state else "?", stamp)
-
-
-def goals(at: float, *listed: Goal, action: str = TO_POSE, fault: str = "") -> GoalsReported:
-    return GoalsReported(
-        R0, at, action, tuple(replace(one, action=action, leads=action == WAYPOINTS) for one in listed), fault
-    )
-
-
-def robot(state: FleetState) -> Robot:
-    return state.robots[R0]
 
 
 def listed(state: FleetState) -> list[tuple[str, OrderState | None]]:
@@ -236,44 +195,9 @@ class TestEnds:
         assert record(state).stage is Stage.DONE
 
 
-class TestPlacing:
-    """Odometry, placed on the map by the localisation."""
-
-    def place(self, *facts: Event) -> Pose | None:
-        pose = robot(told(unheard(), *facts)).pose
-        return pose.value if pose else None
-
-    def test_without_a_localisation_it_lives_but_nobody_knows_where(self) -> None:
-        state = told(nav2(), odometry(T0 + 1, 3.0), tick(T0 + 1))
-        assert robot(state).pose is None and state.is_online(robot(state))
-
-    def test_it_goes_on_by_its_wheels_from_where_it_was_found(self) -> None:
-        turned = math.pi / 2
-        facts = odometry(T0 + 1, 5.0), localised(T0 + 1, 10.0, 10.0, turned), odometry(T0 + 2, 7.0)
-        found = self.place(*facts)
-        assert found is not None
-        assert (found.x, found.y, found.yaw) == pytest.approx((10.0, 12.0, turned))
-
-    def test_a_localisation_that_comes_first_waits_for_the_wheels(self) -> None:
-        assert self.place(localised(T0, 10.0), odometry(T0 + 1, 5.0)) == Pose(10.0, 0.0)
-
-    def test_drift_is_taken_back(self) -> None:
-        facts = odometry(T0, 0.0), localised(T0, 0.0), odometry(T0 + 9, 10.3), localised(T0 + 9, 10.0)
-        assert self.place(*facts) == Pose(10.0, 0.0)
-        assert self.place(*facts, odometry(T0 + 10, 11.3)) == pytest.approx(Pose(11.0, 0.0))
-
-    def test_it_is_no_sign_of_life(self) -> None:
-        state = told(nav2(), localised(T0 + 60, 1.0), tick(T0 + 60))
-        assert not state.is_online(robot(state))
-
-    def test_without_odometry_it_is_where_it_was_found(self) -> None:
-        state = told(unheard(), localised(T0 + 1, 4.0), tick(T0 + 1))
-        pose = robot(state).pose
-        assert pose is not None and pose.value == Pose(4.0, 0.0) and robot(state).floor == F0
-
-    def test_a_path_ends_at_the_vertex_that_is_near(self) -> None:
-        state = told(nav2(), localised(T0, 0.0), odometry(T0), goals(T0, goal("a")))
-        at_vertex = told(state, PlanReported(R0, T0 + 1, Pose(1.1, 0.2)))
-        assert robot(at_vertex).orders.orders[0].stops == (Stop("2"),)
-        elsewhere = told(state, PlanReported(R0, T0 + 1, Pose(1.1, 5.0)))
-        assert robot(elsewhere).orders.orders[0].stops == (Stop(pose=Pose(1.1, 5.0)),)
+def test_a_path_ends_at_the_vertex_that_is_near() -> None:
+    state = told(nav2(), localised(T0, 0.0), odometry(T0), goals(T0, goal("a")))
+    at_vertex = told(state, PlanReported(R0, T0 + 1, Pose(1.1, 0.2)))
+    assert robot(at_vertex).orders.orders[0].stops == (Stop("2"),)
+    elsewhere = told(state, PlanReported(R0, T0 + 1, Pose(1.1, 5.0)))
+    assert robot(elsewhere).orders.orders[0].stops == (Stop(pose=Pose(1.1, 5.0)),)

@@ -3,14 +3,11 @@
 import pytest
 
 from fleet_tui.model import events
-from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import CONTACT
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
-from fleet_tui.state.command_events import COMMANDS_KEPT
-from fleet_tui.text.durations import age
 from tests.support.alarms import alarms
 from tests.support.fleets import (
     F0,
@@ -19,13 +16,11 @@ from tests.support.fleets import (
     T0,
     WALL,
     battery,
-    commanded,
     fleet,
     graph,
     labels,
     link_lost,
     link_up,
-    place_order,
     pose,
     queue,
     tick,
@@ -186,40 +181,6 @@ def test_seen_alarms_are_not_counted_as_new() -> None:
 
 def test_alarms_carry_wall_time() -> None:
     assert told(fleet(), battery(T0, 5.0), tick(T0 + 7)).alarms[0].first_wall == WALL + T0 + 7
-
-
-def test_a_command_ends_exactly_once_whatever_comes() -> None:
-    state = told(fleet(), *commanded(7, PauseRobot(R0)), events.CommandAdvanced(8, Stage.SENT, T0))
-    assert state.commands[0].stage is Stage.CHECKED
-    assert told(state, *commanded(7, ResumeRobot(R0))).commands == state.commands
-    state = told(state, events.CommandAdvanced(7, Stage.NOT_SENT, T0, "no link"))
-    assert told(state, events.CommandAdvanced(7, Stage.ACCEPTED, T0, "paused")) is state
-    assert (state.commands[0].stage, state.commands[0].words) == (Stage.NOT_SENT, "no link")
-    assert not state.robots[R0].paused_by_us
-
-
-def test_the_newest_commands_are_kept() -> None:
-    commands: list[Command] = [place_order(R0, n, n) for n in range(COMMANDS_KEPT + 5)]
-    state = fleet()
-    for n, command in enumerate(commands):
-        state = told(state, *commanded(n, command, Stage.SENT, Stage.REFUSED))
-    assert [record.command for record in state.commands] == commands[-COMMANDS_KEPT:]
-
-
-def test_a_command_under_way_is_kept_until_its_end_has_come() -> None:
-    many = range(2 * COMMANDS_KEPT)
-    state = told(fleet(), *(events.CommandIssued(n, PauseRobot(R0), T0, WALL) for n in many))
-    assert len(state.commands) == len(many)
-    state = told(state, events.CommandAdvanced(0, Stage.NOT_SENT, T0))
-    assert state.commands[0].stage is Stage.NOT_SENT
-
-
-@pytest.mark.parametrize(
-    ("seconds", "text"),
-    [(-3.0, "0 s"), (0.0, "0 s"), (4.4, "4 s"), (90.0, "90 s"), (240.0, "4 min"), (7200.0, "2 h")],
-)
-def test_ages_in_words(seconds: float, text: str) -> None:
-    assert age(seconds) == text
 
 
 def test_robots_that_know_the_same_graph_share_one() -> None:

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.model.events import Event, GraphReceived, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
@@ -120,17 +120,6 @@ def test_paused_by_us_until_it_moves() -> None:
     assert braking.is_paused(robot(braking))
     driving = told(braking, pose(T0 + 3, 5.6, 5.0))
     assert not driving.is_paused(robot(driving))
-
-
-def test_paused_by_us_until_we_resume() -> None:
-    state = told(fleet(), *accepted(PauseRobot(R0)), *accepted(ResumeRobot(R0), id_=2))
-    assert not state.is_paused(robot(state))
-
-
-@pytest.mark.parametrize("stage", [stage for stage in Stage if stage is not Stage.ACCEPTED])
-def test_a_pause_that_was_not_accepted_pauses_nothing(stage: Stage) -> None:
-    state = told(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT, stage))
-    assert not state.is_paused(robot(state))
 
 
 @pytest.mark.parametrize("says", [True, False])

@@ -6,11 +6,12 @@ from pathlib import Path
 
 from fleet_tui.bags.convert import Report, convert
 from fleet_tui.config.schema import Config
+from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.frames import Frames
 from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import Keyframe
+from fleet_tui.recording.records import EventRecord, Keyframe
 from tests.support.bags import WALL, Said
 from tests.support.fleets import F0, R0
 
@@ -82,3 +83,11 @@ def made_of(bag: Path, config: Config, out: Path) -> tuple[Report, Recording]:
     recording = open_recording(out)
     assert recording.note == ""
     return report, recording
+
+
+def ticks(recording: Recording) -> list[float]:
+    return [
+        record.at
+        for record in recording.records()
+        if isinstance(record, EventRecord) and isinstance(record.event, events.TimePassed)
+    ]

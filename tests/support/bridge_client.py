@@ -35,3 +35,8 @@ async def frames_before_an_answer(client: ClientConnection) -> list[Json]:
     """Everything that is said until a call sent now is answered: what is not in it was not said."""
     await send(client, "call_service", service="/rosapi/get_time", id="last")
     return (await read_until(client, lambda frame: frame.get("id") == "last"))[:-1]
+
+
+async def subscribe(client: ClientConnection, topic: str, type_: str | None, **fields: object) -> None:
+    typed = {} if type_ is None else {"type": type_}
+    await send(client, "subscribe", topic=topic, queue_length=1, **typed, **fields)

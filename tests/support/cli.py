@@ -4,10 +4,13 @@ import asyncio
 import json
 import os
 import sys
+import tempfile
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.warm_cli import warm_cli
 
 ROBOT = '[[robots]]\nname = "{}"\n'
 
@@ -42,7 +45,7 @@ async def started(
         "fleet_tui",
         *args,
         cwd=folder,
-        env={**os.environ, "XDG_STATE_HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "COLUMNS": "100"},
+        env=_environment(folder),
         stdin=stdin,
         stdout=asyncio.subprocess.PIPE,
         stderr=asyncio.subprocess.PIPE,
@@ -51,10 +54,21 @@ async def started(
 
 async def run(folder: Path, *args: str, stdin: str | None = None, within: float = 30.0) -> Ended:
     """Run `fleet-tui` with the config of a folder to its end, while this loop goes on serving."""
-    way = asyncio.subprocess.DEVNULL if stdin is None else asyncio.subprocess.PIPE
-    process = await started(folder, *args, stdin=way)
-    out, err = await asyncio.wait_for(process.communicate(None if stdin is None else stdin.encode()), within)
-    return Ended(process.returncode or 0, out.decode(), err.decode())
+    with ExitStack() as opened:
+        given, out, err = (opened.enter_context(tempfile.TemporaryFile()) for _ in range(3))
+        given.write((stdin or "").encode())
+        given.seek(0)
+        streams = [given.fileno(), out.fileno(), err.fileno()]
+        ended = opened.enter_context(warm_cli().start(args, folder, _environment(folder), streams))
+        ended.setblocking(False)
+        async with asyncio.timeout(within):
+            code = int(await asyncio.get_running_loop().sock_recv(ended, 10))
+        said = [(file.seek(0), file.read().decode())[1] for file in (out, err)]
+    return Ended(code, *said)
+
+
+def _environment(folder: Path) -> dict[str, str]:
+    return {**os.environ, "XDG_STATE_HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "COLUMNS": "100"}
 
 
 def asked(server: RosbridgeServer) -> list[str]:

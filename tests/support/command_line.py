@@ -2,17 +2,22 @@
 
 import os
 import subprocess
-import sys
+import tempfile
 from pathlib import Path
+
+from tests.support.warm_cli import warm_cli
+
+WITHIN = 55.0
+"""Seconds, fewer than pytest waits for a test."""
 
 
 def run(*args: str, cwd: Path, **env: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "fleet_tui", *args],
-        cwd=cwd,
-        env={**os.environ, "XDG_CONFIG_HOME": str(cwd), "XDG_STATE_HOME": str(cwd), **env},
-        capture_output=True,
-        text=True,
-        check=False,
-        stdin=subprocess.DEVNULL,
-    )
+    """Run `fleet-tui` to its end."""
+    environment = {**os.environ, "XDG_CONFIG_HOME": str(cwd), "XDG_STATE_HOME": str(cwd), **env}
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err, Path(os.devnull).open() as nothing:
+        streams = [nothing.fileno(), out.fileno(), err.fileno()]
+        with warm_cli().start(args, cwd, environment, streams) as ended:
+            ended.settimeout(WITHIN)
+            code = int(ended.recv(10))
+        said = [(file.seek(0), file.read().decode())[1] for file in (out, err)]
+    return subprocess.CompletedProcess(args, code, *said)

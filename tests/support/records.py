@@ -7,9 +7,25 @@ from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import Audit
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.commands import (
+    Command,
+    Stage,
+)
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
-from tests.support.fleets import R0, T0, WALL, fleet, graph, labels, link_up, pose, told
+from tests.support.fleets import (
+    R0,
+    T0,
+    WALL,
+    commanded,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    place_order,
+    pose,
+    told,
+)
 
 ANA = Origin("ana", "host:1", "run1")
 
@@ -37,3 +53,11 @@ def read(folder: Path) -> list[AuditRecord]:
     found = list(reading.newest_first())[::-1]
     assert reading.unreadable == 0
     return found
+
+
+ORDER = place_order(R0, 1, 2)
+
+
+def give(store: Store, id_: int, command: Command, *stages: Stage, words: str = "") -> None:
+    for fact in commanded(id_, command, *stages, words=words):
+        store.apply(fact)

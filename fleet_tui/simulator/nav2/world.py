@@ -16,12 +16,12 @@ class Nav2World(NavigatingWorld[SimNavigation]):
         """Make the navigation stack of a robot."""
         return SimNavigation(robot, ids, clock)
 
-    def _dock(self, navigation: SimNavigation) -> None:
-        """Let a robot dock."""
-        navigation.take(DOCK, {"use_dock_id": True, "dock_id": "charger"})
-
-    def _send(self, navigation: SimNavigation) -> None:
-        """Send a robot to a labelled vertex, every third time by way of another."""
+    def _assign(self, navigation: SimNavigation, is_low: bool) -> None:
+        """Let a robot that is low dock, and send another one to a labelled vertex, every third time by way of
+        another."""
+        if is_low:
+            navigation.take(DOCK, {"use_dock_id": True, "dock_id": "charger"})
+            return
         floor, rng = navigation.robot.floor, self._rng
         spots = [floor.graph.vertices[id_] for id_ in rng.sample(tuple(floor.labels), 2)]
         poses = [stamped(Pose(spot.x, spot.y, rng.uniform(-3.0, 3.0))) for spot in spots]

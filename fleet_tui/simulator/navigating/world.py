@@ -93,9 +93,11 @@ class NavigatingWorld(ABC, Generic[N]):
 
     def _new_robot(self, index: int) -> NavigatingRobot:
         """Robots start in turn on all floors, spread over the vertices."""
-        floor = self.building.floors[index % len(self.building.floors)]
+        turn, number = divmod(index, len(self.building.floors))
+        floor = self.building.floors[number]
         vertices = tuple(floor.graph.vertices.values())
-        spot = vertices[(7 * (index // len(self.building.floors)) + 3 * index) % len(vertices)]
+        # Without a common factor with the number of vertices, so that none is taken twice before all are.
+        spot = vertices[(13 * turn + 3 * number) % len(vertices)]
         pose = Pose(spot.x, spot.y, self._rng.uniform(-3.0, 3.0))
         return NavigatingRobot(index, floor, pose, self._rng, self._quiet)
 
@@ -106,11 +108,11 @@ class NavigatingWorld(ABC, Generic[N]):
             if robot.driving or navigation.busy:
                 continue
             if robot.battery < LOW and not robot.docked:
-                _dock(navigation)
+                self._assign(navigation, is_low=True)
             self._rest[name] -= STEP
             if robot.index % 2 and self._rest[name] <= 0.0 and robot.battery > 2 * LOW:
                 self._rest[name] = self._rng.uniform(10.0, 30.0)
-                _send(navigation, self._rng)
+                self._assign(navigation, is_low=False)
 
     def _silence(self) -> None:
         """Silence one robot briefly every 3 to 4 minutes, as during a Wi-Fi handover."""
@@ -119,16 +121,12 @@ class NavigatingWorld(ABC, Generic[N]):
             self._silence_in = self._rng.uniform(180.0, 240.0)
             self._rng.choice(tuple(self.robots.values())).silence = self._rng.uniform(1.0, 3.0)
 
-
-def _dock(navigation: Navigating) -> None:
-    """Send a robot to its charger."""
-    floor = navigation.robot.floor
-    charger = floor.graph.vertices[floor.vertex_of("charger")]
-    navigation.give(charger.x, charger.y)
-
-
-def _send(navigation: Navigating, rng: random.Random) -> None:
-    """Send a robot to a labelled vertex."""
-    floor = navigation.robot.floor
-    spot = floor.graph.vertices[rng.choice(tuple(floor.labels))]
-    navigation.give(spot.x, spot.y, rng.uniform(-3.0, 3.0))
+    def _assign(self, navigation: N, is_low: bool) -> None:
+        """Send a robot that is low to its charger, another one to a labelled vertex."""
+        floor = navigation.robot.floor
+        if is_low:
+            charger = floor.graph.vertices[floor.vertex_of("charger")]
+            navigation.give(charger.x, charger.y)
+        else:
+            spot = floor.graph.vertices[self._rng.choice(tuple(floor.labels))]
+            navigation.give(spot.x, spot.y, self._rng.uniform(-3.0, 3.0))

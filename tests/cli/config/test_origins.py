@@ -77,17 +77,6 @@ async def test_no_secret_is_shown(shown: dict[str, str]) -> None:
     assert "token" not in str(shown) and "key.txt" not in str(shown)
 
 
-async def test_the_file_may_come_from_elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "other.toml"
-    path.write_text('floors = [{name = "f"}]\nrobots = [{name = "r"}]\n')
-    given = await run(tmp_path, "config", "show", "--config", str(path))
-    assert given.out.startswith(f"# {path} (option --config)") and 'robots[0].name = "r"\n' in given.out
-    monkeypatch.setenv("FLEET_TUI_CONFIG", str(path))
-    found = await run(tmp_path, "config", "show", "--origin")
-    assert found.out.startswith(f"# {path} (environment: FLEET_TUI_CONFIG)")
-    assert "other.toml:2" in next(line for line in found.out.splitlines() if "robots[0].name" in line)
-
-
 def test_every_key_of_the_config_is_shown_once() -> None:
     paths = [path for path, _ in values(Config(links={"b": Link()}))]
     assert len(paths) == len(set(paths))

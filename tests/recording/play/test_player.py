@@ -1,15 +1,11 @@
 """The console on a recording: what it shows, that it moves in time, and that nothing leaves it."""
 
-import socket
 from pathlib import Path
-from typing import Any
-from urllib.parse import urlsplit
 
 import pytest
 
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.recording.indexing import open_recording
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.terminal.display_driver import DisplayDriver
 from tests.support.console_pilot import console
@@ -95,38 +91,6 @@ async def test_it_plays_at_its_pace_and_stops_at_the_end(night: Path) -> None:
         await it.press("space", "S", "backspace")
         await it.shows("end of recording")
         assert it.app.backend.player is not None and it.app.backend.player.moment.speed == 1.0
-
-
-async def test_nothing_can_be_sent_or_acknowledged(night: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[object] = []  # the hosts that anything in this process looks up; other tests' links, too
-    look_up = socket.getaddrinfo
-
-    def looked_up(host: Any, *args: Any, **options: Any) -> Any:
-        asked.append(host)
-        return look_up(host, *args, **options)
-
-    monkeypatch.setattr(socket, "getaddrinfo", looked_up)
-    recorded = open_recording(night).config.rosbridge.url
-    async with replayed(night, "+110s") as it:
-        before = it.store.state
-        for key in ("p", "r", "P", "X", "f12"):
-            it.app.main.notices.say("")
-            await it.press(key)
-            await it.shows("not sent: this is a recording")
-        for line in (":pause robot_0", ":robot_0 > Base"):
-            it.app.main.notices.say("")
-            await it.type(line)
-            await it.press("enter")
-            await it.shows("not sent: this is a recording")
-        await it.press("a")
-        await it.shows("not possible in a recording")
-        await it.press("b")
-        await it.shows("nothing to pack")
-        await it.press("L")
-        await it.shows("no audit log on this console")
-        assert it.store.state is before
-        assert it.store.events == []
-    assert urlsplit(recorded).hostname not in asked
 
 
 async def test_help_and_hints_begin_with_the_recording(night: Path) -> None:

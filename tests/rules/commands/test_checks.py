@@ -1,7 +1,5 @@
 """What is looked at before a command leaves: each check by name, errors and warnings apart."""
 
-from itertools import pairwise
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -9,15 +7,13 @@ from hypothesis import strategies as st
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.events import CargoReported, CommandPathChanged, Event, GraphReceived, PausedReported
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.geometry import Pose
-from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.model.kind import ORDER as PLACES
-from fleet_tui.model.kind import Kind
+from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import CommandPath
-from fleet_tui.model.order import Stop, vertices_of
+from fleet_tui.model.order import vertices_of
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request, chain
 from fleet_tui.rules.commands.checks import CHECKS, FIRST, problems, repeated
+from tests.support.checked_orders import F1, floor, found, ready
 from tests.support.fleets import (
     F0,
     LINK,
@@ -25,10 +21,8 @@ from tests.support.fleets import (
     T0,
     fleet,
     graph,
-    labels,
     link_lost,
     link_up,
-    of_kinds,
     place_order,
     pose,
     queue,
@@ -36,28 +30,7 @@ from tests.support.fleets import (
     told,
 )
 
-F1 = "floor_1"
 ORDER = place_order(R0, 1, 2)
-
-
-def ready(*facts: Event, floors: int = 1) -> FleetState:
-    """robot_0 online at vertex 1 of floor_0, on which 1, 2 and 3 lie in a row."""
-    known = (graph(1, 2, 3), labels({1: "Base", 2: "Store"}), queue(T0), CargoReported(R0, T0, False))
-    return told(fleet(1, floors), link_up(T0), *known, pose(T0), *facts, tick(T0 + 0.5))
-
-
-def found(state: FleetState, *commands: Command, **floors: str) -> list[tuple[str, bool]]:
-    """The names of the problems, and whether each blocks."""
-    request = Request(commands, {name[1:]: floor for name, floor in floors.items()})
-    return [(problem.check, problem.blocks) for problem in problems(state, request, Permissions())]
-
-
-def floor(*ids: int, lift: int | None = None, joined: bool = True) -> GraphReceived:
-    """floor_1: vertices in a row, one of which may be the elevator."""
-    roles = {id_: Role.ELEVATOR if id_ == lift else Role.PLAIN for id_ in ids}
-    vertices = {str(id_): Vertex(str(id_), float(n), 0.0, roles[id_]) for n, id_ in enumerate(ids)}
-    edges = tuple(Edge(str(n), *pair) for n, pair in enumerate(pairwise(vertices)) if joined)
-    return GraphReceived(R0, F1 if 10 in ids else F0, RouteGraph(vertices, edges))
 
 
 def test_nothing_speaks_against_what_is_all_right() -> None:
@@ -117,45 +90,6 @@ def test_a_robot_never_seen_and_a_graph_that_has_not_come_are_warned_of() -> Non
     assert found(state, CancelOrder(R0, "4")) == [("not in the queue", False), ("never seen", False)]
     assert found(state, ClearOrders(R0)) == [("nothing to clear", False), ("never seen", False)]
     assert found(state, place_order(R0, 1))[-1] == ("no cargo", False)
-
-
-def test_floors_are_joined_by_elevators_that_the_graphs_name() -> None:
-    up = place_order(R0, 1, 10)
-    with_lifts = ready(floor(1, 2, 3, lift=3), floor(9, 10, lift=9), floors=2)
-    assert found(with_lifts, up) == []
-    cut_off = ready(floor(1, 2, 3, lift=3), floor(9, 10, lift=9, joined=False), floors=2)
-    assert found(cut_off, up) == [("no path", True)]
-    none_named = ready(floor(9, 10), floors=2)
-    assert found(none_named, up) == [("floor mismatch", False)]
-    (problem,) = problems(
-        of_kinds(none_named, Kind(changes_floors=False, accepts=(PLACES,))), Request((up,)), Permissions()
-    )
-    assert problem.blocks
-    assert problem.text == f"Base is on {F0}, 10 on {F1}: an order can't change floors"
-    not_yet = ready(floors=2)
-    assert found(not_yet, up) == [("unknown vertex", False)]
-
-
-def test_a_pose_between_two_vertices_is_a_way_of_its_own() -> None:
-    there = Stop(pose=Pose(1.0, 2.0))
-    apart = ready(floor(1, 2, 3, joined=False))
-    for stops in ((Stop("1"), there, Stop("1")), (Stop("1"), there, Stop("3")), (there,), (Stop("1"), there)):
-        named = {problem for problem, blocks in found(apart, PlaceOrder(R0, stops)) if blocks}
-        assert not named & {"same place", "no path", "unknown vertex"}
-    assert ("no path", True) in found(apart, place_order(R0, 1, 2, 3))
-
-
-def test_a_start_that_is_not_reached_from_where_the_robot_is_is_warned_of() -> None:
-    apart = RouteGraph({str(n): Vertex(str(n), n * 5.0, 0.0) for n in (1, 2, 3)}, (Edge("0", "2", "3"),))
-    state = ready(GraphReceived(R0, F0, apart))
-    assert found(state, place_order(R0, 2, 3)) == [("no path", False)]
-
-
-def test_a_place_chosen_on_another_floor_whose_id_is_another_place_here() -> None:
-    """Ids of floors may be the same; the wire knows only ids."""
-    state = ready(graph(1, 2, 10, floor=F1), labels({1: "Attic", 2: "Roof"}, F1), floors=2)
-    assert found(state, place_order(R0, 1, 2), v1=F0, v2=F0) == []
-    assert found(state, place_order(R0, 1, 2), v1=F1, v2=F1) == [("floor mismatch", False)] * 2
 
 
 def test_of_a_chain_each_order_is_looked_at_but_what_comes_before_it_is_its_own() -> None:

@@ -1,11 +1,9 @@
 """Commands by key and mouse: what is asked first, and what reaches the robots."""
 
 import msgspec
-import pytest
 from textual.widgets import Button, Input
 
 from fleet_tui.model.link import Phase
-from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
@@ -50,98 +48,6 @@ async def test_a_whole_order_in_one_packet(server: RosbridgeServer) -> None:
         await it.until(lambda _: len(server.bridge.services.calls) == 2)
         start, end = vertex(it, "Base"), vertex(it, "Consumidores")
         assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end}), ("Pause", {})]
-
-
-@pytest.mark.parametrize("opener", [":", "?"])
-async def test_keys_typed_right_after_the_palette_or_help_belong_to_it(
-    server: RosbridgeServer, opener: str
-) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        one_packet(it, opener + "pPoxX")
-        await it.shows("pPoxX")
-        one_packet(it, "\x1b")
-        await it.hides("pPoxX")
-        assert sent(server) == []
-
-
-async def test_what_is_missing_is_named(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        await it.press("o", "enter")
-        await it.shows("From is missing")
-        await it.type("zzz")
-        await it.press("enter")
-        await it.shows("no match for 'zzz'")
-        await it.press("escape", "o")
-        await it.type("Base")
-        await it.press("enter", "enter")
-        await it.shows("To is missing")
-        await it.type("Base")
-        await it.press("enter")
-        await it.shows("same place")
-        await it.press("escape")
-        await it.hides("To is missing")
-        assert sent(server) == []
-
-
-async def test_with_cargo_and_no_orders_there_is_only_a_destination(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].cargo = True
-    async with console(config_of(server.url, 1)) as it:
-        await it.until(lambda state: state.robots["robot_0"].has_cargo)
-        await it.press("o")
-        await it.shows("Destination of the cargo")
-        assert "From" not in it.text
-        await it.type("Base")
-        await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        wanted = {"agent": "robot_0", "end_point": vertex(it, "Base")}
-        assert sent(server) == [("Execute_order_with_cargo", wanted)]
-
-
-async def test_another_robot_in_the_form(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
-        await it.press("o", "shift+tab")
-        await it.type("_1")
-        await it.press("home", "delete", "delete", "end")
-        await it.press("escape", "o", "shift+tab", "end", "backspace", "1", "enter")
-        await it.type("Base")
-        await it.press("enter")
-        await it.type("Cons")
-        await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert server.bridge.services.calls[-1][0].startswith("/robot_1/")
-
-
-@pytest.mark.parametrize("answer", ["n", "escape", "enter", "x", "q"])
-async def test_a_cancel_asks_and_only_y_does_it(server: RosbridgeServer, answer: str) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        await place(it)
-        await it.shows("Base -> Consumidores", "queue")
-        await it.press("x")
-        await it.shows("Cancel order 1 of robot_0?")
-        await it.press(answer)
-        await it.press("escape")
-        await it.hides("Cancel order 1")
-        assert len(server.bridge.services.calls) == 1
-        await it.press("x", "y")
-        await it.until(lambda state: not state.robots["robot_0"].orders.orders)
-        assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})
-
-
-async def test_cancel_and_clear_by_mouse(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        await place(it)
-        await it.shows("[Cancel]", "queue")
-        await it.shows("[Clear all]", "queue")
-        rows = it.pane("queue").splitlines()
-        await it.pilot.click("#queue", offset=(rows[1].index("[Cancel]") + 2, 1))
-        await it.shows("Cancel order 1 of robot_0?")
-        await it.pilot.click("#no")
-        await it.hides("Cancel order 1")
-        await it.pilot.click("#queue", offset=(rows[0].index("[Clear all]") + 2, 0))
-        await it.shows("Clear all 1 order of robot_0?")
-        await it.pilot.click("#yes")
-        await it.until(lambda state: not state.robots["robot_0"].orders.orders)
-        assert sent(server)[-1] == ("Clear_orders", {"robot": "robot_0", "ind": 0})
 
 
 async def test_all_robots_orders_and_a_cancel_of_anothers(server: RosbridgeServer) -> None:
@@ -237,30 +143,6 @@ async def test_read_only_stands_on_the_screen(server: RosbridgeServer) -> None:
         assert sent(server) == []
 
 
-async def test_an_order_from_a_vertex_on_the_map(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        await it.press("n", "n", "enter")
-        await it.shows("Order")
-        start = it.app.main.query_one("#from", Input).value
-        await it.type("Consum")
-        await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        ids = {"initial_point": vertex(it, start), "end_point": vertex(it, "Consumidores")}
-        assert sent(server) == [("Execute_order", ids)]
-
-
-async def test_with_cargo_a_vertex_on_the_map_is_where_it_goes(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].cargo = True
-    async with console(config_of(server.url, 1)) as it:
-        await it.until(lambda state: state.robots["robot_0"].has_cargo)
-        await it.press("n", "n", "enter")
-        await it.shows("Destination of the cargo")
-        end = it.app.main.query_one("#to", Input).value
-        await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert sent(server)[0][1]["end_point"] == vertex(it, end)
-
-
 async def test_a_console_that_is_not_armed_sends_nothing_until_it_is(server: RosbridgeServer) -> None:
     config = config_of(server.url, 1)
     config = msgspec.structs.replace(config, operator=msgspec.structs.replace(config.operator, armed=False))
@@ -275,85 +157,6 @@ async def test_a_console_that_is_not_armed_sends_nothing_until_it_is(server: Ros
         await it.hides("not armed")
         await it.press("p")
         await it.until(lambda _: sent(server) == [("Pause", {})])
-
-
-async def test_another_robot_in_the_form_means_other_ids(server: RosbridgeServer) -> None:
-    """What was chosen for one robot is not sent to another: each has a graph of its own."""
-    async with console(config_of(server.url, 2, 2)) as it:
-        await it.press("o")
-        await it.type("Base")
-        await it.press("enter", "shift+tab", "shift+tab", "end", "backspace", "1", "tab", "tab")
-        await it.type("Store")
-        await it.press("enter")
-        await it.shows("From: Enter selects the marked place of this robot")
-        assert sent(server) == []
-
-
-async def test_a_vertex_that_the_robot_does_not_know_opens_no_form(server: RosbridgeServer) -> None:
-    config = config_of(server.url, 2, 2)
-    first, second = config.robots
-    only_below = msgspec.structs.replace(first, floors=["floor_0"])
-    async with console(msgspec.structs.replace(config, robots=[only_below, second])) as it:
-        await it.press("}", "n", "n", "enter")
-        await it.shows("has no vertex")
-        assert not it.app.main.query_one(OrderForm).is_open
-
-
-async def test_the_same_label_on_two_floors_stays_what_was_picked(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].cargo = True
-    async with console(config_of(server.url, 1, 2)) as it:
-        await it.until(lambda state: state.robots["robot_0"].has_cargo)
-        charts = it.store.state.robots["robot_0"].charts
-        labels = [{"label": "Lift", "vertex_id": int(id_)} for id_ in charts["floor_1"].labels]
-        server.bridge.publish_raw("/robot_0/floor_1/labeled_vertices", {"vertices": labels})
-        await it.until(
-            lambda state: set(state.robots["robot_0"].charts["floor_1"].labels.values()) == {"Lift"}
-        )
-        wanted = labels[3]["vertex_id"]
-        assert isinstance(wanted, int)
-        it.app.main.rest.orders.start_at(str(wanted), "floor_1")
-        await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert sent(server)[0][1]["end_point"] == wanted
-
-
-async def test_cargo_that_came_on_board_meanwhile_changes_the_form_not_the_command(
-    server: RosbridgeServer,
-) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        await it.press("o")
-        await it.type("Base")
-        await it.press("enter")
-        await it.type("Store")
-        server.world.robots["robot_0"].cargo = True
-        await it.until(lambda state: state.robots["robot_0"].has_cargo)
-        await it.press("enter")
-        await it.shows("now has cargo and no orders")
-        assert sent(server) == []
-        await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert [name for name, _ in sent(server)] == ["Execute_order_with_cargo"]
-
-
-async def test_two_enters_in_a_menu_do_it_once(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        await it.press("tab", "enter", "j")
-        one_packet(it, "\r\r")
-        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        await it.pilot.pause()
-        assert sent(server) == [("Pause", {})]
-
-
-async def test_a_click_beside_a_question_is_no(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        await place(it)
-        await it.shows("Base -> Consumidores", "queue")
-        await it.press("X")
-        await it.shows("Clear all 1 order")
-        await it.pilot.click("#fleet", offset=(5, 1))
-        await it.hides("Clear all 1 order")
-        await it.press("y")
-        assert len(server.bridge.services.calls) == 1
 
 
 async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:

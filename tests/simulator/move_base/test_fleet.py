@@ -4,7 +4,6 @@ import asyncio
 import json
 import time
 
-import cbor2
 import pytest
 from websockets.asyncio.client import ClientConnection
 
@@ -48,13 +47,6 @@ def shape(value: object) -> object:
     return type(value)
 
 
-async def heard(client: ClientConnection, topic: str) -> Json:
-    await listen(client, topic)
-    frame = await until(client, lambda frame: frame.get("topic") == topic)
-    message: Json = frame["msg"]
-    return message
-
-
 async def test_a_goal_is_told_from_its_coming_to_its_end(
     server: RosbridgeServer, client: ClientConnection, other: ClientConnection
 ) -> None:
@@ -84,35 +76,6 @@ async def test_a_goal_is_told_from_its_coming_to_its_end(
     assert shape(seen[f"{BASE}/NavfnROS/plan"]) == {"header": HEADER, "poses": [STAMPED]}
     assert seen[f"{BASE}/NavfnROS/plan"]["poses"][-1]["pose"]["position"]["x"] == 8.0
     await told(other, {"fleet-tui-1": 3})
-
-
-async def test_the_status_is_a_heartbeat_even_without_goals(client: ClientConnection) -> None:
-    await listen(client, STATUS)
-    frames = list[Json]()
-    while len(frames) < 6:
-        frames.append(json.loads(await client.recv()))
-    assert {len(frame["msg"]["status_list"]) for frame in frames} == {0}
-    counted = [frame["msg"]["header"]["seq"] for frame in frames]
-    assert counted == list(range(counted[0], counted[0] + 6))
-    first, last = (frame["msg"]["header"]["stamp"] for frame in (frames[0], frames[-1]))
-    assert 0.9 < last["secs"] - first["secs"] + (last["nsecs"] - first["nsecs"]) * 1e-9 < 3.0
-
-
-async def test_a_late_client_is_told_the_last_status_at_once(
-    server: RosbridgeServer, client: ClientConnection, other: ClientConnection
-) -> None:
-    await listen(other, RESULT)
-    await settle(other)
-    await give(client, "a", NEAR)
-    await result(other, "a")
-    await settle(other)
-    server.speed = 0.0
-    for robot in server.bridge.services.robots.values():
-        robot.silence = 0.0
-    await listen(client, STATUS)
-    assert listed(json.loads(await client.recv())) == {"a": 3}
-    await listen(client, RESULT)  # not latched
-    await settle(client)
 
 
 async def test_a_newer_goal_preempts_and_is_reached(
@@ -226,48 +189,6 @@ async def test_what_has_the_wrong_type_or_field_is_not_taken(
     assert not fleet.navigation["robot_0"].received
 
 
-async def test_telemetry_is_ros_1s(client: ClientConnection) -> None:
-    odometry = await heard(client, "/robot_0/odom")
-    assert odometry["header"].keys() == HEADER.keys() and odometry["header"]["frame_id"] == "robot_0/odom"
-    assert odometry["pose"]["covariance"][21] is None and len(odometry["pose"]["covariance"]) == 36
-    again = (await until(client, lambda frame: frame["topic"] == "/robot_0/odom"))["msg"]
-    assert again["header"]["seq"] == odometry["header"]["seq"] + 1
-    where = await heard(client, "/robot_0/amcl_pose")
-    assert shape(where) == {"header": HEADER, "pose": {"pose": POSE, "covariance": [float]}}
-    assert where["header"]["frame_id"] == "map"
-    battery = await heard(client, "/robot_0/battery_state")
-    assert 0.4 < battery["percentage"] < 1.0 and battery["current"] is None
-    picture = await heard(client, "/map")
-    assert picture["info"]["map_load_time"].keys() == STAMP.keys()
-
-
-@pytest.mark.parametrize("compression", ["cbor", "cbor-raw"])
-async def test_telemetry_comes_in_binary_too(client: ClientConnection, compression: str) -> None:
-    for topic in ("/robot_0/odom", "/robot_0/amcl_pose", STATUS):
-        await client.send(json.dumps({"op": "subscribe", "topic": topic, "compression": compression}))
-    seen = dict[str, Json]()
-    while len(seen) < 3:
-        frame = cbor2.loads(await client.recv(decode=False))
-        seen[frame["topic"]] = frame["msg"]
-    if compression == "cbor":
-        assert len(seen["/robot_0/odom"]["pose"]["covariance"]) == 36
-    else:
-        # A header of 4 + 8 bytes with an empty frame, and an empty list.
-        assert len(seen[STATUS]["bytes"]) == 20
-
-
-async def test_amcl_speaks_only_after_a_distance(
-    server: RosbridgeServer, client: ClientConnection, fleet: MoveBaseFleet
-) -> None:
-    server.speed = 1.0
-    await listen(client, "/robot_0/amcl_pose")
-    first = json.loads(await client.recv())["msg"]
-    await settle(client)
-    fleet.navigation["robot_0"].give(35.0, 20.0)
-    second = json.loads(await client.recv())["msg"]
-    assert second["header"]["seq"] == first["header"]["seq"] + 1
-
-
 async def test_rosapi_tells_the_action_its_topics_and_types(client: ClientConnection) -> None:
     assert await call(client, "/rosapi/action_servers") == {
         "action_servers": ["/robot_0/move_base", "/robot_1/move_base"]
@@ -285,13 +206,6 @@ async def test_rosapi_tells_the_action_its_topics_and_types(client: ClientConnec
     )
     assert (constants["PREEMPTED"], constants["RECALLED"]) == ("2", "8")
     assert await call(client, f"{BASE}/clear_costmaps") == {}
-
-
-async def test_several_floors_have_a_map_each_and_robots_tell_theirs() -> None:
-    server = RosbridgeServer(MoveBaseFleet(2, 2, seed=1, quiet=True))
-    types = server.bridge.services.types
-    assert types["/floor_1/map"] == "nav_msgs/OccupancyGrid" and "/map" not in types
-    assert json.loads(server.bridge.topics["/robot_1/floor"].payload(0.0).json) == {"data": "floor_1"}
 
 
 async def test_a_reason_is_a_line_of_the_log(client: ClientConnection, other: ClientConnection) -> None:

@@ -17,63 +17,22 @@ from fleet_tui.simulator.move_base.navigation import (
     REACHED,
     SimMoveBase,
 )
-from fleet_tui.simulator.move_base.world import MoveBaseWorld
-from fleet_tui.simulator.navigating.poses import solid
 from fleet_tui.simulator.ros.actionlib import (
     ABORTED,
     ACTIVE,
     ENDED,
-    KEPT,
     PENDING,
     PREEMPTED,
     PREEMPTING,
-    RECALLED,
     RECALLING,
-    REPLACED,
     SUCCEEDED,
     TAKEN,
-    TOO_OLD,
     GoalReport,
     servers_among,
 )
+from tests.support.move_base_navigation import FAR, NEAR, Json, cancelled, finish, goal, results, stand, world
 
-FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
 FLAT = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
-
-Json = dict[str, Any]
-
-
-def world() -> tuple[MoveBaseWorld, SimMoveBase]:
-    it = MoveBaseWorld(1, 1, seed=1, quiet=True)
-    it.step(1.0)
-    return it, it.navigation["robot_0"]
-
-
-def goal(id_: str, spot: tuple[float, float] = FAR, secs: int = 0, frame: str = "map", **more: Json) -> Json:
-    target = {"header": {"frame_id": frame}, "pose": solid(Pose(*spot)) | more}
-    return {"goal_id": {"stamp": {"secs": secs, "nsecs": 0}, "id": id_}, "goal": {"target_pose": target}}
-
-
-def cancelled(id_: str = "", secs: int = 0) -> Json:
-    return {"stamp": {"secs": secs, "nsecs": 0}, "id": id_}
-
-
-def stand(navigation: SimMoveBase) -> dict[str, int]:
-    return {one.id: one.status for one in navigation.server.listed()}
-
-
-def results(navigation: SimMoveBase) -> list[tuple[str, int, str]]:
-    """The results since the last look."""
-    found = [(one.id, one.status, one.text) for one in navigation.server.said if isinstance(one, GoalReport)]
-    navigation.server.said.clear()
-    return found
-
-
-def finish(it: MoveBaseWorld, navigation: SimMoveBase, limit: float = 300.0) -> None:
-    end = it.time + limit
-    while navigation.busy:
-        it.step(0.1)
-        assert it.time < end
 
 
 def test_a_goal_is_taken_driven_and_reached() -> None:
@@ -87,48 +46,6 @@ def test_a_goal_is_taken_driven_and_reached() -> None:
     assert (navigation.robot.pose.x, navigation.robot.pose.y) == pytest.approx(FAR)
 
 
-def test_a_newer_goal_preempts() -> None:
-    it, navigation = world()
-    for id_, spot in (("a", FAR), ("b", NEAR)):
-        navigation.hear_goal(goal(id_, spot))
-        it.step(2.0)
-    assert results(navigation) == [("a", PREEMPTED, REPLACED)]
-    assert stand(navigation) == {"a": PREEMPTED, "b": ACTIVE}
-    finish(it, navigation)
-    assert (navigation.robot.pose.x, navigation.robot.pose.y) == pytest.approx(NEAR)
-
-
-def test_a_goal_that_still_waits_is_recalled_by_a_newer_one() -> None:
-    it, navigation = world()
-    for id_ in ("a", "b"):
-        navigation.hear_goal(goal(id_))
-    assert results(navigation) == [("a", RECALLED, REPLACED)]
-    it.step(0.1)
-    assert stand(navigation) == {"a": RECALLED, "b": ACTIVE}
-
-
-def test_a_goal_that_is_older_than_the_current_one_is_recalled() -> None:
-    it, navigation = world()
-    it.step(10.0)
-    navigation.hear_goal(goal("a", secs=9))
-    it.step(0.1)
-    navigation.hear_goal(goal("b", secs=8))
-    assert results(navigation) == [("b", RECALLED, REPLACED)] and stand(navigation)["a"] == ACTIVE
-
-
-def test_one_goal_is_cancelled_by_its_id() -> None:
-    it, navigation = world()
-    navigation.hear_goal(goal("a"))
-    it.step(1.0)
-    navigation.hear_cancel(cancelled("b"))
-    it.step(1.0)
-    assert stand(navigation) == {"a": ACTIVE, "b": RECALLING}
-    navigation.hear_cancel(cancelled("a"))
-    assert stand(navigation)["a"] == PREEMPTING
-    it.step(0.1)
-    assert results(navigation) == [("a", PREEMPTED, "")] and not navigation.robot.driving
-
-
 def test_a_goal_that_is_cancelled_before_it_begins_never_drives() -> None:
     it, navigation = world()
     navigation.hear_goal(goal("a"))
@@ -137,60 +54,6 @@ def test_a_goal_that_is_cancelled_before_it_begins_never_drives() -> None:
     it.step(0.2)
     assert results(navigation) == [("a", PREEMPTED, "")]
     assert navigation.robot.odom == Pose(0.0, 0.0)
-
-
-def test_without_id_and_stamp_all_goals_are_cancelled() -> None:
-    it, navigation = world()
-    navigation.hear_goal(goal("a"))
-    it.step(1.0)
-    navigation.hear_goal(goal("b"))
-    navigation.hear_cancel(cancelled())
-    it.step(0.2)
-    assert {id_ for id_, *_ in results(navigation)} == {"a", "b"} and not navigation.busy
-
-
-@pytest.mark.parametrize(("secs", "id_", "ended"), [(5, "", False), (20, "", True), (20, "other", True)])
-def test_a_stamp_cancels_every_goal_up_to_it_whatever_the_id(secs: int, id_: str, ended: bool) -> None:
-    it, navigation = world()
-    it.step(10.0)
-    navigation.hear_goal(goal("a"))
-    it.step(0.1)
-    navigation.hear_cancel(cancelled(id_, secs))
-    it.step(0.1)
-    assert (stand(navigation)["a"] == PREEMPTED) is ended
-
-
-def test_a_goal_not_later_than_the_last_cancel_is_cancelled_at_once() -> None:
-    _, navigation = world()
-    navigation.hear_cancel(cancelled(secs=30))
-    navigation.hear_goal(goal("old", secs=30))
-    assert results(navigation) == [("old", RECALLED, TOO_OLD)]
-    navigation.hear_goal(goal("unstamped"))
-    navigation.hear_goal(goal("new", secs=31))
-    assert stand(navigation)["new"] == PENDING
-
-
-def test_a_cancel_that_comes_before_its_goal_recalls_it() -> None:
-    it, navigation = world()
-    navigation.hear_cancel(cancelled("a"))
-    it.step(60.0)  # without a stamp it is never forgotten
-    assert stand(navigation) == {"a": RECALLING} and not navigation.busy
-    navigation.hear_goal(goal("a"))
-    assert results(navigation) == [("a", RECALLED, "")]
-    it.step(1.0)
-    assert not navigation.robot.driving
-
-
-def test_a_known_id_is_ignored() -> None:
-    it, navigation = world()
-    for spot in (FAR, NEAR):
-        navigation.hear_goal(goal("a", spot))
-        it.step(1.0)
-    finish(it, navigation)
-    assert results(navigation) == [("a", SUCCEEDED, REACHED)]
-    navigation.hear_goal(goal("a", NEAR))
-    it.step(1.0)
-    assert not navigation.busy and not navigation.robot.driving
 
 
 @pytest.mark.parametrize(
@@ -246,19 +109,6 @@ def test_who_gets_nowhere_gives_up() -> None:
     assert results(navigation) == [("a", ABORTED, NO_CONTROL)]
 
 
-def test_the_last_goal_stays_listed_and_those_before_it_for_a_while() -> None:
-    it, navigation = world()
-    navigation.hear_goal(goal("a", NEAR))
-    finish(it, navigation)
-    it.step(10 * KEPT)
-    assert stand(navigation) == {"a": SUCCEEDED}
-    navigation.hear_goal(goal("b"))
-    it.step(KEPT - 1.0)
-    assert stand(navigation) == {"a": SUCCEEDED, "b": ACTIVE}
-    it.step(2.0)
-    assert stand(navigation) == {"b": ACTIVE}
-
-
 def test_a_pose_alone_becomes_a_goal_under_the_servers_own_id() -> None:
     it, navigation = world()
     it.step(41.0)
@@ -305,18 +155,6 @@ def test_amcl_speaks_after_its_own_distances() -> None:
     for off, yaw, speaks in ((0.19, 0.5, False), (0.21, 0.0, True), (0.21, 0.53, True)):
         robot.pose = Pose(at.x + off, at.y, at.yaw + yaw)
         assert robot.localise() is speaks
-
-
-def test_the_same_seed_gives_the_same_run_and_every_second_robot_is_driven() -> None:
-    runs = []
-    for _ in range(2):
-        it = MoveBaseWorld(4, 2, seed=3)
-        it.step(200.0)
-        goals = {name: len(one.received) for name, one in it.navigation.items()}
-        runs.append((goals, {name: robot.pose for name, robot in it.robots.items()}))
-    assert runs[0] == runs[1]
-    goals = runs[0][0]
-    assert goals["robot_1"] > 0 and goals["robot_3"] > 0 and goals["robot_0"] == goals["robot_2"] == 0
 
 
 IDS = st.sampled_from(["a", "b", "c", "d", "", "e"])

@@ -1,7 +1,6 @@
 """The simulated fleet: orders are driven, robots stay on the road, and a seed repeats itself."""
 
 import math
-from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -9,16 +8,17 @@ from hypothesis import strategies as st
 
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
-
-Values = dict[str, Any]
-
-
-def call(world: World, verb: str, robot: str = "robot_0", **args: object) -> Values:
-    return world.answer(f"/{robot}/Application_layout/{verb}", args)
+from tests.support.sim_world import Values, call, off_road, order, run_until_idle
 
 
-def order(world: World, start: int, end: int, robot: str = "robot_0") -> Values:
-    return call(world, "Execute_order", robot, request_id=5, initial_point=start, end_point=end)
+@pytest.fixture
+def world() -> World:
+    return World(1, 2, seed=3, quiet=True)
+
+
+@pytest.fixture
+def robot(world: World) -> SimRobot:
+    return world.robots["robot_0"]
 
 
 def carry(world: World, end: int) -> Values:
@@ -40,37 +40,6 @@ def test_robots_of_several_worlds_can_be_numbered_on() -> None:
     assert [*World(2, 1, first=5).robots] == ["robot_5", "robot_6"]
 
 
-def off_road(world: World, robot: SimRobot) -> float:
-    """Metres between a robot and the nearest edge of the floor it says it is on."""
-    vertices = robot.floor.graph.vertices
-    distances = []
-    for edge in robot.floor.graph.edges:
-        start, end = vertices[edge.start], vertices[edge.end]
-        dx, dy = end.x - start.x, end.y - start.y
-        along = ((robot.pose.x - start.x) * dx + (robot.pose.y - start.y) * dy) / (dx * dx + dy * dy)
-        along = min(1.0, max(0.0, along))
-        spot = (start.x + along * dx, start.y + along * dy)
-        distances.append(math.dist(spot, (robot.pose.x, robot.pose.y)))
-    return min(distances)
-
-
-@pytest.fixture
-def world() -> World:
-    return World(1, 2, seed=3, quiet=True)
-
-
-@pytest.fixture
-def robot(world: World) -> SimRobot:
-    return world.robots["robot_0"]
-
-
-def run_until_idle(world: World, robot: SimRobot, seconds: float = 400.0) -> None:
-    end = world.time + seconds
-    while robot.orders:
-        assert world.time < end, f"{robot.name} still has {robot.orders}"
-        world.step(0.5)
-
-
 def test_a_quiet_robot_does_nothing_on_its_own(world: World, robot: SimRobot) -> None:
     before = robot.pose
     world.step(600.0)
@@ -89,30 +58,6 @@ def test_orders_are_queued_worked_on_and_gone(world: World, robot: SimRobot) -> 
     assert statuses(robot) == [(2, "W")]
     run_until_idle(world, robot)
     assert (robot.vertex, robot.cargo, robot.last_order_id, robot.current_order_id) == (0, False, 2, -1)
-
-
-def test_the_cargo_is_on_board_between_start_and_end(world: World, robot: SimRobot) -> None:
-    changes: list[tuple[int, bool]] = []
-    order(world, 2, 5)
-    while robot.orders:
-        had = robot.cargo
-        world.step(0.05)
-        if robot.cargo != had:
-            changes.append((robot.vertex, robot.cargo))
-    assert changes == [(2, True), (5, False)]
-
-
-def test_it_drives_at_its_speed_and_turns_in_place(world: World, robot: SimRobot) -> None:
-    order(world, 4, 15)
-    for _ in range(2000):
-        before = robot.pose
-        world.step(0.1)
-        moved = math.dist((before.x, before.y), (robot.pose.x, robot.pose.y))
-        turned = abs(math.remainder(robot.pose.yaw - before.yaw, math.tau))
-        assert moved <= 0.11 + 1e-9
-        assert turned <= 0.15 + 1e-9
-        if turned > 0.1 and moved > 0.0:
-            assert moved < 0.11 - 1e-9
 
 
 def test_another_floor_is_reached_by_the_elevator(world: World, robot: SimRobot) -> None:
@@ -176,43 +121,6 @@ def test_cancelling_and_clearing(world: World, robot: SimRobot) -> None:
     assert call(world, "Clear_orders", robot="robot_0", ind=0) == {"success": True, "status": "cleared 2"}
     order(world, 0, 1)
     assert robot.last_order_id == 4
-
-
-def test_a_cancelled_robot_drives_on_to_the_next_vertex_and_stands(world: World, robot: SimRobot) -> None:
-    order(world, 19, 12)
-    while robot.bound is None or robot.pose.x == robot.floor.graph.vertices[robot.vertex].x:
-        world.step(0.1)
-    bound = robot.bound
-    call(world, "Clear_orders", robot="robot_0", ind=0)
-    world.step(60.0)
-    vertex = robot.floor.graph.vertices[robot.vertex]
-    assert (vertex.id, vertex.x, vertex.y) == (bound, robot.pose.x, robot.pose.y)
-
-
-def test_an_order_on_the_way_somewhere_else_is_begun_at_the_next_vertex(
-    world: World, robot: SimRobot
-) -> None:
-    order(world, 19, 12)
-    for end in (0, 15, 4, 119, 11):
-        world.step(4.3)
-        call(world, "Clear_orders", robot="robot_0", ind=0)
-        order(world, end, 2)
-        for _ in range(60):
-            world.step(0.1)
-            assert off_road(world, robot) < 1e-6
-
-
-def test_pause_stops_it_where_it_is_and_resume_goes_on(world: World, robot: SimRobot) -> None:
-    order(world, 19, 12)
-    world.step(8.0)
-    assert call(world, "Pause") == {"success": True, "message": "paused"}
-    before = robot.pose
-    world.step(30.0)
-    assert (robot.pose, robot.paused) == (before, True)
-    assert call(world, "Resume") == {"success": True, "message": "running"}
-    world.step(1.0)
-    assert robot.pose != before
-    run_until_idle(world, robot)
 
 
 def test_the_default_fleet_works_from_the_first_second() -> None:

@@ -10,61 +10,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from msgspec import structs
 
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.model.graph import Role
-from fleet_tui.model.grid import OccupancyGrid
-from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.picture import backdrop
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
+from tests.support.drawn_hall import EDGES, FIT, SCENE, VERTICES, drawn
 
 GOLDEN = Path(__file__).parent / "golden"
-WIDTH, HEIGHT = 64, 20
-
-
-def hall() -> OccupancyGrid:
-    """12 x 7.6 m: a hall with a dividing wall, two racks and unknown ground at the right."""
-    classes = np.full((152, 240), FREE, np.uint8)
-    classes[:, 210:] = UNKNOWN
-    classes[4:-4, 4] = classes[4:-4, 209] = OCCUPIED
-    classes[4, 4:210] = classes[-5, 4:210] = OCCUPIED
-    classes[4:90, 90] = OCCUPIED
-    classes[30:46, 120:180] = classes[80:96, 120:180] = OCCUPIED
-    return build_grid(MapFrame(0.05, 240, 152), classes)
-
-
-VERTICES = (
-    SceneVertex("1", 1.5, 6.2, label="Base"),
-    SceneVertex("2", 9.5, 2.2, label="Consumidores"),
-    SceneVertex("3", 1.5, 1.2, Role.DOCKING, "Dock"),
-    SceneVertex("4", 7.2, 4.6, Role.ELEVATOR, "仓库"),
-    SceneVertex("5", 3.0, 2.2),
-    SceneVertex("6", 5.2, 2.2),
-)
-EDGES = ((1.5, 6.2, 3.0, 2.2), (1.5, 1.2, 3.0, 2.2), (3.0, 2.2, 5.2, 2.2), (5.2, 2.2, 9.5, 2.2))
-ROBOTS = (
-    SceneRobot("robot_0", 1, Pose(2.47, 4.04, -1.2), mark="1", cargo=True, selected=True),
-    SceneRobot("robot_1", 2, Pose(6.0, 2.3, math.pi), mark="2", obstacle=True),
-    SceneRobot("robot_2", 3, Pose(6.1, 2.3, 0.8), mark="3", paused=True, cargo=True),
-    SceneRobot("robot_3", 4, Pose(7.23, 6.62, math.pi / 2), mark="4", online=False, age=41.2),
-    SceneRobot("robot_4", 5, Pose(3.53, 5.83, 2.3), mark="5", other_map=True),
-)
-HALL = hall()
-SCENE = Scene("floor_0", HALL.frame, HALL, VERTICES, EDGES, ROBOTS, ("1", "2"))
-FIT = Camera.fit((240, 152), WIDTH, HEIGHT)
-
-
-def drawn(scene: Scene = SCENE, camera: Camera = FIT, look: MapOptions | None = None) -> Cells:
-    look = look or MapOptions()
-    return picture(backdrop(scene, camera, look), scene, camera, look)
 
 
 def is_golden(text: str, name: str) -> None:
@@ -134,16 +91,6 @@ def test_states_are_words_and_glyphs_not_only_colours() -> None:
         assert part in text
 
 
-def test_the_selected_robot_lies_on_top() -> None:
-    pose = Pose(6.0, 2.3, 0.0)
-    robots = tuple(SceneRobot(f"r{n}", n, structs.replace(pose, yaw=n), selected=n == 2) for n in (1, 2, 3))
-    cells = drawn(replace(SCENE, robots=robots))
-    x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 2.3))
-    assert cells.inks[y, x] == StyleRole.ROBOT_SELECTED
-    rows = cells.text().split("\n")
-    assert rows[y][x - 1] == "2"
-
-
 def test_robots_that_are_nowhere_are_not_drawn_and_break_nothing() -> None:
     robots = tuple(
         SceneRobot(f"r{n}", n, Pose(x, 0.0)) for n, x in enumerate((math.nan, math.inf, 1e300, -1e300))
@@ -171,59 +118,6 @@ def test_a_long_edge_far_outside_costs_no_more_than_its_visible_part() -> None:
     scene = replace(SCENE, edges=((-1e7, 3.0, 1e7, 3.0),))
     y = FIT.to_cell(*SCENE.frame.to_pixel(6, 3.0))[1]
     assert (backdrop(scene, FIT, MapOptions(edges=True)).inks[y] == StyleRole.EDGE).sum() > 40
-
-
-labels = st.text(st.sampled_from("abcXYZ 仓é\x1b\u202e\n"), min_size=1, max_size=14)
-crowded = st.integers(0, 8).map(lambda step: 4.0 + step * 0.2)
-places = st.lists(st.tuples(crowded, crowded, labels), max_size=25)
-
-
-@settings(deadline=None)
-@given(places, st.floats(0.5, 4))
-def test_labels_are_whole_or_absent_and_never_overlap(
-    at: list[tuple[float, float, str]], zoom: float
-) -> None:
-    vertices = tuple(SceneVertex(str(n), x, y, label=label) for n, (x, y, label) in enumerate(at))
-    scene = replace(SCENE, vertices=vertices, robots=(), target_vertices=("0",))
-    cells = backdrop(scene, FIT.zoomed(zoom), MapOptions())
-    shown = {run for runs in cells.all_runs() for run in runs}
-    wanted = [vertex.label for vertex in vertices]
-    for text, ink in shown:
-        assert "\x1b" not in text
-        assert "\u202e" not in text
-        if ink in (
-            StyleRole.LABEL,
-            StyleRole.TARGET,
-            StyleRole.LABEL_BEYOND,
-            StyleRole.TARGET_BEYOND,
-        ) and text not in ("o", "·"):
-            assert text in {_safe(label) for label in wanted}
-
-
-def _safe(label: str) -> str:
-    return label.replace("\x1b", "␛").replace("\u202e", "\ufffd").replace("\n", "␊")
-
-
-def test_the_missions_ends_get_their_labels_first() -> None:
-    crowd = tuple(SceneVertex(str(n), 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
-    cells = backdrop(replace(SCENE, vertices=crowd, target_vertices=("29",)), FIT, MapOptions())
-    assert "place 29" in cells.text()
-    assert "place 28" not in cells.text()
-
-
-def test_the_cursor_marks_its_cell() -> None:
-    look = MapOptions(cursor=(6.0, 3.0))
-    x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 3.0))
-    assert drawn(look=look).inks[y, x] == StyleRole.CURSOR
-
-
-def test_the_label_under_the_cursor_goes_before_the_others_but_not_before_the_missions() -> None:
-    crowd = tuple(SceneVertex(str(n), 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
-    scene = replace(SCENE, vertices=crowd, target_vertices=("29",))
-    text = backdrop(scene, FIT, MapOptions(pointed="17")).text()
-    assert "place 29" in text
-    assert "place 17" in text
-    assert "place 17" not in backdrop(scene, FIT, MapOptions()).text()
 
 
 def test_of_robots_that_keep_apart_each_has_its_number() -> None:

@@ -1,5 +1,6 @@
 """Without colour no screen sends any, and what is marked still stands out."""
 
+import math
 import re
 import time
 from collections.abc import AsyncIterator
@@ -7,7 +8,7 @@ from collections.abc import AsyncIterator
 import pytest
 from textual.pilot import Pilot
 
-from fleet_tui.app import FleetApp
+from fleet_tui.app import FleetApp, clock
 from fleet_tui.config.start import initial_state
 from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
@@ -59,3 +60,11 @@ async def test_what_is_marked_stands_out(pilot: Pilot[None]) -> None:
     await pilot.press("escape", "o", *"robot")
     await pilot.pause()
     assert "" in marked(pilot, "reverse")
+
+
+@pytest.mark.parametrize(
+    ("wall", "text"), [(0.0, ""), (1e308, "no time"), (math.inf, "no time"), (math.nan, "no time")]
+)
+def test_a_time_that_no_clock_has_is_said_to_be_none(wall: float, text: str) -> None:
+    assert clock(wall) == text
+    assert re.fullmatch(r"\d\d:\d\d:\d\d", clock(1.7e9))

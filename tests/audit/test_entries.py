@@ -1,0 +1,146 @@
+"""Records of commands and alarms: each step, with its robot, its place and its link."""
+
+import json
+from datetime import datetime
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.audit.entries import command_records
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.log import Audit
+from fleet_tui.config.start import initial_state
+from fleet_tui.model.audit_record import VERSION
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.events import AlarmAcknowledged, CommandAdvanced
+from fleet_tui.state.store import Store
+from tests.support.fleets import (
+    F0,
+    R0,
+    T0,
+    battery,
+    commanded,
+    fleet,
+    link_lost,
+    place_order,
+    queue,
+    tick,
+    told,
+)
+from tests.support.records import ANA, ORDER, give, read, watched
+from tests.support.watched_store import config_of
+
+
+def test_a_command_from_the_key_to_its_end(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    give(store, 7, ORDER, Stage.SENT, Stage.ACCEPTED)
+    store.apply(tick(T0 + 1))
+    store.apply(queue(T0 + 1, (12, 1, 2, "Q")))
+    store.apply(tick(T0 + 2))
+    found = read(tmp_path)
+    assert [one.change for one in found] == [
+        "checked",
+        "sent",
+        "accepted",
+    ]  # queue unknown before the command
+    for one in found:
+        assert (one.id, one.kind, one.what, one.robot, one.floor) == (7, "command", "order", R0, F0)
+        assert (one.start, one.start_label, one.end, one.end_label) == ("1", "Base", "2", "")
+        assert (one.operator, one.console, one.run, one.version) == ("ana", "host:1", "run1", VERSION)
+        assert (one.link, one.url) == ("rosbridge", "ws://site:9090")
+        assert datetime.fromisoformat(one.time).utcoffset() is not None
+
+
+def test_the_order_that_was_recognised_and_the_robots_words_are_in_it(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    store.apply(queue(T0))
+    give(store, 7, ORDER, Stage.SENT, Stage.ACCEPTED, words="ACCEPTED")
+    store.apply(queue(T0 + 1, (12, 1, 2, "Q")))
+    store.apply(tick(T0 + 2))
+    last = read(tmp_path)[-1]
+    assert (last.change, last.order, last.words) == ("confirmed", "12", "seen in the queue as order 12")
+    assert read(tmp_path)[-2].words == "ACCEPTED"
+
+
+@pytest.mark.parametrize(
+    ("command", "what", "arguments"),
+    [
+        (place_order(R0, 3), "bring cargo", {"end": "3", "end_label": "Store"}),
+        (CancelOrder(R0, "12"), "cancel", {"order": "12"}),
+        (ClearOrders(R0), "clear", {}),
+        (PauseRobot(R0), "pause", {}),
+        (ResumeRobot(R0), "resume", {}),
+    ],
+)
+def test_every_kind_of_command(
+    tmp_path: Path, command: Command, what: str, arguments: dict[str, object]
+) -> None:
+    store, _ = watched(tmp_path)
+    give(store, 1, command, Stage.NOT_SENT, words="no link")
+    line = json.loads((tmp_path / FILE_NAME).read_bytes().splitlines()[-1])
+    known = {name: line.get(name) for name in ("start", "start_label", "end", "end_label", "order")}
+    assert {name: value for name, value in known.items() if value is not None} == arguments
+    assert (line["what"], line["change"], line["words"]) == (what, "not sent", "no link")
+
+
+def test_an_alarm_from_raised_to_cleared(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    for fact in (battery(T0 + 1, 15.0), tick(T0 + 1), tick(T0 + 1.1), AlarmAcknowledged()):
+        store.apply(fact)
+    for fact in (battery(T0 + 2, 80.0), tick(T0 + 2), battery(T0 + 60), tick(T0 + 60)):
+        store.apply(fact)
+    found = read(tmp_path)
+    assert {(one.kind, one.what, one.robot) for one in found} == {("alarm", "battery", R0)}
+    assert (found[0].change, found[0].words, found[0].priority) == ("raised", "battery 15 %", "low")
+    assert found[1].change == "acknowledged"
+    assert found[-1].change == "returned, cleared"
+    assert len(found) == 3
+
+
+def test_an_alarm_of_a_link_names_its_address(tmp_path: Path) -> None:
+    store, _ = watched(tmp_path)
+    for fact in (link_lost(T0 + 1), tick(T0 + 1), tick(T0 + 10)):
+        store.apply(fact)
+    first = read(tmp_path)[0]
+    assert (first.kind, first.what, first.change, first.robot) == ("alarm", "link", "raised", "")
+    assert (first.link, first.url) == ("rosbridge", "ws://site:9090")
+    assert first.words.startswith("no link")
+
+
+@pytest.mark.parametrize(
+    ("url", "kept"),
+    [
+        ("wss://ana:secret@site:9090/ros?token=secret#secret", "wss://***@site:9090/ros?***"),
+        ("wss://secret@site:9090/ros", "wss://***@site:9090/ros"),
+        ("wss://site:9090/ros#secret", "wss://site:9090/ros#***"),
+    ],
+)
+def test_no_secret_of_an_address_is_kept(tmp_path: Path, url: str, kept: str) -> None:
+    store = Store(initial_state(config_of(url), T0))
+    store.watchers.append(Audit(AuditFile(tmp_path / FILE_NAME), ANA).watch)
+    give(store, 1, ORDER, Stage.SENT)
+    assert {one.url for one in read(tmp_path)} == {kept}
+
+
+def test_what_was_asked_of_many_robots_is_summed_up_once_it_is_decided() -> None:
+    asked = [*commanded(1, PauseRobot(R0), Stage.SENT), *commanded(2, PauseRobot("robot_1"), Stage.SENT)]
+    states = [fleet(2)]
+    refusals = [CommandAdvanced(id_, Stage.REFUSED, T0 + 1, "busy") for id_ in (1, 2)]
+    for fact in (*asked, *refusals):
+        states.append(told(states[-1], fact))
+    found = [
+        [one for one in command_records(ANA, *pair, lambda at: at) if one.change == "summary"]
+        for pair in pairwise(states)
+    ]
+    assert [len(one) for one in found] == [0] * (len(found) - 1) + [1]
+    (summary,) = found[-1]
+    assert (summary.kind, summary.what) == ("command", "pause all")
+    assert summary.words == "2 refused (robot_0, robot_1): busy"

@@ -1,0 +1,68 @@
+"""The one writer: a tick ten times a second, whatever fails in it, and events in their order."""
+
+import gc
+from collections.abc import AsyncIterator
+
+import pytest
+
+from fleet_tui.client import writer
+from fleet_tui.client.writer import Writer
+from fleet_tui.model.events import TimePassed
+from tests.support.ear import Ear
+from tests.support.fleets import T0, battery, fleet
+from tests.support.watched_store import WatchedStore
+
+
+@pytest.fixture
+async def store() -> WatchedStore:
+    return WatchedStore(fleet())
+
+
+@pytest.fixture
+async def running(store: WatchedStore) -> AsyncIterator[Writer]:
+    """A writer that a test starts."""
+    running = Writer(store, Ear())
+    yield running
+    running.stop()
+
+
+async def test_garbage_is_looked_for_while_it_runs(
+    running: Writer, store: WatchedStore, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Python by itself waits for a million new objects: for a console at work that is 10 minutes and more."""
+    monkeypatch.setattr(writer, "TIDY_EVERY", 0.0)
+    looks = gc.get_stats()[2]["collections"]
+    running.start()
+    await store.until(lambda _: gc.get_stats()[2]["collections"] > looks + 1)
+
+
+@pytest.mark.own_faults
+async def test_a_tick_that_fails_is_not_the_last(
+    running: Writer, store: WatchedStore, caplog: pytest.LogCaptureFixture
+) -> None:
+    looks: list[float] = []
+
+    def look(now: float) -> None:
+        looks.append(now)
+        if len(looks) == 1:
+            raise RuntimeError("once")
+
+    running.before_tick.append(look)
+    running.backlogs.append(lambda _now: 7.0)
+    running.start()
+    await store.until(lambda _: len(store.told(TimePassed)) > 1)
+    assert "once" in caplog.text
+    ticks = [event for event in store.events if isinstance(event, TimePassed)]
+    assert [tick.at for tick in ticks[:2]] == looks[1:3]
+    assert {tick.behind for tick in ticks} == {7.0}, "as old as the oldest message that waits"
+
+
+async def test_events_of_any_thread_are_applied_in_their_order_and_tapped(
+    running: Writer, store: WatchedStore
+) -> None:
+    events = [battery(T0 + n, float(n)) for n in range(5)]
+    for event in events:
+        running.post(event)
+    await store.until(lambda _: len(store.events) == 5)
+    assert isinstance(running.tap, Ear)
+    assert store.events == events == running.tap.facts

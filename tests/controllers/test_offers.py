@@ -1,0 +1,72 @@
+"""Lines of the palette: actions, a place for everything with a name, and what typed text means."""
+
+from typing import Any, cast
+
+from fleet_tui.controllers.offers import Offers
+from fleet_tui.controllers.save import SaveCommand
+from fleet_tui.controllers.session import ConsoleSession
+from fleet_tui.controllers.typed import Typed
+from fleet_tui.keys import Key, Pane
+from tests.support.desk import Desk, ready
+from tests.support.fleets import labels, told
+
+
+class Answers:
+    """A session, or a file to save to, of which a test says what it makes of a line."""
+
+    panes = (Pane.CONSOLE,)
+
+    def __init__(self, prefix: str) -> None:
+        self._prefix = prefix
+
+    def typed(self, line: str) -> Typed | None:
+        return Typed(problem=f"a {self._prefix}") if line.startswith(self._prefix) else None
+
+
+class Palette:
+    """The offers of a desk, and which keys were run."""
+
+    def __init__(self) -> None:
+        self.desk = Desk(told(ready(), labels({1: "Base", 2: "St\x1bore", 9: "Nowhere"})))
+        self.run: list[str] = []
+        self.themes: list[str] = []
+        self.offers = Offers(
+            *(self.desk.store, self.desk.dispatch, self.desk.navigation),
+            cast("ConsoleSession", Answers("time")),
+            cast("SaveCommand", Answers("save")),
+            {"dark": lambda: self.themes.append("dark")},
+            self._run,
+        )
+
+    def _run(self, key: Key[Any]) -> None:
+        self.run.append(key.id)
+
+    def choose(self, text: str) -> None:
+        next(do for entry, do in self.offers.entries() if entry.startswith(text))()
+
+
+def test_everything_with_a_name_can_be_gone_to() -> None:
+    palette = Palette()
+    texts = [text for text, _ in palette.offers.entries()]
+    assert {"Go to robot robot_0", "Go to floor floor_0", "Go to vertex Base", "Theme: dark"} <= set(texts)
+    assert "Go to vertex St␛ore" in texts and not any("Nowhere" in text for text in texts)
+    palette.choose("Go to vertex Base")
+    assert palette.desk.camera.centred == [(0.0, 0.0)]
+    palette.choose("Theme: dark")
+    assert palette.themes == ["dark"]
+
+
+def test_actions_are_those_of_the_table_that_work_here() -> None:
+    palette = Palette()
+    texts = [text for text, _ in palette.offers.entries()]
+    assert not any("Play or pause" in text for text in texts), "there is no recording"
+    palette.choose("Pause the selected robot")
+    assert palette.run == ["pause"]
+
+
+def test_a_line_is_a_time_or_a_file_and_else_a_command() -> None:
+    palette = Palette()
+    assert [palette.offers.typed(line).problem for line in ("time 1", "save x")] == ["a time", "a save"]
+    ((text, do), *_) = palette.offers.typed("pause robot_0").entries
+    do()
+    assert "robot_0" in text and len(palette.desk.backend.submitted) == 1

@@ -1,0 +1,92 @@
+"""A console on a recording: its time is never taken for now, and what is typed goes to a time."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.replay import Replay
+from fleet_tui.keys import BY_ID, Pane
+from fleet_tui.model.events import TimePassed
+from fleet_tui.recording.indexing import open_recording
+from fleet_tui.recording.play.player import Player
+from fleet_tui.state.store import Store
+from fleet_tui.view.roles import StyleRole
+from tests.support.fleets import R0, T0, WALL
+from tests.support.replay_times import at
+from tests.support.tapes import MadeUp
+from tests.support.watched_store import config_of
+
+
+class Played:
+    """A recording of a hundred seconds, stopped, and the controller on it."""
+
+    def __init__(self, folder: Path) -> None:
+        made = MadeUp(config_of("ws://site:9090"))
+        for second in range(100):
+            made.tell(second, TimePassed(T0 + second, WALL + second))
+        self.player = Player(open_recording(made.written(folder / "x.jsonl.gz").path))
+        self.player.toggle()
+        self.store = Store(self.player.state)
+        self.notices = Notices(self.store, lambda: None)
+        self.has_map, self.jumps = True, 0
+        self.replay = Replay(self.player, self.notices, lambda _wall: "12:00:00", self._jumped)
+
+    def _jumped(self) -> bool:
+        self.jumps += self.has_map
+        return self.has_map
+
+
+@pytest.fixture
+def played(tmp_path: Path) -> Played:
+    return Played(tmp_path)
+
+
+def test_the_headline_begins_with_the_recorded_time(played: Played) -> None:
+    (first, role), *_ = played.replay.headline(played.store.state, R0)[0]
+    assert (first.strip(), role) == (at(0), StyleRole.WARN)
+
+
+def test_a_jump_forgets_the_notice_once_there_is_a_map(played: Played) -> None:
+    played.player.enter(T0 + 50)
+    played.notices.text, played.has_map = "old", False
+    played.replay.headline(played.store.state, R0)
+    assert played.notices.text == "old" and played.jumps == 0
+    played.has_map = True
+    for _ in range(2):
+        played.replay.headline(played.store.state, R0)
+    assert played.notices.text == "" and played.jumps == 1
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [("@", "enter a time: "), ("@noon", "'noon' is not a time"), ("+9h", "+9h"), ("pause", None)],
+)
+def test_what_is_typed_is_a_time_or_none(played: Played, line: str, says: str | None) -> None:
+    found = played.replay.typed(line)
+    assert (found is None) if says is None else (found is not None and says in found.problem)
+
+
+def test_a_time_is_gone_to_when_it_is_chosen(played: Played, monkeypatch: pytest.MonkeyPatch) -> None:
+    sought: list[float] = []
+    monkeypatch.setattr(played.player, "seek", sought.append)
+    found = played.replay.typed("@ +1m5s")
+    assert found is not None
+    ((text, do),) = found.entries
+    do()
+    played.replay.pick_time(0, 80)
+    assert text == "Go to +1m5s" and sought[0] == T0 + 65 and sought[1] <= T0 + 1
+
+
+def test_actions_of_the_player_may_say_why_not(played: Played) -> None:
+    played.replay.play(lambda _player: "no mark there")
+    assert played.notices.text == "no mark there"
+    actions: list[Callable[[], object]] = []
+    played.replay.play(lambda _player: actions.append(played.player.toggle))
+    assert len(actions) == 1
+
+
+def test_keys_of_live_consoles_are_not_offered(played: Played) -> None:
+    assert not played.replay.offers(BY_ID["arm"]) and played.replay.offers(BY_ID["play"])
+    assert Pane.RECORDING in played.replay.panes

@@ -1,0 +1,52 @@
+"""Alarms of navigating robots: blocked for long, lost on the map, orders held."""
+
+from msgspec.structs import replace
+
+from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.model.commands import Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.navigation import Blocked
+from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.alarms.navigation import FOUND_BELOW, LOST_ABOVE, blocked, held_orders, not_sure_where
+from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT
+from tests.support.fleets import R0, T0, commanded, fleet, place_order, tick, told
+
+
+def known(state: FleetState | None = None, **values: object) -> tuple[FleetState, Robot]:
+    state = state or told(fleet(), tick(T0))
+    return state, replace(state.robots[R0], **values)
+
+
+def test_a_stop_is_due_after_the_limit_from_its_first_report_and_slowing_down_is_none() -> None:
+    state, robot = known(blocked=Reading(Blocked("stop", "front", T0 - 4), T0))
+    found = blocked(state, robot, {})
+    assert found is not None
+    assert (found.text, found.due) == ("blocked 4.0 s (seen)", T0 - 4 + state.limits.obstacle_after)
+    for action in ("slowdown", ""):
+        assert blocked(*known(blocked=Reading(Blocked(action, "front", T0 - 4), T0)), {}) is None
+
+
+def test_a_localisation_between_the_limits_stays_what_it_was() -> None:
+    held = {(R0, "localisation"): Condition(R0, "localisation", Priority.MEDIUM, "", "")}
+    between = (LOST_ABOVE + FOUND_BELOW) / 2
+    for variance, before, after in (
+        (LOST_ABOVE + 0.1, False, True),
+        (between, False, False),
+        (between, True, True),
+        (FOUND_BELOW, True, False),
+    ):
+        found = not_sure_where(*known(variance=Reading(variance, T0)), held if before else {})
+        assert (found is not None) is after
+    lost = not_sure_where(*known(variance=Reading(1.0, T0)), {})
+    assert lost is not None and lost.text == "localisation uncertain: within 2.0 m"
+
+
+def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:
+    orders = (commanded(n, place_order(R0, 1), Stage.WAITING) for n in range(2))
+    state = told(fleet(), *(fact for order in orders for fact in order))
+    found = held_orders(*known(state, held="previous order: failed"), {})
+    assert found is not None and found.priority is Priority.LOW
+    assert found.text == "previous order: failed: 2 orders waiting here, resume to continue"
+    other = held_orders(*known(state, held=ANOTHER_CLIENT), {})
+    assert other is not None and other.priority is Priority.MEDIUM
+    assert held_orders(*known(held=ANOTHER_CLIENT), {}) is None and held_orders(*known(state), {}) is None

@@ -1,0 +1,72 @@
+"""Reasons of navigating robots to stand still: blocked, lost, recovering, held, driven by another client."""
+
+import pytest
+from msgspec.structs import replace
+
+from fleet_tui.model.commands import Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import Kind
+from fleet_tui.model.navigation import Blocked, Progress
+from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.alarms.navigation import LOST_ABOVE
+from fleet_tui.rules.why.navigation import blocked, held, not_sure_where, recovering, somebody_else
+from fleet_tui.rules.why.reason import Strength
+from tests.support.fleets import R0, T0, commanded, fleet, of_kinds, place_order, queue, tick, told
+
+
+def known(state: FleetState | None = None, **values: object) -> tuple[FleetState, Robot]:
+    state = state or told(fleet(), tick(T0))
+    return state, replace(state.robots[R0], **values)
+
+
+@pytest.mark.parametrize(
+    ("action", "age", "strength"),
+    [
+        ("stop", 0.0, Strength.CERTAIN),
+        ("stop", 60.0, Strength.POSSIBLE),
+        ("slowdown", 0.0, Strength.POSSIBLE),
+    ],
+)
+def test_a_fresh_stop_of_the_collision_monitor_is_certain(
+    action: str, age: float, strength: Strength
+) -> None:
+    report = Reading(Blocked(action, "front", T0 - age - 3), T0 - age)
+    found = blocked(*known(blocked=report, heard=T0))
+    assert found is not None and found.strength is strength
+    assert (found.since, found.seen) == (T0 - age - 3, T0 - age)
+    assert found.evidence == "collision monitor triggered in front: clear the path at the robot"
+
+
+def test_a_collision_monitor_that_holds_nothing_back_is_no_reason() -> None:
+    assert blocked(*known(blocked=Reading(Blocked("", "front", T0), T0))) is None
+
+
+def test_an_uncertain_localisation_is_given_in_metres() -> None:
+    found = not_sure_where(*known(variance=Reading(2.25, T0)))
+    assert found is not None and "uncertainty 3.0 m" in found.evidence
+    assert not_sure_where(*known(variance=Reading(LOST_ABOVE, T0))) is None
+
+
+def test_recoveries_are_counted_while_an_order_is_driven() -> None:
+    driving = told(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
+    for count, words in ((1, "1 recovery during order 7"), (3, "3 recoveries during order 7")):
+        found = recovering(*known(driving, progress=Reading(Progress("7", recoveries=count), T0)))
+        assert found is not None and found.evidence.startswith(words)
+    assert recovering(*known(progress=Reading(Progress("7", recoveries=1), T0))) is None
+    assert recovering(*known(driving, progress=Reading(Progress("7"), T0))) is None
+
+
+def test_orders_held_here_are_released_by_resume() -> None:
+    state = told(fleet(), *commanded(1, place_order(R0, 1), Stage.WAITING))
+    found = held(*known(state, held="floor changed"))
+    assert found is not None and (found.name, found.keys) == ("held: floor changed", ("resume",))
+    assert found.evidence == "1 order waiting here: resume to continue"
+    assert held(*known(state)) is None and held(*known(held="floor changed")) is None
+
+
+def test_a_goal_of_another_client_is_named_for_robots_without_a_queue_of_their_own() -> None:
+    state = told(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
+    goals = of_kinds(state, Kind("goals", ("queue",), keeps_goals=True))
+    found = somebody_else(*known(goals))
+    assert found is not None and found.evidence == "order 7, 1? -> 2? was not sent by this console"
+    assert somebody_else(*known(state)) is None

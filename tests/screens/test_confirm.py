@@ -1,0 +1,91 @@
+"""Questions before something is lost: only y does it."""
+
+import pytest
+
+from fleet_tui.model.events import BatteryReported, QueueReported
+from fleet_tui.model.order import OrderQueue
+from fleet_tui.screens.confirm import Confirm
+from fleet_tui.screens.ordering.form import OrderForm
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import console
+from tests.support.console_trips import trips
+from tests.support.ordering import one_packet, place, sent
+from tests.support.watched_store import config_of
+
+
+@pytest.mark.parametrize("answer", ["n", "escape", "enter", "x", "q"])
+async def test_a_cancel_asks_and_only_y_does_it(server: RosbridgeServer, answer: str) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("Base -> Consumidores", "queue")
+        await it.press("x")
+        await it.shows("Cancel order 1 of robot_0?")
+        await it.press(answer)
+        await it.press("escape")
+        await it.hides("Cancel order 1")
+        assert len(server.bridge.services.calls) == 1
+        await it.press("x", "y")
+        await it.until(lambda state: not state.robots["robot_0"].orders.orders)
+        assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})
+
+
+async def test_cancel_and_clear_by_mouse(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("[Cancel]", "queue")
+        await it.shows("[Clear all]", "queue")
+        rows = it.pane("queue").splitlines()
+        await it.pilot.click("#queue", offset=(rows[1].index("[Cancel]") + 2, 1))
+        await it.shows("Cancel order 1 of robot_0?")
+        await it.pilot.click("#no")
+        await it.hides("Cancel order 1")
+        await it.pilot.click("#queue", offset=(rows[0].index("[Clear all]") + 2, 0))
+        await it.shows("Clear all 1 order of robot_0?")
+        await it.pilot.click("#yes")
+        await it.until(lambda state: not state.robots["robot_0"].orders.orders)
+        assert sent(server)[-1] == ("Clear_orders", {"robot": "robot_0", "ind": 0})
+
+
+async def test_a_click_beside_a_question_is_no(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("Base -> Consumidores", "queue")
+        await it.press("X")
+        await it.shows("Clear all 1 order")
+        await it.pilot.click("#fleet", offset=(5, 1))
+        await it.hides("Clear all 1 order")
+        await it.press("y")
+        assert len(server.bridge.services.calls) == 1
+
+
+async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("p")
+        await it.until(lambda state: (paused := state.robots["robot_0"].paused) and paused.value)
+        for answer in ("enter", "escape", "n"):
+            await place(it)
+            await it.shows("robot_0 is paused: send anyway?")
+            await it.press(answer)
+            await it.hides("send anyway?")
+        assert sent(server) == [("Pause", {})]
+        await place(it)
+        await it.shows("robot_0 is paused: send anyway?")
+        await it.press("y")
+        await it.until(lambda _: len(server.bridge.services.calls) == 2)
+        assert not it.app.main.query_one(OrderForm).is_open
+
+
+async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].silence = 600.0
+    async with console(config_of(server.url, 1), wait=False) as it:
+        await it.until(lambda state: state.links["rosbridge"].heard)
+        await it.until(lambda state: state.robots["robot_0"].knows_all_graphs())
+        one_packet(it, ":robot_0 Base > Store\r")
+        await it.shows("robot_0 was never seen: send anyway?")
+        it.store.apply(BatteryReported("robot_0", it.store.state.now, 50.0))
+        await it.shows("the queue of robot_0 was not received")
+        it.store.apply(QueueReported("robot_0", it.store.state.now, OrderQueue(0, "", ())))
+        await it.shows("Send?")
+        assert it.app.main.query_one(Confirm).is_open
+        await it.press("y")
+        await it.until(lambda _: trips(server, it) == ["Base -> Store"])

@@ -1,0 +1,49 @@
+"""Menus of rows: by number, by mark, and once."""
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_menus import in_the_way
+from tests.support.console_pilot import console
+from tests.support.ordering import one_packet, sent
+from tests.support.watched_store import config_of
+
+
+async def test_the_menu_of_a_row_goes_to_the_robot(server: RosbridgeServer) -> None:
+    async with in_the_way(server, "robot_1") as it:
+        await it.shows("▲ new  high robot_1 obstacle 44.2 s", "alarms")
+        it.app.main.alarms.focus()
+        await it.press("enter")
+        await it.shows("robot_1: obstacle 44.2 s")
+        await it.shows("2  Show robot_1 on the map")
+        (alarm,) = it.store.state.alarms
+        await it.shows(f"first seen {it.app.main.settings.clock(alarm.first_wall)}, last seen ")
+        await it.press("1")
+        await it.shows("Queue robot_1", "queue")
+        assert "robot_1" in it.app.main.navigation.robot
+
+
+async def test_the_menu_acknowledges_by_number_and_names_the_key(server: RosbridgeServer) -> None:
+    async with in_the_way(server, "robot_0") as it:
+        it.app.main.alarms.focus()
+        await it.press("enter")
+        await it.shows("3  Acknowledge (a)")
+        await it.press("3")
+        await it.until(lambda state: state.unacknowledged == 0)
+        await it.shows("△ seen high robot_0 obstacle 44.2 s", "alarms")
+        await it.press("enter")
+        await it.shows("Shelve for")
+        assert "Acknowledge" not in it.text
+
+
+async def test_an_alarm_that_is_over_has_no_menu(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        it.app.main.rest.alarms.menu("robot_0", "obstacle")
+        await it.shows("the alarm of robot_0 has cleared")
+
+
+async def test_two_enters_in_a_menu_do_it_once(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("tab", "enter", "j")
+        one_packet(it, "\r\r")
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
+        await it.pilot.pause()
+        assert sent(server) == [("Pause", {})]

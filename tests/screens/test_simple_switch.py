@@ -1,0 +1,41 @@
+"""The simple interface comes in place of the map, and goes."""
+
+import pytest
+from textual.app import ComposeResult
+
+from fleet_tui.screens.simple import Simple
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.sanitize import sanitize
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
+
+
+async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        await it.press("s")
+        await it.shows("From: choose")
+        assert not it.app.main.rest.map.display
+        await it.press("enter")
+        await it.shows("From where?")
+        await it.press("f12")
+        await it.until(lambda state: all(state.is_paused(robot) for robot in state.robots.values()))
+        await it.press("escape")
+        await it.shows("From: choose")
+        await it.press("s")
+        await it.shows(sanitize("Base"), "map")
+        assert it.app.main.focused is it.app.main.rest.map
+
+
+async def test_a_tick_while_it_is_being_made(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = Simple.compose
+    async with console(config_of(server.url, 2), (120, 40)) as it:
+
+        def compose(simple: Simple) -> ComposeResult:
+            it.app.main.tick()
+            yield from made(simple)
+
+        monkeypatch.setattr(Simple, "compose", compose)
+        await it.press("s")
+        await it.shows("Robot: robot_0")

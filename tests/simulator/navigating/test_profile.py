@@ -1,0 +1,8 @@
+"""Profiles of simulated robots that navigate."""
+
+from fleet_tui.simulator.navigating.profile import profile
+
+
+def test_topics_of_floors_are_named_only_where_there_are_several() -> None:
+    assert profile(1) == {}
+    assert profile(2) == {"topics": {"floor": "/{robot}/floor", "map": "/{floor}/map"}}

@@ -1,0 +1,35 @@
+"""A bridge as the queries of rosapi see it: answers by service and arguments."""
+
+import asyncio
+from collections.abc import Callable, Mapping
+from typing import Any, cast
+
+from fleet_tui.discovery.wire import BridgeConnection
+from fleet_tui.errors import LinkError
+
+Answer = Callable[[Mapping[str, Any]], object]
+
+
+class AskedRosapi:
+    """Answers each call in the loop's next turn; `deaf` ones are not answered at all."""
+
+    def __init__(self, **answers: Answer) -> None:
+        self.answers, self.deaf = answers, set[str]()
+        self.lost = ""
+        self.asked: list[tuple[str, Mapping[str, Any]]] = []
+        self.open = self.most_open = 0
+
+    async def call(self, service: str, args: Mapping[str, object], _within: float) -> object:
+        name = service.removeprefix("/rosapi/")
+        self.asked.append((name, args))
+        self.open += 1
+        self.most_open = max(self.most_open, self.open)
+        await asyncio.sleep(0)
+        self.open -= 1
+        if name in self.deaf:
+            raise LinkError("no answer")
+        return self.answers[name](args) if name in self.answers else f"service {service} does not exist"
+
+    @property
+    def wire(self) -> BridgeConnection:
+        return cast("BridgeConnection", self)

@@ -1,0 +1,23 @@
+"""The diagnostics screen as tests open and read it."""
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import Console
+
+OVERHEARD = ["/rosout", "/diagnostics"]
+
+
+def pane(it: Console) -> str:
+    return it.pane("diagnostics-rows")
+
+
+def say(server: RosbridgeServer, level: int, words: str, node: str = "/robot_0/drive") -> None:
+    server.bridge.publish_raw("/rosout", {"level": level, "name": node, "msg": words})
+
+
+async def open_page(it: Console, number: int, title: str) -> None:
+    await it.press("d", str(number))
+    await it.shows(title, "diagnostics-rows")
+
+
+async def listens(it: Console, server: RosbridgeServer) -> None:
+    await it.until(lambda _: all(server.bridge.subscribers(topic) for topic in OVERHEARD))

@@ -1,0 +1,20 @@
+"""One widget in a small app."""
+
+from textual.app import App, ComposeResult
+from textual.widget import Widget
+
+
+class WidgetApp(App[None]):
+    """Shows widgets, one below the other."""
+
+    def __init__(self, *widgets: Widget) -> None:
+        super().__init__()
+        self._widgets = widgets
+
+    def compose(self) -> ComposeResult:
+        yield from self._widgets
+
+
+def text(widget: Widget) -> list[str]:
+    """The rows of a widget."""
+    return [widget.render_line(y).text for y in range(widget.size.height)]

@@ -1,0 +1,86 @@
+"""Opening the console: what is refused before the screen opens, and what a recording may not do."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from msgspec.structs import replace
+
+from fleet_tui import console
+from fleet_tui.app import FleetApp
+from fleet_tui.config.schema import Alarms, Config
+from fleet_tui.console import ask_first, open_console, replaying
+from fleet_tui.errors import ConfigError
+from fleet_tui.recording.play.start import playing
+from fleet_tui.state.store import Store
+from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.terminal.plain_driver import PlainDriver
+from fleet_tui.themes import load_themes
+from fleet_tui.view.map.drawing import Drawing
+from tests.support.fleets import T0, tick
+from tests.support.tapes import MadeUp
+from tests.support.watched_store import config_of
+
+
+@pytest.fixture
+def opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[LeanApp]:
+    """The apps that would run, with folders of their own and no log file."""
+    apps: list[LeanApp] = []
+    monkeypatch.setattr(LeanApp, "run", lambda app: apps.append(app))
+    for name, value in {"need_terminal": None, "log_to_file": tmp_path, "user_folder": tmp_path}.items():
+        monkeypatch.setattr(console, name, lambda *_, value=value: value)
+    monkeypatch.setattr(console, "state_folder", lambda: tmp_path)
+    return apps
+
+
+def test_a_theme_that_is_not_there_is_refused_before_the_screen_opens(opened: list[LeanApp]) -> None:
+    config = config_of("ws://site:9090")
+    config = replace(config, ui=replace(config.ui, theme="drak"))
+    with pytest.raises(ConfigError, match=r"ui.theme: unknown theme 'drak', did you mean dark\?"):
+        open_console(config, False, None, False)
+    assert opened == []
+
+
+@pytest.mark.parametrize("read_only", [True, False])
+def test_the_console_watches_where_it_was_told_to_and_names_what_is_wrong_with_a_theme(
+    opened: list[LeanApp], tmp_path: Path, read_only: bool
+) -> None:
+    (tmp_path / "themes").mkdir()
+    (tmp_path / "themes" / "mine.toml").write_text("rubbish")
+    open_console(config_of("ws://site:9090"), read_only, "ascii", False, demo=True)
+    (app,) = opened
+    assert isinstance(app, FleetApp) and app._config.operator.read_only is read_only
+    assert app.main.notices.text.startswith("theme ")
+
+
+def test_without_unicode_the_driver_sends_ascii(
+    opened: list[LeanApp], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(console, "has_unicode", lambda: False)
+    open_console(config_of("ws://site:9090"), False, "ascii", False, demo=True)
+    assert ask_first(None, "ascii") is None
+    assert [app.driver_class for app in opened] == [PlainDriver, PlainDriver]
+
+
+def test_a_failure_of_the_app_ends_the_command(
+    opened: list[LeanApp], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def run(app: Any) -> None:
+        app.failure = ValueError("broken")
+
+    monkeypatch.setattr(LeanApp, "run", run)
+    with pytest.raises(RuntimeError, match="broken"):
+        ask_first(None, None)
+
+
+def test_a_recording_is_read_only_and_calls_nobody(tmp_path: Path) -> None:
+    bells = Alarms(bell=["high"], notify=["high", "medium"])
+    made = MadeUp(replace(config_of("ws://site:9090"), alarms=bells))
+    for second in range(3):
+        made.tell(second, tick(T0 + second))
+    player, config = playing(made.written(tmp_path / "x.gz").path, Config(), 1.0, "", lambda _share: None)
+    store = Store(player.state)
+    app = replaying(config, player, store, load_themes(None)[0], Drawing.BRAILLE)
+    assert app.backend.refusal and app.backend.player is player
+    assert app._config.operator.read_only
+    assert (app._config.alarms.bell, app._config.alarms.notify) == ([], [])

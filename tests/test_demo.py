@@ -1,0 +1,78 @@
+"""The demo: its configuration by kinds and links, and its simulator in a process."""
+
+import asyncio
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import msgspec
+import pytest
+from websockets.asyncio.client import connect
+
+from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.config.schema import Config, RobotEntry
+from fleet_tui.demo import demo_config, simulated
+from fleet_tui.simulator.kinds import KINDS
+from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.ros.ros2 import ROS2
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.simulator.site import MIXED
+from tests.support.adapters import names_of
+
+URLS = "ws://one:1", "ws://two:2"
+
+
+def test_the_demos_configuration_names_links_and_profiles(tmp_path: Path) -> None:
+    config = demo_config(Config(), URLS[0], 4, 2, kind=MIXED, folder=tmp_path, further=URLS[1:])
+    assert (config.rosbridge.url, {name: link.url for name, link in config.links.items()}) == (
+        URLS[0],
+        {"ros2": URLS[1]},
+    )
+    assert config.robots == [
+        RobotEntry("robot_0", profile="oh_ressources"),
+        RobotEntry("robot_1", profile="move_base"),
+        RobotEntry("robot_2", link="ros2", profile="nav2"),
+        RobotEntry("robot_3", profile="oh_ressources"),
+    ]
+    assert {name: profile.kind for name, profile in config.profiles.items()} == {kind: kind for kind in KINDS}
+    assert config.profiles["nav2"].topics == {"floor": "/{robot}/floor", "map": "/{floor}/map"}
+    assert not config.profiles["oh_ressources"].types  # on ROS 1, as usual
+    assert all(Path(floor.graph).is_file() for floor in config.floors)
+
+
+def test_the_demo_of_one_kind_has_one_profile_and_one_link(tmp_path: Path) -> None:
+    config = demo_config(Config(), URLS[0], 2, 1, kind="move_base", folder=tmp_path)
+    assert (config.profile.kind, config.profiles, config.links) == ("move_base", {}, {})
+    assert config.robots == [RobotEntry("robot_0"), RobotEntry("robot_1")]
+    assert config.floors[0].graph == str(tmp_path / "graph.geojson")
+    other = demo_config(Config(), URLS[0], 2, 1, kind="oh_ressources", folder=tmp_path)
+    assert other.floors[0].graph == "" and msgspec.structs.asdict(other.profile)["topics"] == {
+        "paused": "/{robot}/paused"
+    }
+
+
+@pytest.fixture
+def fast() -> Iterator[str]:
+    """The URL of a fleet on ROS 2 whose time runs fifty times as fast."""
+    with simulated(3, 1, speed=50.0, ros="2") as (url,):
+        yield url
+
+
+async def test_it_speaks_the_dialect_and_runs_at_the_speed_that_is_asked_for(fast: str) -> None:
+    async with connect(fast) as client:
+        await client.send('{"op":"call_service","id":"v","service":"/rosapi/get_ros_version"}')
+        assert json.loads(await client.recv())["values"] == {"version": 2, "distro": "jazzy"}
+        ask = {"op": "subscribe", "topic": "/robot_0/queue", "type": "oh_ressources/msg/ActionQueue"}
+        await client.send(json.dumps(ask))
+        async with asyncio.timeout(30):  # at its own pace a robot drives an order for half a minute
+            while json.loads(await client.recv())["msg"]["last_order_id"] < 3:
+                pass
+
+
+def test_the_demos_configuration_names_the_types_of_ros_2() -> None:
+    server = RosbridgeServer(World(1, 1), dialect=ROS2)
+    names = names_of(demo_config(Config(path=Path("c.toml")), server.url, 1, 1, "2").profile)
+    for key in VOCABULARY.topics:
+        assert names.type(key) == server.bridge.services.types[names.topic(key, "robot_0", "floor_0")]
+    for key in VOCABULARY.services:
+        assert names.service_type(key) == server.bridge.services.offered[names.service(key, "robot_0")].name

@@ -1,0 +1,55 @@
+"""The picture of a floor and what is kept of it from one moment to the next."""
+
+from dataclasses import replace
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.view.map.map_picture import CAPTION_ROWS, MapPicture
+from fleet_tui.view.map.scene import Mission
+from tests.support.map_pane import SCENE, moved
+
+
+def shown() -> MapPicture:
+    picture = MapPicture()
+    picture.show(SCENE)
+    assert picture.cells(100, 30, True) is not None
+    return picture
+
+
+def test_without_a_scene_or_space_there_is_no_picture() -> None:
+    assert MapPicture().cells(100, 30, True) is None and MapPicture().pick(5, 5) is None
+    picture = shown()
+    assert picture.cells(0, 30, True) is None and picture.cells(100, CAPTION_ROWS, True) is None
+
+
+def test_the_backdrop_is_kept_until_something_in_it_changes() -> None:
+    picture = shown()
+    kept = picture._backdrop
+    for scene in (moved(SCENE, 6.0, 6.0), replace(SCENE, mission=Mission(edge=(2.0, 2.0, 18.0, 8.0)))):
+        picture.show(scene)
+        picture.cells(100, 30, False)
+        assert picture._backdrop is kept
+    for scene in (replace(SCENE, target_vertices=("1",)), replace(SCENE, vertices=SCENE.vertices[:1])):
+        picture.show(scene)
+        picture.cells(100, 30, True)
+        assert picture._backdrop is not kept
+        kept = picture._backdrop
+
+
+def test_what_lies_under_a_cell_is_picked_below_the_caption() -> None:
+    picture = shown()
+    robot = SCENE.robots[0]
+    camera = picture.viewport.camera(SCENE)
+    x, y = camera.to_cell(*SCENE.frame.to_pixel(robot.pose.x, robot.pose.y))
+    assert picture.pick(x, y + CAPTION_ROWS) == robot
+    assert picture.pick(x, 0) is None
+
+
+def test_trails_are_those_of_the_time_that_is_shown() -> None:
+    picture = shown()
+    picture.options = replace(picture.options, trails=True)
+    for second in range(10):
+        picture.show(replace(moved(SCENE, 2.0 + second, 5.0), at=float(second)))
+    assert picture.scene is not None and len(picture._trails.of(picture.scene))
+    picture.clear_trails()
+    assert not len(picture._trails.of(picture.scene))
+    assert picture.scene.robots[0].pose == Pose(11.0, 5.0)

@@ -1,0 +1,40 @@
+"""A text field: its keys act at once, late keys go where the focus is, and pasted text acts on nobody."""
+
+from collections.abc import Callable
+
+from textual import events
+
+from fleet_tui.widgets.field import Field
+from tests.support.widget_app import WidgetApp
+
+
+async def test_a_bound_key_acts_and_the_others_are_typed() -> None:
+    done: list[str] = []
+    keys: dict[str, Callable[[], object]] = {"enter": lambda: done.append("enter")}
+    field = Field(keys, id="field")
+    async with WidgetApp(field).run_test() as pilot:
+        field.focus()
+        await pilot.press("a", "b", "enter", "c")
+        assert (done, field.value) == (["enter"], "abc")
+
+
+async def test_keys_in_the_queue_follow_the_focus() -> None:
+    second = Field({}, id="second")
+    app = WidgetApp(first := Field({"enter": lambda: first.screen.set_focus(second)}, id="first"), second)
+    async with app.run_test() as pilot:
+        first.focus()
+        await pilot.pause()
+        for key, character in (("a", "a"), ("enter", None), ("b", "b"), ("c", "c")):
+            first.post_message(events.Key(key, character))
+        await pilot.pause()
+        assert (first.value, second.value) == ("a", "bc")
+
+
+async def test_pasted_text_is_made_visible() -> None:
+    field = Field({}, id="field")
+    async with WidgetApp(field).run_test() as pilot:
+        field.focus()
+        await pilot.pause()
+        field.post_message(events.Paste("Base\x1b[2J\u202e"))
+        await pilot.pause()
+        assert field.value.startswith("Base␛[2J") and "\u202e" not in field.value
