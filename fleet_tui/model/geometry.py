@@ -4,6 +4,9 @@ import math
 
 from msgspec import Struct
 
+Line = tuple[float, float, float, float]
+"""x1, y1, x2, y2 in metres."""
+
 
 class Pose(Struct, frozen=True):
     """A planar pose: x, y in metres, yaw in radians, counter-clockwise from the x axis."""

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from inspect import isawaitable
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
 from rich.style import Style
 from textual import on
 from textual.app import ComposeResult
@@ -34,7 +35,7 @@ from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import bindings, textual_key
 from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
-from fleet_tui.widgets.panes import Panes
+from fleet_tui.widgets.panes import Panes, lines_below
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
@@ -121,7 +122,8 @@ class MainScreen(Screen[None]):
             alarm_table(state, self.settings.clock),
             queue_table(state, robot, self._all_orders, self.queue.row_width),
         ]
-        self.panes.show(tables, lambda: robot_page(state, robot, self.settings.clock))
+        covered = lines_below(self.rest.order_form) if self.is_complete else 0
+        self.panes.show(tables, lambda: robot_page(state, robot, self.settings.clock), covered)
         self.status.show(*self.session.headline(state, robot))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)
@@ -155,6 +157,9 @@ class MainScreen(Screen[None]):
         from fleet_tui.view.map.floor_scene import chart_robot, floor_scene
 
         selection = self.navigation.settle(state, self.rest.map.picture.viewport.follow)
+        draft = self.rest.draft()
+        if draft is not None and draft.marked is not None:
+            selection = replace(selection, floor=draft.marked.floor)
         owner = chart_robot(state, selection)
         # The live map of the shown floor, unless a file has it.
         has_file = state.floors[selection.floor].grid is not None
@@ -162,7 +167,7 @@ class MainScreen(Screen[None]):
         if wanted is not None and wanted != self._mapped:
             self._mapped = wanted
             self.backend.show_map(*wanted)
-        self.rest.map.show(floor_scene(state, selection))
+        self.rest.map.show(floor_scene(state, selection, draft))
 
     def _mark_alarm(self, state: FleetState) -> None:
         """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to

@@ -27,11 +27,13 @@ def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
     return fleet, alarms, queue + left - page, page
 
 
-def below_map(lines: int, wanted: Wanted) -> tuple[int, int, int]:
-    """Share out a narrow screen: the map, the fleet, and the line of alarms and queue side by side."""
+def below_map(lines: int, wanted: Wanted, covered: int = 0) -> tuple[int, int, int]:
+    """Share out a narrow screen: the map, the fleet, and the line of alarms and queue side by side. The map
+    keeps clear of the `covered` last lines."""
     low = _share(max(wanted.alarms, wanted.queue), lines // 4)
     fleet = max(LEAST_FLEET, min(wanted.fleet, (lines - low) * 2 // 5, lines - low - LEAST_MAP))
-    return max(1, lines - low - fleet), fleet, low
+    above = max(1, min(lines - low - fleet, lines - covered))
+    return above, lines - low - above, low
 
 
 def _share(wanted: int, most: int) -> int:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 
 from textual.containers import Container
+from textual.widget import Widget
 
 from fleet_tui.view.layout import Wanted, below_map, beside_map
 from fleet_tui.view.tables.table import Table
@@ -10,6 +11,11 @@ from fleet_tui.widgets.rows_pane import RowsPane
 
 OTHERS = 3
 """Lines of the screen that are no panes: status, message, footer."""
+
+
+def lines_below(overlay: Widget) -> int:
+    """Return the lines of panes at the bottom of the screen that an overlay covers."""
+    return overlay.outer_size.height - 1 if overlay.display else 0
 
 
 class Panes(Container):
@@ -32,11 +38,12 @@ class Panes(Container):
         """Return the panes of rows."""
         return [self.fleet, self.alarms, self.queue, self.page]
 
-    def show(self, tables: Sequence[Table], page: Callable[[], Table]) -> None:
-        """Show fleet, alarms and queue, and the page if there are lines for it."""
+    def show(self, tables: Sequence[Table], page: Callable[[], Table], covered: int = 0) -> None:
+        """Show fleet, alarms and queue, and the page if there are lines for it. `covered`: lines at the
+        bottom below an overlay about the map."""
         if not self.is_attached:
             return  # the console ends
-        self._share_out(Wanted(*(table.lines for table in tables)))
+        self._share_out(Wanted(*(table.lines for table in tables)), covered)
         for pane, table in zip(self.views, tables, strict=False):
             pane.show(table)
         if self.page.size.height:
@@ -47,7 +54,7 @@ class Panes(Container):
         inside = [pane.id or "" for pane in self.children if pane.has_focus]
         self._alone = inside[0] if inside and not self._alone else ""
 
-    def _share_out(self, wanted: Wanted) -> None:
+    def _share_out(self, wanted: Wanted, covered: int) -> None:
         """Give the panes their heights. In tiny and simple layouts the style sheet does it."""
         screen = self.screen
         lines, is_wide = self.app.size.height - OTHERS, screen.has_class("-wide")
@@ -59,7 +66,7 @@ class Panes(Container):
         elif alone:
             heights = (lines, 0, 0, 0)
         else:
-            heights = beside_map(lines, wanted) if is_wide else below_map(lines, wanted)
+            heights = beside_map(lines, wanted) if is_wide else below_map(lines, wanted, covered)
         rows = " ".join(map(str, heights))
         if (rows, alone, is_wide) == self._shared_out:
             return

@@ -17,8 +17,11 @@ def test_every_line_beside_the_map_is_given_away_and_every_pane_has_some(lines: 
 
 @given(st.integers(13, 200), wishes)
 def test_every_line_of_a_narrow_screen_is_given_away(lines: int, wanted: Wanted) -> None:
+    for covered in (0, 5, 11):
+        heights = below_map(lines, wanted, covered)
+        assert sum(heights) == lines
+        assert heights[0] <= max(1, lines - covered)
     heights = below_map(lines, wanted)
-    assert sum(heights) == lines
     assert min(heights) >= LEAST_LIST
     assert lines < 20 or heights[0] >= LEAST_MAP
 

@@ -56,7 +56,7 @@ def wanted_now(robot: Robot, only_to: bool) -> str:
 def missing(field: str, typed: str = "") -> str:
     """Return the text for a missing field."""
     if typed.strip():
-        return f"{field.capitalize()}: Enter selects the marked place of this robot"
+        return f"{field.capitalize()}: Enter takes the marked place"
     remedy = "its name" if field == "robot" else "a label or a vertex id"
     return f"{field.capitalize()} is missing: type {remedy}"
 

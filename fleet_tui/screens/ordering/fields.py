@@ -68,6 +68,11 @@ class OrderFields(Vertical):
         self._boxes[name].put(sanitize(place.name))
         self.chosen[name] = place
 
+    def visited(self, only_to: bool) -> list[Place]:
+        """Return the places of a complete order; `only_to`: without a start."""
+        first = [] if only_to else [self.chosen["from"]]
+        return [*first, *self._boxes["to"].legs.places, self.chosen["to"]]
+
     def drop_changed(self, name: str) -> None:
         """Drop the place of a field whose text has changed."""
         # A Changed message may be about letters typed before the choice was made.

@@ -12,6 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start
+from fleet_tui.rules.routes.draft import Draft
 from fleet_tui.screens.ordering.choices import (
     Choices,
     choices,
@@ -22,6 +23,7 @@ from fleet_tui.screens.ordering.choices import (
     title,
     wanted_now,
 )
+from fleet_tui.screens.ordering.drafts import draft_of
 from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.screens.ordering.legs import SIGN, Legs
 from fleet_tui.screens.overlay import MouseButton, Overlay
@@ -41,6 +43,7 @@ class OrderForm(Overlay):
         self._found: Choices = []
         self._picked: Place | None = None
         self._said_of: list[str] = []
+        self.route = Static(id="route", markup=False)
         self._matches = Matches(id="matches")
         self._fields = OrderFields(
             {
@@ -56,10 +59,13 @@ class OrderForm(Overlay):
 
     def compose(self) -> ComposeResult:
         """Compose three fields, the matches of the current one, and a note on missing input."""
-        yield self._fields
-        yield self._matches
-        yield Static(id="missing", markup=False)
+        yield from (self._fields, self._matches, self.route, Static(id="missing", markup=False))
         yield MouseButton("Enter  send", id="send", compact=True)
+
+    def draft(self) -> Draft | None:
+        """Return the order as far as it is typed, None while the form is closed."""
+        robot = self._robot() if self.is_open else None
+        return draft_of(robot, self._fields, self._found, self._matches.highlighted) if robot else None
 
     def _robot(self) -> Robot | None:
         return self._state().robots.get(self._fields["robot"].value.strip())
@@ -73,10 +79,6 @@ class OrderForm(Overlay):
         self._arrange()
         self.open(self._fields.first_empty)
         self._list()
-
-    def _forget_other_robot(self) -> None:
-        if robot := self._robot():
-            self._fields.choose_for(robot.name)
 
     def _arrange(self) -> None:
         """Hide the start if there is cargo on board without an order."""
@@ -110,7 +112,8 @@ class OrderForm(Overlay):
         event.stop()
         field = event.input.id or ""
         self._fields.drop_changed(field)
-        self._forget_other_robot()
+        if robot := self._robot():
+            self._fields.choose_for(robot.name)
         if field == "robot":
             self._arrange()
         if self._fields.values != self._said_of:
@@ -176,7 +179,7 @@ class OrderForm(Overlay):
         if robot is None:
             self._say(f"Robot: no match for {self._fields['robot'].value.strip()!r}", "robot")
             return
-        self._forget_other_robot()
+        self._fields.choose_for(robot.name)
         only_to = destination_only(robot)
         if only_to == self._fields["from"].display:
             self._arrange()
@@ -187,7 +190,5 @@ class OrderForm(Overlay):
             if field not in self._fields.chosen:
                 self._say(missing(field, self._fields[field].typed), field)
                 return
-        first = [] if only_to else [self._fields.chosen["from"]]
-        visited = [*first, *self._fields["to"].legs.places, self._fields.chosen["to"]]
-        if problem := self._give(order(robot, visited, only_to), self.action_close):
+        if problem := self._give(order(robot, self._fields.visited(only_to), only_to), self.action_close):
             self._say(problem, "to")

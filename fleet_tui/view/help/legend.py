@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from fleet_tui.model.alarm import AlarmStage
-from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, build_grid
 from fleet_tui.view.help.section import HelpRow, HelpSection
@@ -16,7 +16,7 @@ from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.glyphs import robot_glyph
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
 from fleet_tui.view.tables.fleet import CARGO

@@ -9,13 +9,14 @@ from dataclasses import replace
 from functools import lru_cache
 
 from fleet_tui.model.fleet import FleetState, Floor
-from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.rules.routes.draft import Draft, draft_route
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
 from fleet_tui.view.map.mission import mission, targets
-from fleet_tui.view.map.scene import Line, Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
 
 MARGIN, BLOCK = 2.0, 10.0
@@ -160,8 +161,19 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
     return f"{robot.name} is on {actual}" if actual != selection.floor else ""
 
 
-def floor_scene(state: FleetState, selection: Selection) -> Scene:
-    """Return the scene of the selected floor."""
+def _drafted(draft: Draft, floor: str) -> tuple[str, ...]:
+    """Return the vertices on a floor that a draft visits."""
+    places = (*draft.places, draft.marked)
+    return tuple(place.vertex for place in places if place is not None and place.floor == floor)
+
+
+def _draft_way(state: FleetState, draft: Draft, floor: str) -> Mission | None:
+    route = draft_route(state.robots[draft.robot], draft)
+    return Mission(route.lines.get(floor, ())) if route is not None else None
+
+
+def floor_scene(state: FleetState, selection: Selection, draft: Draft | None = None) -> Scene:
+    """Return the scene of the selected floor; while an order is typed its way is in place of the mission."""
     owner = chart_robot(state, selection)
     chart = owner.charts[selection.floor] if owner else RobotMap()
     vertices, edges, one_way = _drawn(chart)
@@ -182,7 +194,7 @@ def floor_scene(state: FleetState, selection: Selection) -> Scene:
         scene,
         area=worth_seeing(scene, placed),
         robots=placed,
-        target_vertices=targets(selected, floor.name),
-        mission=mission(selected, floor.name),
+        target_vertices=targets(selected, floor.name) if draft is None else _drafted(draft, floor.name),
+        mission=mission(selected, floor.name) if draft is None else _draft_way(state, draft, floor.name),
         note=", ".join(notes),
     )

@@ -6,13 +6,14 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import robot_inks
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Points, pixels
 from fleet_tui.view.map.raster import BRAILLE, pack
-from fleet_tui.view.map.scene import Line, Scene, SceneRobot
+from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 
 Mask = NDArray[np.bool_]

@@ -6,13 +6,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.view.map.camera import Area
-
-Line = tuple[float, float, float, float]
-"""x1, y1, x2, y2 in metres."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -42,7 +42,7 @@ async def test_another_robot_in_the_form_means_other_ids(server: RosbridgeServer
         await it.press("enter", "shift+tab", "shift+tab", "end", "backspace", "1", "tab", "tab")
         await it.type("Store")
         await it.press("enter")
-        await it.shows("From: Enter selects the marked place of this robot")
+        await it.shows("From: Enter takes the marked place")
         assert sent(server) == []
 
 

@@ -7,14 +7,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.scene import Line, Mission, Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
 FRAME = MapFrame(0.05, 400, 200)

@@ -1,0 +1,86 @@
+"""An order while it is typed: its way, its length, a guess of its time."""
+
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+
+from msgspec import Struct
+
+from fleet_tui.model.geometry import Line
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.language.lookup import Place
+from fleet_tui.rules.routes.ways import Spot, routes_of
+from fleet_tui.text.durations import age
+
+SPEED = 0.5
+"""Metres per second of the guess, a usual speed of indoor robots."""
+
+Stop = tuple[str, tuple[Spot, ...]]
+"""A floor, and the vertices of it that count as one place."""
+
+
+class Draft(Struct, frozen=True):
+    """The places that an order being typed would visit, the marked match included. `starts_here`: it starts
+    where the robot is; `marked`: the place that Enter would take."""
+
+    robot: str
+    places: tuple[Place, ...] = ()
+    starts_here: bool = False
+    marked: Place | None = None
+
+
+class DraftRoute(Struct, frozen=True):
+    """The lines of a draft's way by floor, and its length in metres, None if some of it has no way."""
+
+    lines: Mapping[str, tuple[Line, ...]]
+    metres: float | None
+    by_lift: bool = False
+
+    @property
+    def text(self) -> str:
+        """Return its length, and a guess of its time."""
+        if self.metres is None:
+            return "no way on the graph"
+        lift = ", by lift" if self.by_lift else ""
+        return f"{self.metres:.0f} m{lift}, about {age(self.metres / SPEED)} at {SPEED} m/s"
+
+
+def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
+    """Return the way along the graphs from place to place, None before there are two."""
+    stops = [*_start(robot, draft), *((place.floor, ((place.vertex, 0.0),)) for place in draft.places)]
+    if len(stops) < 2:
+        return None
+    lines: dict[str, tuple[Line, ...]] = {}
+    metres: float | None = 0.0
+    for one, other in pairwise(stops):
+        for floor, starts, ends in _on_each_floor(robot, one, other):
+            routes = routes_of(robot.charts[floor]) if floor in robot.charts else None
+            way = routes.shortest(starts, ends) if routes is not None else None
+            if way is None or (way.start is None and starts != ends):
+                metres = None
+                continue
+            lines[floor] = lines.get(floor, ()) + way.lines
+            if metres is not None and way.lines:
+                metres += way.length
+    return DraftRoute(lines, metres, by_lift=len({floor for floor, _ in stops}) > 1)
+
+
+def _start(robot: Robot, draft: Draft) -> Iterator[Stop]:
+    """Yield the place of the robot if the draft starts there."""
+    floor = robot.floor
+    routes = routes_of(robot.charts[floor]) if floor is not None and floor in robot.charts else None
+    if draft.starts_here and routes is not None and robot.pose is not None and floor is not None:
+        yield floor, routes.near(robot.pose.value)
+
+
+def _on_each_floor(
+    robot: Robot, one: Stop, other: Stop
+) -> Iterator[tuple[str, tuple[Spot, ...], tuple[Spot, ...]]]:
+    """Yield the parts of a way on each floor: from one place to the other, or by the lifts."""
+    (floor, starts), (to_floor, ends) = one, other
+    if floor == to_floor:
+        yield floor, starts, ends
+        return
+    for name, start, end in ((floor, starts, None), (to_floor, None, ends)):
+        routes = routes_of(robot.charts[name]) if name in robot.charts else None
+        lifts = routes.elevators if routes is not None else ()
+        yield name, lifts if start is None else start, lifts if end is None else end

@@ -1,0 +1,80 @@
+"""The way of an order that is being typed: along the graph, over floors by lift, from the robot if it has no
+start."""
+
+from msgspec.structs import replace
+
+from fleet_tui.model.events import GraphReceived
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.rules.language.lookup import Place
+from fleet_tui.rules.routes.draft import SPEED, Draft, draft_route
+from tests.support.fleets import F0, R0, T0, fleet, graph, pose, told
+
+F1 = "floor_1"
+
+
+def place(vertex: int, floor: str = F0) -> Place:
+    return Place(str(vertex), f"place {vertex}", floor)
+
+
+def with_lift(floor: str, *ids: int) -> GraphReceived:
+    """A row whose last vertex is an elevator."""
+    row = graph(*ids, floor=floor).graph
+    last = str(ids[-1])
+    vertices = {**row.vertices, last: replace(row.vertices[last], role=Role.ELEVATOR)}
+    return GraphReceived(R0, floor, RouteGraph(vertices, row.edges))
+
+
+def state() -> FleetState:
+    return told(fleet(1, 2), pose(T0, 0.4), with_lift(F0, 1, 2, 3, 4), with_lift(F1, 11, 12, 13))
+
+
+def draft(*places: Place, starts_here: bool = False) -> Draft:
+    return Draft(R0, places, starts_here)
+
+
+def test_nothing_is_looked_for_before_there_are_two_places() -> None:
+    robot = state().robots[R0]
+    assert draft_route(robot, draft()) is None
+    assert draft_route(robot, draft(place(1))) is None
+
+
+def test_the_length_is_along_the_graph_and_the_time_is_a_guess_at_a_usual_speed() -> None:
+    route = draft_route(state().robots[R0], draft(place(1), place(4), place(2)))
+    assert route is not None
+    assert (route.metres, route.by_lift) == (5.0, False)
+    assert route.text == f"5 m, about 10 s at {SPEED} m/s"
+    assert len(route.lines[F0]) == 5
+
+
+def test_over_floors_it_goes_by_the_lifts() -> None:
+    route = draft_route(state().robots[R0], draft(place(2), place(11, F1)))
+    assert route is not None
+    assert (route.metres, route.by_lift) == (4.0, True)
+    assert "by lift" in route.text
+    assert {floor: len(lines) for floor, lines in route.lines.items()} == {F0: 2, F1: 2}
+
+
+def test_without_a_start_it_begins_where_the_robot_is() -> None:
+    route = draft_route(state().robots[R0], draft(place(4), starts_here=True))
+    assert route is not None
+    assert route.metres == 2.0  # from the end of its edge
+    unplaced = replace(state().robots[R0], pose=None, floor=None)
+    assert draft_route(unplaced, draft(place(4), starts_here=True)) is None
+
+
+def test_a_place_that_no_way_leads_to_is_said() -> None:
+    apart = RouteGraph(
+        {"1": Vertex("1", 0, 0), "2": Vertex("2", 1, 0), "9": Vertex("9", 5, 5)}, (Edge("0", "1", "2"),)
+    )
+    robot = told(fleet(), pose(T0), GraphReceived(R0, F0, apart)).robots[R0]
+    route = draft_route(robot, draft(place(1), place(9)))
+    assert route is not None
+    assert route.metres is None
+    assert route.text == "no way on the graph"
+
+
+def test_the_same_place_twice_is_no_way_at_all() -> None:
+    route = draft_route(state().robots[R0], draft(place(2), place(2)))
+    assert route is not None
+    assert route.metres == 0.0

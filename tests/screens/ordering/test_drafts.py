@@ -1,0 +1,46 @@
+"""While an order is typed the map shows its way, and the form its length."""
+
+import pytest
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import Console, console
+from tests.support.watched_store import config_of
+
+
+def scene_of(it: Console) -> tuple[tuple[str, ...], int]:
+    """The vertices that stand out, and the lines of the way."""
+    scene = it.app.main.rest.map.picture.scene
+    assert scene is not None
+    return scene.target_vertices, len(scene.mission.current) if scene.mission else 0
+
+
+async def test_the_marked_place_stands_out_and_the_way_has_a_length(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1), (120, 40)) as it:
+        await it.press("o")
+        await it.type("Base")
+        await it.until(lambda _: scene_of(it) == (("0", "0"), 0))
+        await it.press("enter")
+        await it.type("Consum")
+        await it.shows(" m, about ")
+        vertices, lines = scene_of(it)
+        assert vertices[:2] == ("0", "19") and lines > 2
+        await it.press("escape")
+        await it.until(lambda _: scene_of(it) == ((), 0))
+
+
+@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+async def test_the_form_leaves_the_map_free(server: RosbridgeServer, size: tuple[int, int]) -> None:
+    async with console(config_of(server.url, 1), size) as it:
+        await it.press("o")
+        form, map_view = it.app.main.rest.order_form, it.app.main.rest.map
+        await it.until(lambda _: form.region and not form.region.overlaps(map_view.region))
+        assert form.region.bottom <= size[1]
+
+
+async def test_a_place_of_another_floor_is_shown_on_its_floor(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1, 2), (120, 40)) as it:
+        await it.press("o")
+        await it.type("Dock")
+        await it.shows("floor_1 ─", "map")
+        await it.press("escape")
+        await it.shows("floor_0 ─", "map")
