@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 # Maximum seconds for the simulator to end by itself.
 PATIENCE = 1.0
+SIZE = (0.9, 0.6)
+"""Length and width of a simulated robot, in metres."""
 
 
 @contextmanager
@@ -86,7 +88,7 @@ def demo_config(
 def _robots(links: "Mapping[str, SitedBridge]", alone: bool) -> list[RobotEntry]:
     """Return the robots behind all links; `alone`: all are of one kind."""
     entries = {
-        number: RobotEntry(f"robot_{number}", link=link, profile="" if alone else crew.kind)
+        number: RobotEntry(f"robot_{number}", link=link, profile="" if alone else crew.kind, size=SIZE)
         for link, bridge in links.items()
         for crew in bridge.crews
         for number in crew.numbers

@@ -11,7 +11,7 @@ from websockets.asyncio.client import connect
 
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.config.schema import Config, RobotEntry
-from fleet_tui.demo import demo_config, simulated
+from fleet_tui.demo import SIZE, demo_config, simulated
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
@@ -29,10 +29,10 @@ def test_the_demos_configuration_names_links_and_profiles(tmp_path: Path) -> Non
         {"ros2": URLS[1]},
     )
     assert config.robots == [
-        RobotEntry("robot_0", profile="oh_ressources"),
-        RobotEntry("robot_1", profile="move_base"),
-        RobotEntry("robot_2", link="ros2", profile="nav2"),
-        RobotEntry("robot_3", profile="oh_ressources"),
+        RobotEntry("robot_0", profile="oh_ressources", size=SIZE),
+        RobotEntry("robot_1", profile="move_base", size=SIZE),
+        RobotEntry("robot_2", link="ros2", profile="nav2", size=SIZE),
+        RobotEntry("robot_3", profile="oh_ressources", size=SIZE),
     ]
     assert {name: profile.kind for name, profile in config.profiles.items()} == {kind: kind for kind in KINDS}
     assert config.profiles["nav2"].topics == {"floor": "/{robot}/floor", "map": "/{floor}/map"}
@@ -43,7 +43,7 @@ def test_the_demos_configuration_names_links_and_profiles(tmp_path: Path) -> Non
 def test_the_demo_of_one_kind_has_one_profile_and_one_link(tmp_path: Path) -> None:
     config = demo_config(Config(), URLS[0], 2, 1, kind="move_base", folder=tmp_path)
     assert (config.profile.kind, config.profiles, config.links) == ("move_base", {}, {})
-    assert config.robots == [RobotEntry("robot_0"), RobotEntry("robot_1")]
+    assert config.robots == [RobotEntry("robot_0", size=SIZE), RobotEntry("robot_1", size=SIZE)]
     assert config.floors[0].graph == str(tmp_path / "graph.geojson")
     other = demo_config(Config(), URLS[0], 2, 1, kind="oh_ressources", folder=tmp_path)
     assert other.floors[0].graph == "" and msgspec.structs.asdict(other.profile)["topics"] == {

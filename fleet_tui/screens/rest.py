@@ -11,6 +11,7 @@ from fleet_tui.controllers.orders import OrderRequests
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.keys import Key
+from fleet_tui.keys.key import key_name
 from fleet_tui.rules.routes.draft import Draft, draft_route
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.confirm import Confirm
@@ -83,6 +84,7 @@ class Rest:
                 await screen.mount(time_line, before="#hints")
         has_few_colours = not screen.app.is_headless and screen.app.console.color_system == "standard"
         self.map.picture.hatch(screen.app.ansi_color or has_few_colours)
+        self.map.picture.hint = "".join(f"{key_name(key)} legend" for key in screen.settings.keys["help"][:1])
         screen.set_focus(self.map)
         screen.files.open()
 

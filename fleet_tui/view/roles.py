@@ -32,6 +32,9 @@ class StyleRole(IntEnum):
     TARGET = auto()
     """The ends of the selected robot's order, vertex and label."""
     CURSOR = auto()
+    ROBOT_BODY = auto()
+    ROBOT_BODY_ALARM = auto()
+    """The outline of a robot drawn to scale."""
     ROBOT = auto()
     ROBOT_SELECTED = auto()
     ROBOT_OFFLINE = auto()

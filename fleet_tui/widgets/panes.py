@@ -10,7 +10,7 @@ from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets.rows_pane import RowsPane
 
 OTHERS = 3
-"""Lines of the screen that are no panes: status, message, footer."""
+"""Lines of the screen that are no panes: status, message, footer. Before the first layout."""
 
 
 def lines_below(overlay: Widget) -> int:
@@ -31,6 +31,7 @@ class Panes(Container):
         self.page.can_focus = False
         super().__init__(Container(id="map"), self.fleet, self.alarms, self.queue, self.page, id="panes")
         self._alone = ""
+        self._wanted = Wanted(0, 0, 0), 0
         self._shared_out: tuple[str, str, bool] | None = None
 
     @property
@@ -43,11 +44,16 @@ class Panes(Container):
         bottom below an overlay about the map."""
         if not self.is_attached:
             return  # the console ends
-        self._share_out(Wanted(*(table.lines for table in tables)), covered)
+        self._wanted = Wanted(*(table.lines for table in tables)), covered
+        self._share_out(*self._wanted)
         for pane, table in zip(self.views, tables, strict=False):
             pane.show(table)
         if self.page.size.height:
             self.page.show(page())
+
+    def on_resize(self) -> None:
+        """Share out the new lines at once."""
+        self._share_out(*self._wanted)
 
     def enlarge(self) -> None:
         """Give the focused pane its whole column, or all of them their places."""
@@ -57,7 +63,7 @@ class Panes(Container):
     def _share_out(self, wanted: Wanted, covered: int) -> None:
         """Give the panes their heights. In tiny and simple layouts the style sheet does it."""
         screen = self.screen
-        lines, is_wide = self.app.size.height - OTHERS, screen.has_class("-wide")
+        lines, is_wide = self.size.height or self.app.size.height - OTHERS, screen.has_class("-wide")
         is_small = screen.has_class("-tiny") or screen.has_class("-flat")
         by_sheet = is_small or (self.has_class("-simple") and not is_wide)
         alone = "" if by_sheet else self._alone

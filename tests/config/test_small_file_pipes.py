@@ -59,7 +59,7 @@ def test_secrets_and_certificates_at_the_start(tmp_path: Path, make: Make, key: 
 @pytest.mark.parametrize("key", ["ca_file", "client_cert", "client_key"])
 def test_certificates_at_a_later_connection(tmp_path: Path, make: Make, key: str) -> None:
     make(tmp_path / "file")
-    with pytest.raises(LinkError, match=f"{key}: {WORDS}"):
+    with pytest.raises(LinkError, match=f"{key}: .*{WORDS}"):
         tls_context(replace(Link("wss://a"), **{key: str(tmp_path / "file")}))
 
 

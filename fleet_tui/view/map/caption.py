@@ -18,7 +18,8 @@ _BAR = 14  # cells that the scale bar may take
 
 @dataclass(frozen=True, slots=True)
 class Caption:
-    """The content of the first row; `banner` is that of the map's mode."""
+    """The content of the first row. `waits`: the note only says what has not arrived yet; `banner` is that of
+    the map's mode; `hint` names the key of the legend."""
 
     floor: str
     note: str
@@ -28,7 +29,9 @@ class Caption:
     follow: bool
     zoom_robot: bool
     focused: bool
+    waits: bool = False
     banner: str = ""
+    hint: str = ""
 
 
 @lru_cache(maxsize=8)
@@ -41,7 +44,7 @@ def caption_row(facts: Caption) -> Cells:
     for piece, ink in _pieces(facts):
         room = facts.camera.width - x - 2
         # A note reports a problem: its beginning is worth more than the rest of the row.
-        is_cut = ink is StyleRole.WARN and LEAST < room < cell_width(piece)
+        is_cut = facts.note != "" and piece == sanitize(facts.note) and LEAST < room < cell_width(piece)
         text = f" {fit(piece, room) if is_cut else piece} "
         if x + cell_width(text) <= facts.camera.width:
             row.write(x, 0, text, ink)
@@ -55,7 +58,7 @@ def _pieces(facts: Caption) -> list[Piece]:
         (sanitize(facts.floor), StyleRole.TITLE_FOCUSED if facts.focused else StyleRole.TITLE)
     ]
     if facts.note:
-        pieces.append((sanitize(facts.note), StyleRole.WARN))
+        pieces.append((sanitize(facts.note), StyleRole.DIM if facts.waits else StyleRole.WARN))
     if facts.banner:
         pieces.append((facts.banner, StyleRole.TEXT))
     return [
@@ -64,6 +67,7 @@ def _pieces(facts: Caption) -> list[Piece]:
         *_turn(facts),
         *([("follow on", StyleRole.TEXT)] if facts.follow else []),
         *([("zoom robot", StyleRole.DIM)] if facts.zoom_robot else []),
+        *([(facts.hint, StyleRole.DIM)] if facts.hint else []),
     ]
 
 

@@ -21,6 +21,9 @@ from fleet_tui.view.selection import Selection
 
 MARGIN, BLOCK = 2.0, 10.0
 EMPTY_RESOLUTION = 0.05
+YET, PATIENCE = " yet", 5.0
+"""End of notes on what has not arrived, and the seconds after a change of the link for which they are no
+problem."""
 FAR = 1e6
 """Metres beyond which a place is an error and doesn't extend the picture."""
 
@@ -197,4 +200,6 @@ def floor_scene(state: FleetState, selection: Selection, draft: Draft | None = N
         target_vertices=targets(selected, floor.name) if draft is None else _drafted(draft, floor.name),
         mission=mission(selected, floor.name) if draft is None else _draft_way(state, draft, floor.name),
         note=", ".join(notes),
+        waits=all(note.endswith(YET) for note in notes)
+        and state.now - state.links[selected.link].since < PATIENCE,
     )

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.glyphs import robot_inks
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Points, pixels
 from fleet_tui.view.map.raster import BRAILLE, pack
@@ -146,11 +145,17 @@ def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
     dot = camera.scale * scene.frame.resolution
     near = [robot for robot in scene.robots if robot.size and max(robot.size) >= OUTLINE * dot]
     seen = [robot for robot in near if math.isfinite(robot.pose.x + robot.pose.y + robot.pose.yaw)]
-    for ink in {robot_inks(robot)[0] for robot in seen}:
-        sides = [side for robot in seen if robot_inks(robot)[0] is ink for side in _sides(robot)]
+    for ink in {_outline_ink(robot) for robot in seen}:
+        sides = [side for robot in seen if _outline_ink(robot) is ink for side in _sides(robot)]
         mask = _mask(camera)
         _trace(mask, *_ends(scene, camera, tuple(sides)))
         _stroke(cells, mask, ink, look, "%")
+
+
+def _outline_ink(robot: SceneRobot) -> StyleRole:
+    if robot.selected:
+        return StyleRole.TARGET
+    return StyleRole.ROBOT_BODY_ALARM if robot.obstacle else StyleRole.ROBOT_BODY
 
 
 def _sides(robot: SceneRobot) -> Iterator[Line]:

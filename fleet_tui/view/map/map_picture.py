@@ -26,6 +26,8 @@ class MapPicture:
         self.mode: MapMode = ViewMode()
         self.viewport = Viewport()
         self.scene: Scene | None = None
+        self.hint = ""
+        """The key of the legend, for the caption."""
         self._trails = Trails()
         self._sides: Sides = {}
         self._sides_of: tuple[Camera, MapOptions] | None = None
@@ -77,7 +79,9 @@ class MapPicture:
             follow=self.viewport.follow,
             zoom_robot=self.viewport.zoom_robot,
             focused=focused,
+            waits=scene.waits,
             banner=self.mode.banner,
+            hint=self.hint,
         )
 
     def _still(self, scene: Scene, camera: Camera) -> Cells:

@@ -58,13 +58,12 @@ class Mission:
 class Scene:
     """One floor at the monotonic second `at`. Without `grid` the frame still gives the extent.
 
-    area: left, top, right, bottom in map pixels of the ground that is worth seeing, None for all;
-    one_way: the edges that lead only from start to end; trail: past positions of robots, rows of x, y in
-    metres and the age in seconds.
+    waits: the note only says what has not arrived yet, shortly after the start; area: left, top, right,
+    bottom in map pixels of the ground that is worth seeing, None for all; one_way: the edges that lead only
+    from start to end; trail: past positions of robots, rows of x, y in metres and the age in seconds.
 
     Keep `grid`, `vertices` and `edges` the same objects while they are unchanged: the picture below the
-    robots is redrawn when one of them is another object.
-    """
+    robots is redrawn when one of them is another object."""
 
     floor: str
     frame: MapFrame
@@ -79,6 +78,7 @@ class Scene:
     trail: NDArray[np.float64] | None = None
     at: float = 0.0
     area: Area | None = None
+    waits: bool = False
 
     @property
     def selected(self) -> SceneRobot | None:
