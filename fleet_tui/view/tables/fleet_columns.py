@@ -13,8 +13,8 @@ from fleet_tui.view.tables.table import Run, column
 DOT = 2
 STATE, ORDER_LEAST, ORDER_MOST = 15, 15, 30
 """Cells that states must have, and those of the column of orders before them."""
-WHOLE_FLOORS, WITH_MORE = 54, 70
-"""Cells of a pane from which floors have their whole names, and from which it has more columns."""
+WHOLE_FLOORS, WITH_WAITING, WITH_SEEN = 54, 70, 90
+"""Cells of a pane from which floors have their whole names, and from which it has further columns."""
 UNKNOWN_FLOOR = "unknown floor"
 NO_FLOOR = ("", "-", UNKNOWN_FLOOR)
 
@@ -56,8 +56,8 @@ class Columns(NamedTuple):
             floor=column(floors.values(), 5, 13) + 1 if "pose" in reported and not is_obvious else 0,
             cargo=2 if "cargo" in reported else 0,
             order=0,
-            waiting=6 if width >= WITH_MORE and "queue" in reported else 0,
-            seen=7 if width >= WITH_MORE else 0,
+            waiting=6 if width >= WITH_WAITING and "queue" in reported else 0,
+            seen=7 if width >= WITH_SEEN else 0,
             floors=floors,
         )
         left = width - DOT - sum(fixed[:-1])
