@@ -6,6 +6,7 @@ Run: python docs/pictures.py states FOLDER [NAME ...]   every state at four size
 Needs Xvfb, xterm and xdotool, which are Debian packages of these names.
 """
 
+import os
 import shutil
 import subprocess
 import sys
@@ -20,7 +21,6 @@ from PIL import Image, ImageGrab
 
 SIZES = ((60, 15), (80, 24), (120, 40), (200, 60))
 CONSOLE = str(Path(sys.executable).with_name("fleet-tui"))
-DISPLAY = ":77"
 TERMINAL = ["xterm", "-fa", "DejaVu Sans Mono", "-fs", "10", "-b", "0", "+sb", "-tn", "xterm-256color"]
 ARRIVED, SETTLED = 12.0, 0.8
 """Seconds from the start of a demo, and from a key, until the picture."""
@@ -38,6 +38,7 @@ class Console:
 
 FRAME = 0.5
 """Seconds between the frames of the moving picture."""
+COLOURS = 64
 
 ESC = "Escape"
 CONSOLES = {
@@ -111,46 +112,30 @@ FILM: list[tuple[list[str], float]] = [
 """Keys of the moving picture, and the seconds after them."""
 
 
-def run(*command: str) -> str:
-    """Run a tool on the virtual screen and return its output."""
-    return subprocess.run(
-        command, env={"DISPLAY": DISPLAY, "PATH": "/usr/bin:/bin"}, capture_output=True, text=True, check=True
-    ).stdout
-
-
 @contextmanager
 def screen() -> Iterator[None]:
-    """Run a virtual screen."""
-    server = subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", "2000x1400x24"], stderr=subprocess.DEVNULL)
-    try:
-        for _ in range(50):
-            time.sleep(0.1)
-            if not subprocess.run(
-                ["xdotool", "getdisplaygeometry"],
-                env={"DISPLAY": DISPLAY},
-                check=False,
-                capture_output=True,
-                executable=shutil.which("xdotool"),
-            ).returncode:
-                break
-        yield
-    finally:
-        server.terminate()
-        server.wait()
+    """Run a virtual screen, the DISPLAY of all that is started meanwhile."""
+    command = ["Xvfb", "-displayfd", "1", "-screen", "0", "2000x1400x24"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+        assert server.stdout is not None
+        os.environ["DISPLAY"] = f":{server.stdout.readline().strip()}"
+        try:
+            yield
+        finally:
+            server.terminate()
+
+
+def run(*command: str) -> str:
+    """Run a tool on the virtual screen and return its output."""
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
 @contextmanager
 def terminal(console: Console, size: tuple[int, int]) -> Iterator[None]:
     """Run a console in a terminal of this size, in the corner of the screen."""
     with TemporaryDirectory() as home:
-        environment = {
-            "DISPLAY": DISPLAY,
-            "HOME": home,
-            "XDG_STATE_HOME": home,
-            "XDG_CONFIG_HOME": home,
-            "PATH": "/usr/bin:/bin",
-            "LANG": "C.UTF-8",
-        }
+        own = {"HOME": home, "XDG_STATE_HOME": home, "XDG_CONFIG_HOME": home, "LANG": "C.UTF-8"}
+        environment = {**own, "PATH": os.environ["PATH"], "DISPLAY": os.environ["DISPLAY"]}
         geometry = f"{size[0]}x{size[1]}+0+0"
         # xterm drops COLORTERM from its own environment.
         variables = [f"{name}={value}" for name, value in console.environment.items()]
@@ -184,7 +169,7 @@ def photograph() -> Image.Image:
     """Return the terminal's picture."""
     facts = run("xdotool", "getwindowgeometry", "--shell", window()).split()
     width, height = (int(fact.split("=")[1]) for fact in facts[3:5])
-    return ImageGrab.grab((0, 0, width, height), xdisplay=DISPLAY)
+    return ImageGrab.grab((0, 0, width, height), xdisplay=os.environ["DISPLAY"])
 
 
 def states(folder: Path, names: list[str]) -> None:
@@ -210,7 +195,9 @@ def pictures_of_docs() -> None:
             for keys in console.states.values():
                 press(keys)
                 time.sleep(SETTLED)
-            photograph().quantize(64).save(folder / f"{name}.png", optimize=True)
+            photograph().quantize(COLOURS, dither=Image.Dither.NONE).save(
+                folder / f"{name}.png", optimize=True
+            )
     film(folder / "console.gif")
 
 
@@ -223,13 +210,13 @@ def film(path: Path) -> None:
         for keys, seconds in FILM:
             for key in keys:
                 press([key])
-                frames.append(photograph().quantize(48))
+                frames.append(photograph())
             for _ in range(int(seconds / FRAME)):
                 time.sleep(FRAME)
-                frames.append(photograph().quantize(48))
-    frames[0].save(
-        path, save_all=True, append_images=frames[1:], duration=int(FRAME * 1000), loop=0, optimize=True
-    )
+                frames.append(photograph())
+    palette = frames[len(frames) // 2].quantize(COLOURS, dither=Image.Dither.NONE)
+    first, *more = (frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames)
+    first.save(path, save_all=True, append_images=more, duration=int(FRAME * 1000), loop=0, optimize=True)
 
 
 def main(what: str, arguments: list[str]) -> None:
