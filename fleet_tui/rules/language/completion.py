@@ -6,8 +6,9 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
-from fleet_tui.rules.language.grammar import ALL, USAGE, Token, find_robot, numbered_robots, tokens
+from fleet_tui.rules.language.grammar import ALL, USAGE, Token, find_robot, tokens
 from fleet_tui.rules.language.lookup import places, recent_ends
+from fleet_tui.rules.marks import numbered_robots
 
 
 def is_command(line: str, state: FleetState) -> bool:

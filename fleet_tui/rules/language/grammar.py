@@ -23,7 +23,7 @@ from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.language.lookup import NUMBER, called, no_graphs, places, plain_id
-from fleet_tui.rules.marks import marks_of
+from fleet_tui.rules.marks import numbered_robots
 
 USAGE = {
     "order": "order ROBOT FROM TO, or ROBOT FROM > TO",
@@ -106,16 +106,6 @@ def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot
         return numbered[0]
     near = did_you_mean(word, known or state.robots)
     raise CommandError(f"unknown robot{' or command' if known else ''} {_said(word)}{near}")
-
-
-def numbered_robots(word: str, state: FleetState) -> list[Robot]:
-    """Return the robots that a number can mean: by its key, or by its number on the map."""
-    marks = marks_of(tuple(state.robots))
-    return [
-        robot
-        for robot, mark in zip(state.robots.values(), marks, strict=True)
-        if plain_id(word) in (str(robot.number), plain_id(mark))
-    ]
 
 
 def _robots(word: str, state: FleetState) -> list[str]:
