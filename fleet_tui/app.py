@@ -70,7 +70,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         settings = self._settings(keys, drawing, terminal, message)
         self.main = MainScreen(store, self.backend, settings, files or ConsoleFiles())
         self._guard = self.faults = FaultGuard(self.main.notices.note)
-        self.main.set_inks(themes[config.ui.theme].styles(colour))
+        self.main.set_role_styles(themes[config.ui.theme].styles(colour))
         # Only the changes: Textual goes through the whole keymap at every key.
         usual, _ = keymap({})
         self.set_keymap(textual_keymap({id_: key for id_, key in keys.items() if key != usual[id_]}))
@@ -128,7 +128,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         theme = self._themes[name]
         self.register_theme(Theme(**theme.textual()))
         self.theme = f"fleet-{name}"
-        self.main.set_inks(theme.styles(self._colour))
+        self.main.set_role_styles(theme.styles(self._colour))
 
     def on_unmount(self) -> None:
         """Close the connections before the loop goes."""

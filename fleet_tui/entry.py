@@ -35,7 +35,7 @@ class EntryApp(LeanApp, inherit_bindings=False):
         super().__init__(ansi_color=not colour)
         self.register_theme(Theme(**theme.textual()))
         self.theme = f"fleet-{theme.name}"
-        self._inks, self._start, self._places, self._address = theme.styles(colour), site, places, address
+        self._roles, self._start, self._places, self._address = theme.styles(colour), site, places, address
         self._restore = terminal_restorer()
         self.chosen: DiscoveredSite | None = None
         """What the console is to be opened on; None where the person left."""
@@ -43,8 +43,8 @@ class EntryApp(LeanApp, inherit_bindings=False):
     def get_default_screen(self) -> Screen[None]:
         """Return the choices of a known site, else the first-run screen."""
         if self._start is not None:
-            return Arrival(self._inks, self._start, self._end)
-        return FirstRun(self._inks, self._places, self._found, self._address)
+            return Arrival(self._roles, self._start, self._end)
+        return FirstRun(self._roles, self._places, self._found, self._address)
 
     def on_ready(self) -> None:
         """Restore the terminal in any case at the end."""
@@ -53,7 +53,7 @@ class EntryApp(LeanApp, inherit_bindings=False):
 
     def _found(self, site: DiscoveredSite | None) -> None:
         if site is not None and (site.choices or site.lacks):
-            self.push_screen(Arrival(self._inks, site, self._end))
+            self.push_screen(Arrival(self._roles, site, self._end))
         else:
             self._end(site)
 

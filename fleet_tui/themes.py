@@ -26,7 +26,7 @@ QUIET = {
 BASE = ("background", "surface", "foreground", "accent")
 
 
-class InkLook(Struct, frozen=True):
+class RoleStyle(Struct, frozen=True):
     """The look of one style role: colours as `#rrggbb` or None for the terminal's own."""
 
     color: str | None = None
@@ -38,24 +38,26 @@ class InkLook(Struct, frozen=True):
 
 
 class FleetTheme(Struct, frozen=True):
-    """A name, the screen's base colours, and a style per ink."""
+    """A name, the screen's base colours, and a style per role."""
 
     name: str
     dark: bool
     base: Mapping[str, str]
-    inks: Mapping[StyleRole, InkLook]
+    roles: Mapping[StyleRole, RoleStyle]
 
     def styles(self, colour: bool = True) -> dict[StyleRole, Style]:
-        """Return every ink as a Rich style; without colour (NO_COLOR) only bold, reverse, underline, dim
+        """Return every role as a Rich style; without colour (NO_COLOR) only bold, reverse, underline, dim
         stay.
 
-        Inks that colours would keep in the background are dim then: an edge is no wall.
+        Roles that colours would keep in the background are dim then, so that an edge is no wall.
         """
-        return {ink: _style(ink, look, self.base["background"], colour) for ink, look in self.inks.items()}
+        return {
+            role: _style(role, look, self.base["background"], colour) for role, look in self.roles.items()
+        }
 
     def textual(self) -> dict[str, Any]:
         """Return the arguments of a `textual.theme.Theme`."""
-        colours = {name: self.inks[ink].color for name, ink in _TEXTUAL.items()}
+        colours = {name: self.roles[role].color for name, role in _TEXTUAL.items()}
         base = {name: self.base[name] for name in BASE}
         return {
             "name": f"fleet-{self.name}",
@@ -75,7 +77,7 @@ _TEXTUAL = {
 }
 
 
-def _style(ink: StyleRole, look: InkLook, background: str, colour: bool) -> Style:
+def _style(role: StyleRole, look: RoleStyle, background: str, colour: bool) -> Style:
     # None, not False: an explicit "off" would be one more code on the wire.
     return Style(
         color=look.color if colour else None,
@@ -83,7 +85,7 @@ def _style(ink: StyleRole, look: InkLook, background: str, colour: bool) -> Styl
         bold=look.bold or None,
         reverse=look.reverse or None,
         underline=look.underline or None,
-        dim=look.dim or (not colour and ink in QUIET) or None,
+        dim=look.dim or (not colour and role in QUIET) or None,
     )
 
 
@@ -126,33 +128,33 @@ def read_theme(path: Path, others: Mapping[str, FleetTheme]) -> FleetTheme:
         problems = list(_gaps(content))
     if problems:
         raise ConfigError(problems)
-    base, inks = (start.base, start.inks) if start else ({}, {})
+    base, roles = (start.base, start.roles) if start else ({}, {})
     own = {StyleRole[name.upper()]: _look(value) for name, value in content.get("inks", {}).items()}
-    return FleetTheme(path.stem, dark, {**base, **content.get("base", {})}, {**inks, **own})
+    return FleetTheme(path.stem, dark, {**base, **content.get("base", {})}, {**roles, **own})
 
 
-def _look(value: str | dict[str, Any]) -> InkLook:
-    return InkLook(color=value) if isinstance(value, str) else structs.replace(InkLook(), **value)
+def _look(value: str | dict[str, Any]) -> RoleStyle:
+    return RoleStyle(color=value) if isinstance(value, str) else structs.replace(RoleStyle(), **value)
 
 
 def _problems(content: dict[str, Any]) -> Iterator[str]:
     """Return every error of a theme."""
-    yield from _strangers("", content, ("dark", "base", "inks"))
+    yield from _unknown_keys("", content, ("dark", "base", "inks"))
     if not isinstance(content.get("dark", True), bool):
         yield "dark must be true or false"
-    for table, names in (("base", BASE), ("inks", [ink.name.lower() for ink in StyleRole])):
+    for table, names in (("base", BASE), ("inks", [role.name.lower() for role in StyleRole])):
         entries = content.get(table, {})
         if not isinstance(entries, dict):
             yield f"{table} must be a table"
             continue
-        yield from _strangers(f"{table}.", entries, names)
+        yield from _unknown_keys(f"{table}.", entries, names)
         for name, value in entries.items():
             yield from _value_problems(f"{table}.{name}", value, table == "inks")
 
 
 def _value_problems(key: str, value: object, table_allowed: bool) -> Iterator[str]:
     if isinstance(value, dict) and table_allowed:
-        yield from _strangers(f"{key}.", value, ("color", "on", *_ATTRIBUTES))
+        yield from _unknown_keys(f"{key}.", value, ("color", "on", *_ATTRIBUTES))
         for name, part in value.items():
             if name in _ATTRIBUTES and not isinstance(part, bool):
                 yield f"{key}.{name} must be true or false"
@@ -162,7 +164,7 @@ def _value_problems(key: str, value: object, table_allowed: bool) -> Iterator[st
         yield f'{key} = {value!r} is not a colour: use "#rrggbb"'
 
 
-def _strangers(
+def _unknown_keys(
     prefix: str, entries: Mapping[str, object], names: list[str] | tuple[str, ...]
 ) -> Iterator[str]:
     for name in entries:
@@ -172,7 +174,7 @@ def _strangers(
 
 def _gaps(content: dict[str, Any]) -> Iterator[str]:
     """Return the missing parts of a theme without a base theme."""
-    for table, names in (("base", BASE), ("inks", tuple(ink.name.lower() for ink in StyleRole))):
+    for table, names in (("base", BASE), ("inks", tuple(role.name.lower() for role in StyleRole))):
         for name in names:
             if name not in content.get(table, {}):
                 yield f"{table}.{name} is missing"

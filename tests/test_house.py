@@ -1,4 +1,4 @@
-"""The limits that keep the house liveable, and the purity that an import checker can't see."""
+"""The limits that keep the code readable, and the purity that an import checker cannot see."""
 
 import ast
 from collections import Counter
@@ -103,14 +103,14 @@ def test_no_vague_names() -> None:
 
 
 def _pure_files() -> Iterator[Path]:
-    for room in PURE:
-        path = PACKAGE / room
+    for package in PURE:
+        path = PACKAGE / package
         yield from [path] if path.is_file() else path.rglob("*.py")
     yield from (PACKAGE / "simulator" / name for name in PURE_SIMULATOR)
 
 
 @pytest.mark.parametrize("path", list(_pure_files()), ids=lambda path: str(path.relative_to(PACKAGE)))
-def test_pure_rooms_touch_nothing(path: Path) -> None:
+def test_pure_modules_touch_nothing(path: Path) -> None:
     tree = ast.parse(path.read_text())
     imported = {
         alias.name.partition(".")[0]

@@ -15,7 +15,7 @@ READ = (
     StyleRole.LABEL,
     StyleRole.TARGET,
     StyleRole.VERTEX_LABELLED,
-    *(ink for ink in StyleRole if ink >= StyleRole.TEXT and ink is not StyleRole.RULE),
+    *(role for role in StyleRole if role >= StyleRole.TEXT and role is not StyleRole.RULE),
 )
 ROBOTS = (
     StyleRole.ROBOT,
@@ -33,10 +33,10 @@ def test_the_shipped_themes_are_there_and_fault_free() -> None:
 
 
 @pytest.mark.parametrize("name", SHIPPED)
-def test_a_shipped_theme_names_every_ink_itself_and_makes_a_textual_theme(name: str) -> None:
+def test_a_shipped_theme_names_every_role_itself_and_makes_a_textual_theme(name: str) -> None:
     theme = load_themes()[0][name]
     text = (shipped_folder() / f"{name}.toml").read_text(encoding="utf-8")
-    assert not [ink.name for ink in StyleRole if f"\n{ink.name.lower()} = " not in text]
+    assert not [role.name for role in StyleRole if f"\n{role.name.lower()} = " not in text]
     assert Theme(**theme.textual()).dark == (name != "light")
 
 
@@ -46,21 +46,21 @@ class Look:
     def __init__(self, name: str) -> None:
         self.styles = load_themes()[0][name].styles()
 
-    def colours(self, ink: StyleRole) -> tuple[Color, Color]:
-        """Return the colour of an ink and that behind it."""
-        style = self.styles[ink]
+    def colours(self, role: StyleRole) -> tuple[Color, Color]:
+        """Return the colour of a role and that behind it."""
+        style = self.styles[role]
         assert style.color
         assert style.bgcolor
         pair = Color.from_rich_color(style.color), Color.from_rich_color(style.bgcolor)
         return (pair[1], pair[0]) if style.reverse else pair
 
-    def stands_out(self, ink: StyleRole, ground: Color) -> float:
-        """Return the contrast of an ink to a ground: of its chip, or of its letters if it has none."""
-        letters, behind = self.colours(ink)
-        return _contrast(behind if self.has_chip(ink) else letters, ground)
+    def stands_out(self, role: StyleRole, ground: Color) -> float:
+        """Return the contrast of a role to a ground: of its chip, or of its letters if it has none."""
+        letters, behind = self.colours(role)
+        return _contrast(behind if self.has_chip(role) else letters, ground)
 
-    def has_chip(self, ink: StyleRole) -> bool:
-        return self.colours(ink)[1] not in [self.colours(ground)[1] for ground in GROUND]
+    def has_chip(self, role: StyleRole) -> bool:
+        return self.colours(role)[1] not in [self.colours(ground)[1] for ground in GROUND]
 
     @property
     def grounds(self) -> list[Color]:
@@ -69,16 +69,16 @@ class Look:
 
 
 @pytest.mark.parametrize("name", SHIPPED)
-@pytest.mark.parametrize("ink", [*READ, *ROBOTS])
-def test_text_is_readable(name: str, ink: StyleRole) -> None:
-    assert _contrast(*Look(name).colours(ink)) >= 4.5
+@pytest.mark.parametrize("role", [*READ, *ROBOTS])
+def test_text_is_readable(name: str, role: StyleRole) -> None:
+    assert _contrast(*Look(name).colours(role)) >= 4.5
 
 
 @pytest.mark.parametrize("name", SHIPPED)
-@pytest.mark.parametrize("ink", [*ROBOTS, StyleRole.MISSION, StyleRole.TARGET])
-def test_robots_and_missions_stand_out_from_floor_and_wall(name: str, ink: StyleRole) -> None:
+@pytest.mark.parametrize("role", [*ROBOTS, StyleRole.MISSION, StyleRole.TARGET])
+def test_robots_and_missions_stand_out_from_floor_and_wall(name: str, role: StyleRole) -> None:
     look = Look(name)
-    assert min(look.stands_out(ink, ground) for ground in look.grounds) >= 3.0
+    assert min(look.stands_out(role, ground) for ground in look.grounds) >= 3.0
 
 
 @pytest.mark.parametrize("name", SHIPPED)
@@ -86,7 +86,7 @@ def test_robots_outshine_the_mission_then_labels_then_walls_then_edges(name: str
     look = Look(name)
     floor = look.colours(StyleRole.FLOOR)[1]
     ranks = (StyleRole.ROBOT, StyleRole.MISSION, StyleRole.LABEL, StyleRole.VERTEX, StyleRole.EDGE)
-    brightness = [look.stands_out(ink, floor) for ink in ranks]
+    brightness = [look.stands_out(role, floor) for role in ranks]
     assert brightness == sorted(brightness, reverse=True)
     wall = look.stands_out(StyleRole.WALL, floor)
     assert 1.8 <= wall < look.stands_out(StyleRole.LABEL, floor) / 1.5
@@ -138,8 +138,8 @@ def test_a_broken_theme_is_named_and_the_rest_work(tmp_path: Path, content: str,
     assert "mine.toml" in problems[0]
     assert problem in problems[0]
     assert set(themes) == {*SHIPPED, "good"}
-    assert themes["good"].inks[StyleRole.WALL].color == "#112233"
-    assert themes["good"].inks[StyleRole.ROBOT] == themes["light"].inks[StyleRole.ROBOT]
+    assert themes["good"].roles[StyleRole.WALL].color == "#112233"
+    assert themes["good"].roles[StyleRole.ROBOT] == themes["light"].roles[StyleRole.ROBOT]
 
 
 def test_no_folder_of_ones_own_is_no_problem(tmp_path: Path) -> None:

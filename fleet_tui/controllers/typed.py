@@ -11,7 +11,7 @@ from fleet_tui.rules.commands.checks import acceptable, not_accepted
 from fleet_tui.rules.language.completion import complete, is_command
 from fleet_tui.rules.language.grammar import parse
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.view.lines.questions import wish_text
+from fleet_tui.view.lines.questions import request_text
 
 Entry = tuple[str, Callable[[], object]]
 """A line to choose, and its action."""
@@ -44,4 +44,4 @@ def typed(line: str, state: FleetState, selected: str, do: Callable[[Request], N
         return Typed(completed=completed, problem=sanitize(str(problem)))
     if impossible := not_accepted(state, acceptable(state, request)[0].commands):
         return Typed(completed=completed, problem=sanitize(impossible[0].text))
-    return Typed([(wish_text(state, request), partial(do, request))], completed)
+    return Typed([(request_text(state, request), partial(do, request))], completed)

@@ -33,11 +33,11 @@ class Arrival(RowsScreen):
 
     def __init__(
         self,
-        inks: Mapping[StyleRole, Style],
+        styles: Mapping[StyleRole, Style],
         site: DiscoveredSite,
         done: Callable[[DiscoveredSite | None], None],
     ) -> None:
-        super().__init__(inks, KEYS)
+        super().__init__(styles, KEYS)
         self._site, self._done = site, done
         self._cursor = 0
 

@@ -8,8 +8,8 @@ from textual.screen import Screen
 
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrival import Rows, footer
-from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
+from fleet_tui.widgets.runs_view import RunsView
 
 
 class RowsScreen(Screen[None]):
@@ -23,11 +23,11 @@ class RowsScreen(Screen[None]):
     RowsScreen Input { border: none; height: 1; }
     """
 
-    def __init__(self, inks: Mapping[StyleRole, Style], keys: Sequence[tuple[str, str]]) -> None:
+    def __init__(self, styles: Mapping[StyleRole, Style], keys: Sequence[tuple[str, str]]) -> None:
         super().__init__()
         self._keys = keys
-        self.page, self._footer = InkView(inks, id="rows"), LineView(id="keys")
-        self._footer.set_inks(inks)
+        self.page, self._footer = RunsView(styles, id="rows"), LineView(id="keys")
+        self._footer.set_role_styles(styles)
 
     def compose(self) -> ComposeResult:
         """Compose the page, and its keys below."""

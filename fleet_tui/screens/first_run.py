@@ -38,12 +38,12 @@ class FirstRun(RowsScreen):
 
     def __init__(
         self,
-        inks: Mapping[StyleRole, Style],
+        styles: Mapping[StyleRole, Style],
         places: Sequence[tuple[str, str]],
         done: Callable[[DiscoveredSite | None], None],
         address: str = LOCAL,
     ) -> None:
-        super().__init__(inks, KEYS)
+        super().__init__(styles, KEYS)
         self._places, self._done = places, done
         self._address, self._asked = address, Asked(address, "discovering the fleet")
         self._site: DiscoveredSite | None = None

@@ -33,10 +33,10 @@ from fleet_tui.view.tables.queue import queue_table
 from fleet_tui.view.tables.robot_page import robot_page
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import bindings, textual_key
-from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes, lines_below
 from fleet_tui.widgets.rows_pane import RowsPane
+from fleet_tui.widgets.runs_view import RunsView
 
 if TYPE_CHECKING:
     from fleet_tui.screens.rest import Rest
@@ -65,7 +65,7 @@ class MainScreen(Screen[None]):
         self.hints = LineView(id="hints")
         self.panes = Panes(len(store.state.robots))
         self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
-        self.views: list[InkView] = [self.status, *self.panes.views, self.message, self.hints]
+        self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
         self.notices = Notices(store, self.tick, settings.message)
         self.navigation = Navigation(store, self._mark_robot, lambda: self.rest.map_controls, self.tick)
         self.dispatch = Dispatch(
@@ -101,10 +101,10 @@ class MainScreen(Screen[None]):
         await self.rest.mount(self)
         self.is_complete = True
 
-    def set_inks(self, styles: Mapping[StyleRole, Style]) -> None:
+    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change every colour."""
-        for view in [*self.views, *(self.rest.inked if self.is_complete else [])]:
-            view.set_inks(styles)
+        for view in [*self.views, *(self.rest.styled if self.is_complete else [])]:
+            view.set_role_styles(styles)
 
     def on_resize(self) -> None:
         """Fill the panes at their new size."""

@@ -28,8 +28,8 @@ from fleet_tui.screens.why import Why
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import action_of
-from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.map_view import MapView
+from fleet_tui.widgets.runs_view import RunsView
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
-    inked: list[InkView | Diagnostics]
+    styled: list[RunsView | Diagnostics]
 
     def __init__(self, screen: "MainScreen") -> None:
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
@@ -53,7 +53,7 @@ class Rest:
         self.audit_log = AuditLog(lambda: screen.files.audit)
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
-        self.inked = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
+        self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
         menu, form, queue = self.menu.show, self.order_form.start, screen.queue
         self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, menu, settings.clock)
         self.robots = RobotRequests(store, dispatch, navigation, self.orders, menu, self.why.show)
@@ -80,7 +80,7 @@ class Rest:
             await screen.mount(*opens, self.audit_log, self.diagnostics)
             time_line = screen.session.time_line()
             if time_line is not None:
-                self.inked.append(time_line)
+                self.styled.append(time_line)
                 await screen.mount(time_line, before="#hints")
         has_few_colours = not screen.app.is_headless and screen.app.console.color_system == "standard"
         self.map.picture.hatch(screen.app.ansi_color or has_few_colours)

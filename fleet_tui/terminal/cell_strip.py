@@ -8,11 +8,11 @@ from rich.style import Style
 from textual.strip import Strip
 
 from fleet_tui.terminal.row_strip import RowStrip
-from fleet_tui.view.map.cells import Cells, Codes, Inks
+from fleet_tui.view.map.cells import Cells, Codes, Roles
 
 
 class CellStrip(RowStrip):
-    """Row y of a picture, with a style for each ink's number.
+    """Row y of a picture, with a style for the number of each role.
 
     It is cut into segments only on demand, as for a menu over it: on the way to the screen buffer it stays
     two rows of numbers.
@@ -23,13 +23,13 @@ class CellStrip(RowStrip):
         self._cells, self._y = cells, y
         self._cell_length = cells.codes.shape[1]
         self.codes: Codes = cells.codes[y]
-        self.inks: Inks = cells.inks[y]
+        self.roles: Roles = cells.roles[y]
         self.styles = styles
 
     def __getattr__(self, name: str) -> Any:
         """Initialise the ordinary strip on the first access to any part of it."""
         if name not in Strip.__slots__:
             raise AttributeError(name)
-        segments = [Segment(text, self.styles[ink]) for text, ink in self._cells.runs(self._y)]
+        segments = [Segment(text, self.styles[role]) for text, role in self._cells.runs(self._y)]
         super().__init__(segments, self._cell_length)
         return getattr(self, name)

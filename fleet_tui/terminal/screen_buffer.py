@@ -57,7 +57,7 @@ class ScreenBuffer:
         self._looks: dict[Sgr, int] = {}
         self._clusters: dict[str, int] = {}
         self._styles: Sequence[Style] = ()
-        self._inks: NDArray[np.uint64] = np.empty(0, np.uint64)
+        self._roles: NDArray[np.uint64] = np.empty(0, np.uint64)
 
     def fit(self, width: int, height: int) -> None:
         """Resize to this many cells; all cells are unknown afterwards."""
@@ -83,18 +83,18 @@ class ScreenBuffer:
 
     def put(self, x: int, y: int, end: int, segments: Iterable[Segment]) -> None:
         """Set `segments` in row y from cell x on, up to cell `end`."""
-        cells = self._inked(segments) if isinstance(segments, CellStrip) else self._spelled(segments)
+        cells = self._packed(segments) if isinstance(segments, CellStrip) else self._spelled(segments)
         self._part(x, y)
         self._part(end, y)
         row = self._wanted[y, x:end]
         row[: len(cells)] = cells[: len(row)]
 
-    def _inked(self, strip: CellStrip) -> NDArray[np.uint64]:
+    def _packed(self, strip: CellStrip) -> NDArray[np.uint64]:
         if strip.styles is not self._styles:
             self._styles = strip.styles
             looks = [self._look(look_of(style, self._colours)) for style in strip.styles]
-            self._inks = np.array(looks, np.uint64) << _SHIFT
-        return strip.codes | self._inks[strip.inks]
+            self._roles = np.array(looks, np.uint64) << _SHIFT
+        return strip.codes | self._roles[strip.roles]
 
     def _spelled(self, segments: Iterable[Segment]) -> NDArray[np.uint64]:
         texts = [(text, style) for text, style, control in segments if text and not control]

@@ -9,14 +9,14 @@ from textual.strip import Strip
 from fleet_tui.terminal.cell_strip import CellStrip
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.widgets.ink_view import InkView
+from fleet_tui.widgets.runs_view import RunsView
 
 
-class CellsView(InkView):
+class CellsView(RunsView):
     """Paints `Cells`: cell (0, 0) is the widget's upper left corner."""
 
-    def __init__(self, inks: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
-        super().__init__(inks, id=id)
+    def __init__(self, styles: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
+        super().__init__(styles, id=id)
         self._painted: Cells | None = None
 
     def paint(self, cells: Cells) -> None:

@@ -6,11 +6,11 @@ from textual import events
 
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Button, Run, cut, width_of
-from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.messages import ButtonPressed
+from fleet_tui.widgets.runs_view import RunsView
 
 
-class LineView(InkView):
+class LineView(RunsView):
     """Shows runs at the left and others at the right. If both don't fit, the left stays whole, or with
     `keep_right` the right. A click on one of its buttons is reported."""
 

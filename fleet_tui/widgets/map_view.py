@@ -22,8 +22,8 @@ class MapView(CellsView, can_focus=True):
     BINDINGS = bindings(Pane.MAP)
     DEFAULT_CSS: ClassVar[str] = "MapView { width: 1fr; height: 1fr; }"
 
-    def __init__(self, inks: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
-        super().__init__(inks, id=id)
+    def __init__(self, styles: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
+        super().__init__(styles, id=id)
         self.picture = MapPicture()
         self._drag: tuple[int, int] | None = None
         self._dragged = False

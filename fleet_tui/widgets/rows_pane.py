@@ -9,13 +9,13 @@ from fleet_tui.keys import TABLE, Pane, by_id
 from fleet_tui.view.tables.listing import Listing
 from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets.bindings import bindings
-from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.messages import ButtonPressed, RowChosen, RowPicked
+from fleet_tui.widgets.runs_view import RunsView
 
 KEYS = by_id(TABLE)
 
 
-class RowsPane(InkView, can_focus=True):
+class RowsPane(RunsView, can_focus=True):
     """Shows a Table."""
 
     BINDINGS = bindings(Pane.TABLE)

@@ -5,10 +5,10 @@ from collections.abc import Callable, Sequence
 from textual import events, on
 
 from fleet_tui.view.tables.table import Run, cut
-from fleet_tui.widgets.ink_view import InkView
+from fleet_tui.widgets.runs_view import RunsView
 
 
-class TextView(InkView):
+class TextView(RunsView):
     """Shows lines made for its width. It has no focus: the keys that scroll it are those of a field."""
 
     def __init__(self, *, id: str, moved: Callable[[str], None]) -> None:

@@ -5,11 +5,11 @@ from collections.abc import Callable
 from textual import events
 
 from fleet_tui.view.lines.time import ReplayPosition, time_line
-from fleet_tui.widgets.ink_view import InkView
 from fleet_tui.widgets.messages import TimePicked
+from fleet_tui.widgets.runs_view import RunsView
 
 
-class TimeLine(InkView):
+class TimeLine(RunsView):
     """Two rows: the position, and the latest event. A click seeks."""
 
     DEFAULT_CSS = "TimeLine { height: 2; width: 1fr; }"

@@ -127,9 +127,9 @@ def walls_lost(cases: int = 3300) -> tuple[int, int]:
             continue
         for drawing in Drawing:
             total += 1
-            inks = ground(grid, camera, drawing).inks
-            walls = (inks == StyleRole.WALL) | (inks == StyleRole.WALL_BEYOND)
-            inside = (walls | (inks == StyleRole.FLOOR)).any(axis=1)
+            roles = ground(grid, camera, drawing).roles
+            walls = (roles == StyleRole.WALL) | (roles == StyleRole.WALL_BEYOND)
+            inside = (walls | (roles == StyleRole.FLOOR)).any(axis=1)
             lost += not walls[inside][:, sorted(near)].any(axis=1).all()
     return lost, total
 

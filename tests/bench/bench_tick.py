@@ -14,7 +14,7 @@ import fleet_tui
 from fleet_tui.app import FleetApp
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.widgets.ink_view import InkView
+from fleet_tui.widgets.runs_view import RunsView
 from tests.bench.bench_bytes import CountingDriver
 from tests.bench.driven_fleet import DrivenFleet
 from tests.bench.rows import Row, row
@@ -45,7 +45,7 @@ async def tick_ms(robots: int) -> float:
     async with app.run_test(headless=False, size=(WIDTH, HEIGHT)) as pilot:
         fleet.step()
         await pilot.pause()
-        views = list(app.main.query(InkView))
+        views = list(app.main.query(RunsView))
         for _ in range(WARM + TICKS):
             fleet.step()
             start = time.thread_time()

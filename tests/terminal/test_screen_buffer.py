@@ -111,7 +111,7 @@ def test_what_is_taken_for_one_cell_takes_one_cell() -> None:
     assert [character for character in taken if get_character_cell_size(character) != 1] == []
 
 
-STYLES = [Style.parse(f"color({ink.value})") for ink in StyleRole]
+STYLES = [Style.parse(f"color({role.value})") for role in StyleRole]
 texts_at = st.tuples(st.integers(-2, 12), st.text("ab→漢●", max_size=5), st.sampled_from(StyleRole))
 
 
@@ -120,8 +120,8 @@ def test_a_row_of_cells_is_put_as_its_segments_would_be(
     texts: list[tuple[int, str, StyleRole]], x: int, end: int
 ) -> None:
     cells = Cells.blank(12, 1, StyleRole.FLOOR)
-    for at, text, ink in texts:
-        cells.write(at, 0, text, ink)
+    for at, text, role in texts:
+        cells.write(at, 0, text, role)
     strip = CellStrip(cells, 0, STYLES)
     for one, other in ((strip, list(strip)), (list(strip), strip)):
         pane = glass(16, colours=ColorSystem.TRUECOLOR)

@@ -1,4 +1,4 @@
-"""Looks of cells: as near as a terminal can, and no ink lost in its ground."""
+"""Looks of cells: as near as a terminal can, and no colour lost in its background."""
 
 import pytest
 from rich.color import ColorSystem
@@ -57,9 +57,11 @@ def test_with_16_colours_a_hue_stays_that_hue(triple: tuple[int, int, int], numb
 
 @pytest.mark.parametrize("colours", [ColorSystem.STANDARD, ColorSystem.EIGHT_BIT, ColorSystem.TRUECOLOR])
 @pytest.mark.parametrize("name", ["colourblind", "contrast", "dark", "light"])
-def test_no_ink_vanishes_in_its_ground_however_few_colours_there_are(name: str, colours: ColorSystem) -> None:
-    looks = {ink: look_of(style, colours) for ink, style in load_themes()[0][name].styles().items()}
-    assert [ink for ink, look in looks.items() if _as_ground(look.color) == look.on] == []
+def test_no_role_vanishes_in_its_ground_however_few_colours_there_are(
+    name: str, colours: ColorSystem
+) -> None:
+    looks = {role: look_of(style, colours) for role, style in load_themes()[0][name].styles().items()}
+    assert [role for role, look in looks.items() if _as_ground(look.color) == look.on] == []
     assert looks[StyleRole.ROBOT].on != looks[StyleRole.FLOOR].on
     assert looks[StyleRole.ROBOT_SELECTED] != looks[StyleRole.ROBOT]
     if colours is not ColorSystem.STANDARD and name != "contrast":

@@ -88,7 +88,7 @@ async def test_resizing_keeps_the_centre() -> None:
         assert all(len(row) == 60 for row in app.rows())
 
 
-async def test_the_focused_caption_is_bright_and_inks_change_live() -> None:
+async def test_the_focused_caption_is_bright_and_roles_change_live() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         _, view = await started(pilot)
         view.focus()
@@ -96,7 +96,7 @@ async def test_the_focused_caption_is_bright_and_inks_change_live() -> None:
         bright = next(s.style for s in view.render_line(0) if "floor_0" in s.text)
         assert bright is not None
         assert bright.bold
-        view.set_inks({ink: Style(bold=True) for ink in StyleRole})
+        view.set_role_styles({role: Style(bold=True) for role in StyleRole})
         assert all(s.style == Style(bold=True) for y in range(30) for s in view.render_line(y))
 
 

@@ -49,9 +49,9 @@ def caption(view: MapView) -> str:
     return view.render_line(0).text
 
 
-def inks(view: MapView) -> set[int]:
+def roles(view: MapView) -> set[int]:
     assert view._painted is not None
-    return set(view._painted.inks.ravel().tolist())
+    return set(view._painted.roles.ravel().tolist())
 
 
 def driven(metres: float) -> Scene:
@@ -64,13 +64,13 @@ async def test_trails_are_off_until_asked_for_and_then_tell_of_the_last_minute()
         controls = MapControls(view)
         for step in range(100):
             view.show(driven(step / 10))
-        assert not inks(view) & {StyleRole.TRAIL, StyleRole.TRAIL_OLD}
+        assert not roles(view) & {StyleRole.TRAIL, StyleRole.TRAIL_OLD}
         controls.trails()
-        assert StyleRole.TRAIL in inks(view)
+        assert StyleRole.TRAIL in roles(view)
         view.show(replace(driven(9.9), at=50.0))
-        assert StyleRole.TRAIL_OLD in inks(view)
+        assert StyleRole.TRAIL_OLD in roles(view)
         view.show(replace(driven(9.9), at=200.0))
-        assert not inks(view) & {StyleRole.TRAIL, StyleRole.TRAIL_OLD}
+        assert not roles(view) & {StyleRole.TRAIL, StyleRole.TRAIL_OLD}
         controls.trails()
         assert not view.picture.options.trails
 

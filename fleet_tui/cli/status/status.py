@@ -48,9 +48,9 @@ def one_line(state: FleetState) -> str:
     text = f"{online}/{len(state.robots)} online"
     if wrong:
         more = f" +{len(wrong) - 1}" if len(wrong) > 1 else ""
-        room = ONE_LINE - len(text) - len(more) - 3
+        space = ONE_LINE - len(text) - len(more) - 3
         first = sanitize(wrong[0])
-        text += f" ! {first if len(first) <= room else first[: room - 3] + '...'}{more}"
+        text += f" ! {first if len(first) <= space else first[: space - 3] + '...'}{more}"
     return text
 
 

@@ -68,10 +68,10 @@ class Diagnostics(Overlay):
         yield self.rows
         yield self._foot
 
-    def set_inks(self, styles: Mapping[StyleRole, Style]) -> None:
+    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change every colour."""
         for view in (self._tabs, self.rows, self._foot):
-            view.set_inks(styles)
+            view.set_role_styles(styles)
 
     def show(self, robot: str) -> None:
         """Open, first on the link page; `robot` is the one whose topic is marked first."""

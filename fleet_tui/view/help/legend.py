@@ -125,7 +125,7 @@ def _row(mark: tuple[Run, ...], text: str) -> HelpRow:
 def _drawn(scene: Scene, text: str, look: MapOptions) -> HelpRow:
     """Return a row with a small picture of the map."""
     cells = picture(backdrop(scene, _CAMERA, look), scene, _CAMERA, look)
-    return _row(tuple((part, StyleRole(ink)) for part, ink in cells.runs(0)), text)
+    return _row(tuple((part, StyleRole(role)) for part, role in cells.runs(0)), text)
 
 
 @lru_cache(maxsize=1)

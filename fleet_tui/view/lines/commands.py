@@ -21,7 +21,7 @@ REMEMBERED = 30.0
 ENDED_WELL = 5.0
 
 TROUBLE = commands.FAILURES | {commands.Stage.NO_ANSWER, commands.Stage.UNKNOWN}
-_INKS = dict.fromkeys(
+_ROLES = dict.fromkeys(
     (
         commands.Stage.CONFIRMED,
         commands.Stage.ACCEPTED,
@@ -68,10 +68,10 @@ def _group_runs(
         text = f"{first.command.robot} order"
     if len(records) > 1:
         text += f" +{len(records) - 1} more"
-    ink = StyleRole.ALARM if first.stage in TROUBLE else _INKS.get(first.stage, StyleRole.DIM)
+    role = StyleRole.ALARM if first.stage in TROUBLE else _ROLES.get(first.stage, StyleRole.DIM)
     # A robot's answer on accepting ("paused") is true only at that moment.
     words = "" if first.stage is commands.Stage.ACCEPTED else detail_text(sanitize(first.words))
-    return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", ink), (words, StyleRole.DIM)
+    return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (words, StyleRole.DIM)
 
 
 def _worth_saying(state: FleetState) -> list[commands.CommandRecord]:
@@ -119,10 +119,10 @@ def _is_trouble(records: Sequence[commands.CommandRecord]) -> bool:
 def _batch_runs(state: FleetState, batch: Sequence[commands.CommandRecord]) -> Part:
     what, words = summary(state, batch)
     if _is_trouble(batch):
-        ink = StyleRole.ALARM
+        role = StyleRole.ALARM
     else:
-        ink = StyleRole.GOOD if all(record.is_decided for record in batch) else StyleRole.DIM
-    return (what, StyleRole.TEXT), (f": {words}", ink)
+        role = StyleRole.GOOD if all(record.is_decided for record in batch) else StyleRole.DIM
+    return (what, StyleRole.TEXT), (f": {words}", role)
 
 
 def message_line(state: FleetState, said: str, said_at: float, width: int) -> Part:
@@ -150,10 +150,10 @@ def _squeezed(parts: list[tuple[Run, ...]], briefs: list[tuple[Run, ...]], width
     first, rest = parts[0], briefs[1:]
     while rest and width_of(_in_line([briefs[0], *rest])) > width:
         rest.pop()
-    room = width - width_of(_in_line([(), *rest]))
-    if width_of(first[:2]) > room:
+    space = width - width_of(_in_line([(), *rest]))
+    if width_of(first[:2]) > space:
         first = (*briefs[0], *first[2:])
-    return _in_line([cut(first, room) if width_of(first) > room else first, *rest])
+    return _in_line([cut(first, space) if width_of(first) > space else first, *rest])
 
 
 def _is_news(state: FleetState, said_at: float) -> bool:

@@ -37,7 +37,7 @@ def losses(state: FleetState, request: Request) -> Iterator[str]:
                 assert_never(command)
 
 
-def wish_text(state: FleetState, request: Request) -> str:
+def request_text(state: FleetState, request: Request) -> str:
     """Return the text of a request in one line."""
     first = command_text(state, request.commands[0])
     if len({command.robot for command in request.commands}) > 1:
@@ -54,4 +54,4 @@ def question(state: FleetState, request: Request, found: Sequence[Problem]) -> s
     if lost:
         return "\n".join([*lost, *against])
     ask = [f"{', '.join(against)}: send anyway?"] if against else ["Send?"]
-    return "\n".join([*ask, wish_text(state, request)])
+    return "\n".join([*ask, request_text(state, request)])

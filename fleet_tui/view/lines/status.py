@@ -91,8 +91,8 @@ def status_line(
     only by its name; a recording always by its address."""
     fresh, alarms = state.unacknowledged, len(state.alarms) - state.shelved
     runs: list[Run] = [(f" {sanitize(selected)}  ", StyleRole.ACCENT)]
-    sign, ink = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
-    runs.append((f"{sign} {alarms} alarm{'s' * (alarms != 1)}" + (f" ({fresh} new)" if fresh else ""), ink))
+    sign, role = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
+    runs.append((f"{sign} {alarms} alarm{'s' * (alarms != 1)}" + (f" ({fresh} new)" if fresh else ""), role))
     runs.append(("  ", StyleRole.TEXT))
     runs.extend((note + "  ", StyleRole.WARN) for note in notes)
     others = len(state.links) - 1

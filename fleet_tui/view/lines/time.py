@@ -124,8 +124,8 @@ def told(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> t
     ]
     mark = passed(moment)
     if mark is not None:
-        sign, ink = MARKS[mark.kind]
-        runs += [(f"{sign} ", ink), (f"{sanitize(mark.text)}  ", StyleRole.TEXT)]
+        sign, role = MARKS[mark.kind]
+        runs += [(f"{sign} ", role), (f"{sanitize(mark.text)}  ", StyleRole.TEXT)]
     if moment.note:
         runs.append((sanitize(moment.note), StyleRole.WARN))
     return cut(runs, width) if width_of(runs) > width else tuple(runs)

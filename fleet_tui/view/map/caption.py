@@ -41,13 +41,13 @@ def caption_row(facts: Caption) -> Cells:
     row = Cells.blank(facts.camera.width, 1, StyleRole.RULE)
     row.codes[:] = ord("-" if facts.drawing is Drawing.ASCII else "─")
     x = 1
-    for piece, ink in _pieces(facts):
-        room = facts.camera.width - x - 2
+    for piece, role in _pieces(facts):
+        space = facts.camera.width - x - 2
         # A note reports a problem: its beginning is worth more than the rest of the row.
-        is_cut = facts.note != "" and piece == sanitize(facts.note) and LEAST < room < cell_width(piece)
-        text = f" {fit(piece, room) if is_cut else piece} "
+        is_cut = facts.note != "" and piece == sanitize(facts.note) and LEAST < space < cell_width(piece)
+        text = f" {fit(piece, space) if is_cut else piece} "
         if x + cell_width(text) <= facts.camera.width:
-            row.write(x, 0, text, ink)
+            row.write(x, 0, text, role)
             x += cell_width(text) + 2
     return row
 

@@ -1,4 +1,4 @@
-"""A picture in terminal cells: one plane of characters, one of inks; and its conversion to text."""
+"""A picture in terminal cells: one plane of characters, one of style roles; and its conversion to text."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,9 +12,9 @@ from fleet_tui.text.sanitize import cells_of
 from fleet_tui.view.roles import StyleRole
 
 Codes = NDArray[np.uint32]
-Inks = NDArray[np.uint8]
+Roles = NDArray[np.uint8]
 Run = tuple[str, int]
-"""Text and its single ink (an `StyleRole`'s number)."""
+"""Text and its style role (a `StyleRole`'s number)."""
 
 _TAIL = 0  # the code in the second cell of a wide character
 _BLANK = 0x20
@@ -23,22 +23,22 @@ _FEW = 40  # number of texts up to which writing one by one is faster
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cells:
-    """codes: uint32 code points, inks: uint8 `StyleRole`s, both of shape (height, width)."""
+    """codes: uint32 code points, roles: uint8 `StyleRole`s, both of shape (height, width)."""
 
     codes: Codes
-    inks: Inks
+    roles: Roles
 
     @classmethod
-    def blank(cls, width: int, height: int, ink: StyleRole) -> Self:
-        """Return spaces in one ink."""
+    def blank(cls, width: int, height: int, role: StyleRole) -> Self:
+        """Return spaces in one role."""
         shape = (height, width)
-        return cls(np.full(shape, _BLANK, np.uint32), np.full(shape, ink, np.uint8))
+        return cls(np.full(shape, _BLANK, np.uint32), np.full(shape, role, np.uint8))
 
     def copy(self) -> "Cells":
         """Return a copy to draw on."""
-        return Cells(self.codes.copy(), self.inks.copy())
+        return Cells(self.codes.copy(), self.roles.copy())
 
-    def write(self, x: int, y: int, text: str, ink: StyleRole) -> None:
+    def write(self, x: int, y: int, text: str, role: StyleRole) -> None:
         """Write safe `text` at cell (x, y) in place; text beyond the row is cut."""
         height, width = self.codes.shape
         codes = _codes_of(text)
@@ -53,16 +53,16 @@ class Cells:
         if after < width and row[after] == _TAIL:
             row[after] = _BLANK
         row[x:after] = codes
-        self.inks[y, x:after] = ink
+        self.roles[y, x:after] = role
 
     def write_all(self, texts: Sequence[tuple[int, int, str, StyleRole]]) -> None:
-        """Write many texts (x, y, text, ink) at once, of letters one cell wide."""
+        """Write many texts (x, y, text, role) at once, of letters one cell wide."""
         if len(texts) < _FEW:
             for text in texts:
                 self.write(*text)
             return
         height, width = self.codes.shape
-        xs, ys, words, inks = zip(*texts, strict=True)
+        xs, ys, words, roles = zip(*texts, strict=True)
         sizes = np.array([len(word) for word in words])
         letters = np.arange(sizes.sum()) - np.repeat(sizes.cumsum() - sizes, sizes)
         x, y = np.repeat(xs, sizes) + letters, np.repeat(ys, sizes)
@@ -73,41 +73,41 @@ class Cells:
         codes[places[codes[places] == _TAIL] - 1] = _BLANK
         codes[after[codes[after] == _TAIL]] = _BLANK
         codes[places] = np.frombuffer("".join(words).encode("utf-32-le"), np.uint32)[kept]
-        self.inks.reshape(-1)[places] = np.repeat(np.frombuffer(bytes(inks), np.uint8), sizes)[kept]
+        self.roles.reshape(-1)[places] = np.repeat(np.frombuffer(bytes(roles), np.uint8), sizes)[kept]
 
     def changes(self, before: "Cells | None") -> list[tuple[int, int, int]]:
         """Return the differences from `before`: (y, first x, end x) per changed row."""
         height, width = self.codes.shape
         if before is None or before.codes.shape != self.codes.shape:
             return [(y, 0, width) for y in range(height)]
-        differs = (self.codes != before.codes) | (self.inks != before.inks)
+        differs = (self.codes != before.codes) | (self.roles != before.roles)
         rows = np.flatnonzero(differs.any(axis=1))
         first = differs[rows].argmax(axis=1)
         last = width - differs[rows, ::-1].argmax(axis=1)
         return list(zip(rows.tolist(), first.tolist(), last.tolist(), strict=True))
 
     def runs(self, y: int) -> list[Run]:
-        """Return row y as runs of one ink each, exactly the picture's width together."""
-        return _runs(self.codes[y], self.inks[y])
+        """Return row y as runs of one role each, exactly the picture's width together."""
+        return _runs(self.codes[y], self.roles[y])
 
     def all_runs(self) -> list[list[Run]]:
         """Return the runs of every row."""
-        return [_runs(codes, inks) for codes, inks in zip(self.codes, self.inks, strict=True)]
+        return [_runs(codes, roles) for codes, roles in zip(self.codes, self.roles, strict=True)]
 
     def text(self) -> str:
         """Return the characters alone, one line per row."""
         return "\n".join("".join(text for text, _ in runs) for runs in self.all_runs())
 
 
-def _runs(codes: Codes, inks: Inks) -> list[Run]:
+def _runs(codes: Codes, roles: Roles) -> list[Run]:
     text = codes.tobytes().decode("utf-32-le")
-    starts = [0, *(np.flatnonzero(inks[1:] != inks[:-1]) + 1).tolist()]
+    starts = [0, *(np.flatnonzero(roles[1:] != roles[:-1]) + 1).tolist()]
     ends = [*starts[1:], len(text)]
     found = [
-        (text[start:end], ink) for start, end, ink in zip(starts, ends, inks[starts].tolist(), strict=True)
+        (text[start:end], role) for start, end, role in zip(starts, ends, roles[starts].tolist(), strict=True)
     ]
     if "\0" in text:
-        return [(part.replace("\0", ""), ink) for part, ink in found]
+        return [(part.replace("\0", ""), role) for part, role in found]
     return found
 
 

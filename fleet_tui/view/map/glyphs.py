@@ -41,8 +41,8 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
     return tag if robot.online else f"{tag} {age(robot.age)}"
 
 
-def robot_inks(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
-    """Return the inks of the arrow and of the tag: the first shows selection, both show trouble."""
+def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
+    """Return the roles of the arrow and of the tag: the first shows selection, both show trouble."""
     if not robot.online:
         state = StyleRole.ROBOT_OFFLINE
     elif robot.obstacle:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fleet_tui.text.sanitize import cell_width
-from fleet_tui.view.map.cells import Inks
+from fleet_tui.view.map.cells import Roles
 from fleet_tui.view.roles import StyleRole
 
 _MARGIN = 40  # cells between two rows of the bit mask, always taken to separate them
@@ -14,14 +14,14 @@ _HELD = np.zeros(len(StyleRole), np.bool_)
 _HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
 
-class Room:
+class CellOccupancy:
     """Occupancy of a view's cells; `below` are those that numbers should not cover.
 
     A bit for each cell in one number, row by row with margins between and around them: so neighbouring cells
     are tested together, which counts with a hundred robots ten times a second.
     """
 
-    def __init__(self, width: int, height: int, below: Inks | None = None) -> None:
+    def __init__(self, width: int, height: int, below: Roles | None = None) -> None:
         self._width, self._height = width, height
         self._stride = width + _MARGIN
         self._taken = _margins(width, height)
@@ -67,7 +67,7 @@ class Room:
         held = self._taken >> self._bit(start, y) & (1 << cells) - 1
         return not held and (not 0 <= beyond < self._width or not self._taken >> self._bit(beyond, y) & 1)
 
-    def label_spot(self, x: int, y: int, text: str, inks: Inks) -> tuple[int, int] | None:
+    def label_spot(self, x: int, y: int, text: str, roles: Roles) -> tuple[int, int] | None:
         """Occupy the place for a label near its vertex at (x, y), or return None if it doesn't fit.
 
         Of the free places the first one that hides least of the map; a label keeps a cell's distance from its
@@ -85,7 +85,7 @@ class Room:
                 break
         else:
             return None
-        column, row = min(free, key=lambda spot: _hidden(inks[spot[1], spot[0] : spot[0] + cells]))
+        column, row = min(free, key=lambda spot: _hidden(roles[spot[1], spot[0] : spot[0] + cells]))
         self.take(column, row, cells)
         return column, row
 
@@ -100,7 +100,7 @@ def _start(x: int, arrow: int, cells: int, side: int) -> int:
 
 
 def _bits(cells: NDArray[np.bool_], around: bool) -> int:
-    """The cells of a view, and their margins, as stored in a Room."""
+    """The cells of a view, and their margins, as a CellOccupancy stores them."""
     height, width = cells.shape
     padded = np.full((height + 1, width + _MARGIN), around)
     padded[:height, _MARGIN:] = cells
@@ -112,6 +112,6 @@ def _margins(width: int, height: int) -> int:
     return _bits(np.zeros((height, width), np.bool_), around=True)
 
 
-def _hidden(inks: Inks) -> int:
+def _hidden(roles: Roles) -> int:
     """Return the number of cells that hold something: a wall, an edge, a vertex."""
-    return int(np.count_nonzero(inks > StyleRole.UNKNOWN))
+    return int(np.count_nonzero(roles > StyleRole.UNKNOWN))

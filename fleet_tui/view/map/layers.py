@@ -11,7 +11,7 @@ from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.glyphs import vertex_glyph
-from fleet_tui.view.map.labels import Room
+from fleet_tui.view.map.labels import CellOccupancy
 from fleet_tui.view.map.places import seen_vertices
 from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneVertex
@@ -41,7 +41,7 @@ def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     """Draw the occupancy map, over the previous content."""
     below = ground(scene.grid, camera, look.drawing, look.hatched)
     cells.codes[:] = below.codes
-    cells.inks[:] = below.inks
+    cells.roles[:] = below.roles
 
 
 def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
@@ -49,10 +49,10 @@ def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
     of the line."""
     placed = seen_vertices(scene, camera)
     for vertex, (x, y) in sorted(placed, key=lambda at: vertex_glyph(at[0], look.plain)[1]):
-        glyph, ink = vertex_glyph(vertex, look.plain)
-        if ink is StyleRole.VERTEX and cells.inks[y, x] in (StyleRole.MISSION, StyleRole.MISSION_THROUGH):
-            glyph, ink = ("*" if look.plain else "•"), StyleRole.MISSION
-        cells.write(x, y, glyph, StyleRole.TARGET if vertex.id in scene.target_vertices else ink)
+        glyph, role = vertex_glyph(vertex, look.plain)
+        if role is StyleRole.VERTEX and cells.roles[y, x] in (StyleRole.MISSION, StyleRole.MISSION_THROUGH):
+            glyph, role = ("*" if look.plain else "•"), StyleRole.MISSION
+        cells.write(x, y, glyph, StyleRole.TARGET if vertex.id in scene.target_vertices else role)
 
 
 def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
@@ -65,25 +65,25 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     if not look.labels:
         return
     placed = seen_vertices(scene, camera)
-    room = Room(camera.width, camera.height)
+    occupancy = CellOccupancy(camera.width, camera.height)
     for vertex, (x, y) in placed:
         if vertex.role is not Role.PLAIN or vertex.label:
-            room.take(x, y, 1)
+            occupancy.take(x, y, 1)
     targets = scene.target_vertices
     labelled = [at for at in placed if at[0].label]
     for vertex, (x, y) in sorted(labelled, key=lambda at: _rank(at[0], targets, look)):
         text = sanitize(vertex.label)
         if look.plain:
             text = text.encode("ascii", "replace").decode()
-        spot = room.label_spot(x, y, text, cells.inks)
+        spot = occupancy.label_spot(x, y, text, cells.roles)
         if spot:
-            cells.write(*spot, text, _label_ink(cells, spot, text, vertex.id in targets))
+            cells.write(*spot, text, _label_role(cells, spot, text, vertex.id in targets))
 
 
-def _label_ink(cells: Cells, spot: tuple[int, int], text: str, is_target: bool) -> StyleRole:
-    """Return the ink of a label for the ground that it covers most of."""
+def _label_role(cells: Cells, spot: tuple[int, int], text: str, is_target: bool) -> StyleRole:
+    """Return the role of a label for the ground that it covers most of."""
     x, y = spot
-    below = cells.inks[y, x : x + cell_width(text)]
+    below = cells.roles[y, x : x + cell_width(text)]
     if np.count_nonzero(below == StyleRole.UNKNOWN) * 2 > below.size:
         return StyleRole.TARGET_BEYOND if is_target else StyleRole.LABEL_BEYOND
     return StyleRole.TARGET if is_target else StyleRole.LABEL
@@ -100,4 +100,4 @@ def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
         return
     x, y = camera.to_cell(*scene.frame.to_pixel(*look.cursor))
     if camera.shows(x, y):
-        cells.inks[y, x] = StyleRole.CURSOR
+        cells.roles[y, x] = StyleRole.CURSOR

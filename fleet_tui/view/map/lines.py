@@ -30,9 +30,9 @@ _NEXT = ":"
 _ARROWS = ("▸▴◂▾", ">^<v")  # east first, counter-clockwise; the second in ASCII
 
 
-def _table(*inks: StyleRole) -> NDArray[np.bool_]:
+def _table(*roles: StyleRole) -> NDArray[np.bool_]:
     found = np.zeros(len(StyleRole), np.bool_)
-    found[list(inks)] = True
+    found[list(roles)] = True
     return found
 
 
@@ -71,9 +71,9 @@ def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> 
     mask = _mask(camera)
     _trace(mask, *_ends(scene, camera, scene.edges))
     bits = pack(mask)
-    free = (bits > 0) & _GROUND[cells.inks]
+    free = (bits > 0) & _GROUND[cells.roles]
     cells.codes[free] = ord("+") if look.plain else BRAILLE[bits[free]]
-    cells.inks[free] = StyleRole.EDGE
+    cells.roles[free] = StyleRole.EDGE
     if scene.one_way:
         _point(cells, scene, camera, look)
 
@@ -89,7 +89,7 @@ def _point(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None
     quarters = np.rint(np.arctan2(-way[seen, 1], way[seen, 0]) / (np.pi / 2)).astype(np.intp) % 4
     arrows = _ARROWS[look.plain]
     for (x, y), quarter in zip((middles // (DOTS_X, DOTS_Y)).astype(np.intp), quarters, strict=True):
-        if camera.shows(x, y) and cells.inks[y, x] == StyleRole.EDGE:
+        if camera.shows(x, y) and cells.roles[y, x] == StyleRole.EDGE:
             cells.write(int(x), int(y), arrows[quarter], StyleRole.EDGE)
 
 
@@ -134,10 +134,10 @@ def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     dots, old = _dots(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED
     # By place, so that a dot does not flicker with its neighbours.
     thinned = old & (np.floor(dots).sum(axis=1) % 2 == 0)
-    for some, ink in ((old & ~thinned, StyleRole.TRAIL_OLD), (~old, StyleRole.TRAIL)):
+    for some, role in ((old & ~thinned, StyleRole.TRAIL_OLD), (~old, StyleRole.TRAIL)):
         mask = _mask(camera)
         _dot(mask, dots[some])
-        _stroke(cells, mask, ink, look, ",")
+        _stroke(cells, mask, role, look, ",")
 
 
 def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
@@ -145,14 +145,14 @@ def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
     dot = camera.scale * scene.frame.resolution
     near = [robot for robot in scene.robots if robot.size and max(robot.size) >= OUTLINE * dot]
     seen = [robot for robot in near if math.isfinite(robot.pose.x + robot.pose.y + robot.pose.yaw)]
-    for ink in {_outline_ink(robot) for robot in seen}:
-        sides = [side for robot in seen if _outline_ink(robot) is ink for side in _sides(robot)]
+    for role in {_outline_role(robot) for robot in seen}:
+        sides = [side for robot in seen if _outline_role(robot) is role for side in _sides(robot)]
         mask = _mask(camera)
         _trace(mask, *_ends(scene, camera, tuple(sides)))
-        _stroke(cells, mask, ink, look, "%")
+        _stroke(cells, mask, role, look, "%")
 
 
-def _outline_ink(robot: SceneRobot) -> StyleRole:
+def _outline_role(robot: SceneRobot) -> StyleRole:
     if robot.selected:
         return StyleRole.TARGET
     return StyleRole.ROBOT_BODY_ALARM if robot.obstacle else StyleRole.ROBOT_BODY
@@ -181,27 +181,27 @@ def _thick(mask: Mask) -> Mask:
     return thick
 
 
-def _stroke(cells: Cells, mask: Mask, ink: StyleRole, look: MapOptions, plain: str) -> None:
-    """Draw the dots in one ink except over more important cells; as ASCII the character `plain`.
+def _stroke(cells: Cells, mask: Mask, role: StyleRole, look: MapOptions, plain: str) -> None:
+    """Draw the dots in one role except over more important cells; as ASCII the character `plain`.
 
     The current mission is thick. It goes on through walls: on their colour, or in ASCII as the wall's
     character.
     """
     passed = pack(mask)
-    bits = pack(_thick(mask)) if ink is StyleRole.MISSION and not look.plain else passed
-    drawn = (bits > 0) & _OPEN[cells.inks]
-    if ink in _WAYS:
-        crossed = (passed > 0) & _KEPT[cells.inks]
+    bits = pack(_thick(mask)) if role is StyleRole.MISSION and not look.plain else passed
+    drawn = (bits > 0) & _OPEN[cells.roles]
+    if role in _WAYS:
+        crossed = (passed > 0) & _KEPT[cells.roles]
         dotted = crossed & (cells.codes >= BRAILLE[1]) & (cells.codes <= BRAILLE[-1])
         cells.codes[dotted] |= bits[dotted]
         cells.codes[crossed & (cells.codes == ord(_NEXT))] = ord(plain)
-        cells.inks[crossed] = ink
-        through = (passed > 0) & _WALLS[cells.inks]
+        cells.roles[crossed] = role
+        through = (passed > 0) & _WALLS[cells.roles]
         if not look.plain:
             cells.codes[through] = BRAILLE[bits[through]]
-        cells.inks[through] = _THROUGH[ink]
+        cells.roles[through] = _THROUGH[role]
     cells.codes[drawn] = ord(plain) if look.plain else BRAILLE[bits[drawn]]
-    cells.inks[drawn] = ink
+    cells.roles[drawn] = role
 
 
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")

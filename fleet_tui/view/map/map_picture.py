@@ -61,7 +61,7 @@ class MapPicture:
             self._sides, self._sides_of = {}, (camera, self.options)
         behind = self._still(scene, camera)
         body = picture(behind, scene, camera, self.options, self._sides, self.mode.layers)
-        return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.inks, body.inks)))
+        return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.roles, body.roles)))
 
     def pick(self, x: int, y: int) -> SceneRobot | SceneVertex | None:
         """Return the object at cell (x, y) of the whole picture, if any."""

@@ -30,7 +30,7 @@ def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing, hatched
     if hatched and drawing is not Drawing.ASCII:
         left, top = camera.origin
         rows, columns = np.ogrid[top : top + camera.height, left : left + camera.width]
-        marked = (cells.inks == StyleRole.UNKNOWN) & (rows % 2 == 0) & ((columns + rows) % 4 == 0)
+        marked = (cells.roles == StyleRole.UNKNOWN) & (rows % 2 == 0) & ((columns + rows) % 4 == 0)
         cells.codes[marked] = _HATCH
     return cells
 
@@ -55,7 +55,7 @@ def _coarse(grid: OccupancyGrid, camera: Camera, drawing: Drawing) -> Cells:
     part = (camera.scale, (left - 1) * DOTS_X, (top - 1) * DOTS_Y, shape)
     dots, shares = sample(grid, *part), _shares(grid, *part)
     cells = _blocks(dots, drawing, shares)
-    return Cells(cells.codes[1:-1, 1:-1], cells.inks[1:-1, 1:-1])
+    return Cells(cells.codes[1:-1, 1:-1], cells.roles[1:-1, 1:-1])
 
 
 def sample(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
@@ -212,10 +212,10 @@ def _blocks(dots: Classes, drawing: Drawing, shares: Classes | None = None) -> C
 
 _ASCII = np.zeros(3, np.uint32)
 _ASCII[[UNKNOWN, FREE, OCCUPIED]] = [ord(" "), ord("."), ord("#")]
-_ASCII_INKS = np.zeros(3, np.uint8)
-_ASCII_INKS[[UNKNOWN, FREE, OCCUPIED]] = [StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL]
+_ASCII_ROLES = np.zeros(3, np.uint8)
+_ASCII_ROLES[[UNKNOWN, FREE, OCCUPIED]] = [StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL]
 
 
 def _ascii(dots: Classes) -> Cells:
     classes = _folded(dots, DOTS_Y, DOTS_X)
-    return Cells(_ASCII[classes], _ASCII_INKS[classes])
+    return Cells(_ASCII[classes], _ASCII_ROLES[classes])

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.glyphs import robot_glyph, robot_inks, robot_number, robot_tag
-from fleet_tui.view.map.labels import Room
+from fleet_tui.view.map.glyphs import robot_glyph, robot_number, robot_roles, robot_tag
+from fleet_tui.view.map.labels import CellOccupancy
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Place, seen_robots
 from fleet_tui.view.map.scene import Scene, SceneRobot
@@ -29,20 +29,20 @@ def draw_robots(
     owners = {at: robot for robot, at in reversed(placed)}  # in a shared cell the first robot is visible
     plain, turned = look.plain, scene.frame.origin.yaw
     arrows = {at: _arrow(robot, at, owners, turned, plain) for at, robot in owners.items()}
-    room = Room(camera.width, camera.height, cells.inks)
+    occupancy = CellOccupancy(camera.width, camera.height, cells.roles)
     for (x, y), arrow in arrows.items():
-        room.take(x, y, len(arrow))
+        occupancy.take(x, y, len(arrow))
     texts: list[tuple[int, int, str, StyleRole]] = []
     for robot, (x, y) in placed:
-        arrow_ink, number_ink = robot_inks(robot)
+        arrow_role, number_role = robot_roles(robot)
         arrow = arrows[x, y]
         if owners[x, y] is robot:
-            texts.append((x, y, arrow, arrow_ink))
+            texts.append((x, y, arrow, arrow_role))
         for text in dict.fromkeys((robot_tag(robot, plain), robot_number(robot))):
-            side = room.number_side(x, y, len(arrow), len(text), sides.get(robot.number, 0))
+            side = occupancy.number_side(x, y, len(arrow), len(text), sides.get(robot.number, 0))
             if side:
                 sides[robot.number] = side
-                texts.append((x + len(arrow) if side > 0 else x - len(text), y, text, number_ink))
+                texts.append((x + len(arrow) if side > 0 else x - len(text), y, text, number_role))
                 break
     cells.write_all(texts)
 

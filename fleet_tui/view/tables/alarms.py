@@ -18,7 +18,7 @@ SIGNS = {
 _PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
 
 
-def _ink(alarm: Alarm) -> StyleRole:
+def _role(alarm: Alarm) -> StyleRole:
     if not alarm.holds:
         return StyleRole.DIM
     if alarm.stage is AlarmStage.UNACKNOWLEDGED:
@@ -27,7 +27,7 @@ def _ink(alarm: Alarm) -> StyleRole:
 
 
 def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float], str]) -> Row:
-    ink = _ink(alarm)
+    role = _role(alarm)
     count = f" x{alarm.count}" if alarm.count > 1 else ""
     shelf = ""
     if alarm.stage is AlarmStage.SHELVED:
@@ -35,13 +35,13 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     return Row(
         alarm.key,
         (
-            (f"{SIGNS[alarm.stage]}{shelf} ", ink),
+            (f"{SIGNS[alarm.stage]}{shelf} ", role),
             (
                 f"{_PRIORITIES[alarm.condition.priority]} ",
-                StyleRole.DIM if alarm.stage is AlarmStage.RETURNED else ink,
+                StyleRole.DIM if alarm.stage is AlarmStage.RETURNED else role,
             ),
             (fit(alarm.condition.source, sources) + " ", StyleRole.TEXT),
-            (sanitize(alarm.text), ink),
+            (sanitize(alarm.text), role),
             (f" {clock(alarm.first_wall if alarm.holds else alarm.last_wall)}{count}", StyleRole.DIM),
         ),
     )

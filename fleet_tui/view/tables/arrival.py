@@ -49,18 +49,18 @@ def first_run_rows(places: Sequence[tuple[str, str]], asked: Asked, width: int, 
     return _fitted(rows, width, height)
 
 
-def _pairs(pairs: Sequence[tuple[str, str]], ink: StyleRole) -> Iterator[tuple[Run, ...]]:
+def _pairs(pairs: Sequence[tuple[str, str]], role: StyleRole) -> Iterator[tuple[Run, ...]]:
     wide = column((sanitize(name) for name, _ in pairs), at_most=40)
     for name, text in pairs:
-        yield (f"   {fit(sanitize(name), wide)}", ink), (f"  {text}", StyleRole.DIM)
+        yield (f"   {fit(sanitize(name), wide)}", role), (f"  {text}", StyleRole.DIM)
 
 
 def _asked(asked: Asked, width: int) -> Iterator[tuple[Run, ...]]:
-    ink = StyleRole.GOOD if asked.is_found else StyleRole.WARN if asked.is_over else StyleRole.DIM
+    role = StyleRole.GOOD if asked.is_found else StyleRole.WARN if asked.is_over else StyleRole.DIM
     yield ((f" {sanitize(asked.address)}", StyleRole.ACCENT),)
     for n, words in enumerate((asked.words, *asked.more)):
         for line in textwrap.wrap(sanitize(words), max(20, width - 4), break_on_hyphens=False):
-            yield ((f"   {line}", ink if n == 0 else StyleRole.TEXT),)
+            yield ((f"   {line}", role if n == 0 else StyleRole.TEXT),)
 
 
 def arrival_rows(
@@ -74,9 +74,9 @@ def arrival_rows(
     for text in said:
         wrapped = textwrap.wrap(text, max(20, width - 2), break_on_hyphens=False)
         head += [((f" {line}", StyleRole.WARN if text in lacks else StyleRole.TEXT),) for line in wrapped]
-    room = max(1, height - len(head) - 1)
-    first = max(0, min(cursor - room + 1, len(lines) - room))
-    shown = [_choice(line, n == cursor, width) for n, line in enumerate(lines) if first <= n < first + room]
+    space = max(1, height - len(head) - 1)
+    first = max(0, min(cursor - space + 1, len(lines) - space))
+    shown = [_choice(line, n == cursor, width) for n, line in enumerate(lines) if first <= n < first + space]
     return _fitted([*head, (), *shown], width, height)
 
 

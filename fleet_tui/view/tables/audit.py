@@ -13,7 +13,7 @@ TROUBLE = frozenset(stage.value for stage in (*FAILURES, Stage.NO_ANSWER, Stage.
     "console closed",
     "lost",
 }
-_INKS = {"confirmed": StyleRole.GOOD, "raised": StyleRole.WARN, "raised again": StyleRole.WARN}
+_ROLES = {"confirmed": StyleRole.GOOD, "raised": StyleRole.WARN, "raised again": StyleRole.WARN}
 
 
 def _vertex(label: str, id_: str, with_id: bool) -> str:
@@ -43,12 +43,12 @@ def _time(record: AuditRecord) -> str:
 
 
 def _row(place: int, record: AuditRecord, operators: int) -> Row:
-    ink = StyleRole.ALARM if record.change in TROUBLE else _INKS.get(record.change, StyleRole.TEXT)
+    role = StyleRole.ALARM if record.change in TROUBLE else _ROLES.get(record.change, StyleRole.TEXT)
     runs: list[Run] = [
         (fit(_time(record), 14) + " ", StyleRole.DIM),
         (fit(record.operator, operators) + " ", StyleRole.DIM),
         (what_text(record), StyleRole.TEXT),
-        (f": {sanitize(record.change)}", ink),
+        (f": {sanitize(record.change)}", role),
     ]
     if record.words:
         runs.append((detail_text(sanitize(record.words)), StyleRole.DIM))

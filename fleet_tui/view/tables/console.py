@@ -54,7 +54,7 @@ def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
 
 def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
     """Return the facts, then the log, newest first, of the lines that contain `wanted`."""
-    above = [Row(name, ((f"{name:<10}", StyleRole.DIM), (text, ink))) for name, text, ink in _facts(facts)]
+    above = [Row(name, ((f"{name:<10}", StyleRole.DIM), (text, role))) for name, text, role in _facts(facts)]
     sought = wanted.casefold()
     lines = [line for line in reversed(log) if sought in line.casefold()]
     note = f"log, newest first: {len(lines)} of {len(log)} lines" + (f", matching {wanted}" if wanted else "")
@@ -64,13 +64,13 @@ def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
         if n < len(above):
             return above[n]
         line = lines[n - len(above)]
-        return Row(id(line), ((sanitize(line), _ink(line)),))
+        return Row(id(line), ((sanitize(line), _role(line)),))
 
     keys = [*(one.key for one in above), *map(id, lines)]
     return Table((("Console", StyleRole.TITLE),), LateRows(keys, row))
 
 
-def _ink(line: str) -> StyleRole:
+def _role(line: str) -> StyleRole:
     if " ERROR " in line or " CRITICAL " in line:
         return StyleRole.ALARM
     return StyleRole.WARN if " WARNING " in line else StyleRole.TEXT

@@ -101,17 +101,17 @@ def _battery(state: FleetState, robot: Robot) -> Run:
         return "  - %" if "battery" in robot.kind.reports else " " * 5, StyleRole.DIM
     percent = robot.battery.value
     if not state.is_online(robot):
-        ink = StyleRole.DIM
+        role = StyleRole.DIM
     else:
-        ink = StyleRole.ALARM if percent < state.limits.battery_low else StyleRole.GOOD
+        role = StyleRole.ALARM if percent < state.limits.battery_low else StyleRole.GOOD
     # Rounded down: 19.6 is below 20, and must not read 20 in red.
-    return f"{int(percent):3d} %", ink
+    return f"{int(percent):3d} %", role
 
 
 def _head(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> list[Run]:
     """Return the start of every row: link state, number, name, battery, floor, cargo, times."""
     online = state.is_online(robot)
-    ink = StyleRole.TEXT if online else StyleRole.DIM
+    role = StyleRole.TEXT if online else StyleRole.DIM
     dot: Run = (
         ("● ", StyleRole.GOOD)
         if online
@@ -120,14 +120,14 @@ def _head(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> 
     runs: list[Run] = [
         dot,
         (f"{columns.number_of(robot):>{columns.number - 1}} ", StyleRole.DIM),
-        (fit(robot.name, columns.name), StyleRole.ACCENT if selected else ink),
+        (fit(robot.name, columns.name), StyleRole.ACCENT if selected else role),
     ]
     if columns.battery:
-        runs += [_battery(state, robot), (" ", ink)]
+        runs += [_battery(state, robot), (" ", role)]
     if columns.floor:
-        runs.append((fit(columns.floors[floor_text(state, robot)], columns.floor), ink))
+        runs.append((fit(columns.floors[floor_text(state, robot)], columns.floor), role))
     if columns.cargo:
-        runs.append((f"{CARGO} " if robot.has_cargo else "  ", ink))
+        runs.append((f"{CARGO} " if robot.has_cargo else "  ", role))
     if columns.waiting:
         runs.append((f"{_waiting(state, robot) or '':>5} ", StyleRole.DIM))
     if columns.seen:
@@ -165,8 +165,8 @@ def _without_order(state: FleetState, robot: Robot) -> str:
 
 
 def _row(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> Row:
-    ink = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
-    told: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", ink))]
+    role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
+    told: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
     current, order = robot.orders.current, ""
     if current is None:
         told = told or [(_without_order(state, robot), StyleRole.DIM)]
@@ -175,12 +175,12 @@ def _row(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> R
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
         return Row(
-            robot.name, (*_head(state, robot, selected, columns), *told, (f"{order}  {progress}", ink))
+            robot.name, (*_head(state, robot, selected, columns), *told, (f"{order}  {progress}", role))
         )
     if current is not None and not told:
         told = [(progress or _movement(state, robot), StyleRole.DIM)]
     placed = fit(order, columns.order - 1) + " "
-    return Row(robot.name, (*_head(state, robot, selected, columns), (placed, ink), *told))
+    return Row(robot.name, (*_head(state, robot, selected, columns), (placed, role), *told))
 
 
 def in_trouble_first(state: FleetState) -> list[Robot]:

@@ -52,13 +52,13 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
 
 
 def _rows(key: Hashable, one: PartDiagnosis, names: int, is_open: bool, now: float) -> Iterator[Row]:
-    word, ink = _look(one.level)
+    word, role = _look(one.level)
     is_old = now - one.at > OLD
     came = f"{'old, ' if is_old else ''}{ago(one.at, now)}"
     yield Row(
         key,
         (
-            (f"{word:<10}", StyleRole.DIM if is_old else ink),
+            (f"{word:<10}", StyleRole.DIM if is_old else role),
             (fit(one.name, names) + " ", StyleRole.TEXT),
             (f"{came:>15}  ", StyleRole.WARN if is_old else StyleRole.DIM),
             (sanitize(one.message), StyleRole.TEXT),

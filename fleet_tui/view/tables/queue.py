@@ -61,17 +61,17 @@ def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tup
     }
 
 
-def _status(order: Order, room: int) -> str:
+def _status(order: Order, space: int) -> str:
     """Return its state, only the robot's own word if space is short."""
     text, word = sanitize(order.state_text), sanitize(order.word)
-    return word if cell_width(text) > room >= cell_width(word) > 0 else text
+    return word if cell_width(text) > space >= cell_width(word) > 0 else text
 
 
 def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width: int, leaving: str) -> Row:
     names, ids, missions = columns
     robot, position, order = entry
     current = robot.orders.is_current(order)
-    ink = StyleRole.TEXT if current else StyleRole.DIM
+    role = StyleRole.TEXT if current else StyleRole.DIM
     unknown = robot.knows_all_graphs() and None in map(robot.name_of, vertices_of(order.stops))
     runs: list[Run] = [
         (fit(robot.name, names) + " " if names else "", StyleRole.TEXT),
@@ -82,17 +82,17 @@ def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width:
         ),
     ]
     has_button = robot.kind.can(kind.CANCEL) and not order.is_over
-    room = width - 1 - (len(CANCEL) if has_button else 0)
-    runs.append((_status(order, room - width_of(runs)), ink))
+    space = width - 1 - (len(CANCEL) if has_button else 0)
+    runs.append((_status(order, space - width_of(runs)), role))
     if progress := progress_text(state, robot, order):
         runs.append((f", {progress}", StyleRole.DIM))
     runs.append((f", cancel {leaving}" if leaving else "", StyleRole.WARN))
     runs.append((", unknown vertex" if unknown else "", StyleRole.WARN))
     key = (robot.name, order.id, position)
     if not has_button:
-        return Row(key, tuple(cut(runs, room)))
-    button = Button(room, room + len(CANCEL), "cancel")
-    return Row(key, (*cut(runs, room), (CANCEL, StyleRole.KEY)), (button,))
+        return Row(key, tuple(cut(runs, space)))
+    button = Button(space, space + len(CANCEL), "cancel")
+    return Row(key, (*cut(runs, space), (CANCEL, StyleRole.KEY)), (button,))
 
 
 def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:

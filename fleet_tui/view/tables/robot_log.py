@@ -42,12 +42,12 @@ def _wall(line: LogLine, offset: float) -> float:
 
 
 def _row(line: LogLine, nodes: int, time: str) -> Row:
-    word, ink = _LOOKS[line.severity] if line.severity else (f"level {line.level}", StyleRole.WARN)
+    word, role = _LOOKS[line.severity] if line.severity else (f"level {line.level}", StyleRole.WARN)
     runs = (
         (f"{time} ", StyleRole.DIM),
-        (f"{word:<8}", ink),
+        (f"{word:<8}", role),
         (fit(line.node, nodes) + " ", StyleRole.DIM),
-        (sanitize(line.text), StyleRole.ALARM if ink is StyleRole.ALARM else StyleRole.TEXT),
+        (sanitize(line.text), StyleRole.ALARM if role is StyleRole.ALARM else StyleRole.TEXT),
     )
     return Row(id(line), runs)
 

@@ -75,13 +75,13 @@ def cut(runs: Iterable[Run], cells: int) -> tuple[Run, ...]:
     """Return runs in exactly `cells` cells: cut with an ellipsis or padded."""
     result: list[Run] = []
     left = cells
-    for text, ink in runs:
+    for text, role in runs:
         if left <= 0:
             break
         width = cell_width(text)
         if width > left:
             text, width = fit(text, left), left
-        result.append((text, ink))
+        result.append((text, role))
         left -= width
     if left > 0:
         result.append((" " * left, StyleRole.TEXT))

@@ -54,7 +54,7 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Tab
     names = column((topic.topic for _, topic in found), 10, 34)
     keys = [(link.name, topic.topic) for link, topic in found]
     rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))
-    trouble = sum(ink in (StyleRole.WARN, StyleRole.ALARM) for _, ink in states)
+    trouble = sum(role in (StyleRole.WARN, StyleRole.ALARM) for _, role in states)
     note = f" {len(found)}, {trouble} with problems" + (f", matching {sanitize(wanted)}" if wanted else "")
     title = ("Topics", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     return Table(title, rows, "no matching topic" if wanted else "console starting")
@@ -66,16 +66,16 @@ def _silent_after(state: FleetState, topic: TopicCounter) -> float:
 
 
 def _runs(state: Run, topic: TopicCounter, names: int, now: float) -> Sequence[Run]:
-    word, ink = state
+    word, role = state
     rates = topic.rates(now)
     rate = "" if rates is None else f"{rates[0]:.1f} Hz"
     size = "" if rates is None else f"{size_text(rates[1])}/s"
     bad = f"{topic.errors:,} bad" if topic.errors else ""
     runs = [
-        (f"{word:<17}", ink),
+        (f"{word:<17}", role),
         (fit(topic.topic, names) + " ", StyleRole.TEXT),
         (f"{rate:>8} ", StyleRole.TEXT),
-        (f"{ago(topic.at, now):>10} ", StyleRole.WARN if ink is StyleRole.WARN else StyleRole.TEXT),
+        (f"{ago(topic.at, now):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
         (f"{bad:>7} ", StyleRole.WARN),
         (f"{size:>9} {topic.count:>8,}  ", StyleRole.DIM),
     ]

@@ -47,7 +47,7 @@ def test_commands_in_the_operators_words(command: Command, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("stages", "words", "said", "ink"),
+    ("stages", "words", "said", "role"),
     [
         ([], "", ": sending", StyleRole.DIM),
         ([Stage.SENT], "", ": sent 3 s ago", StyleRole.DIM),
@@ -58,12 +58,12 @@ def test_commands_in_the_operators_words(command: Command, text: str) -> None:
         ([Stage.NOT_SENT], "", ": not sent", StyleRole.ALARM),
     ],
 )
-def test_where_a_command_stands(stages: list[Stage], words: str, said: str, ink: StyleRole) -> None:
+def test_where_a_command_stands(stages: list[Stage], words: str, said: str, role: StyleRole) -> None:
     order = place_order(R0, 1, 2)
     state = told(fleet(), *commanded(1, order, *stages, words=words), tick(T0 + 3))
     runs = message_line(state, "", 0.0, WIDE)
     assert text_of(runs) == f" robot_0 order 1? -> 2?{said}"
-    assert {found for text, found in runs if text.startswith(said.partition(" (")[0])} == {ink}
+    assert {found for text, found in runs if text.startswith(said.partition(" (")[0])} == {role}
 
 
 def pause(id_: int, at: float, *stages: Stage, robot: str = R0, words: str = "") -> list[events.Event]:

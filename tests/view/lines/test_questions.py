@@ -5,7 +5,7 @@ import pytest
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request, chain
-from fleet_tui.view.lines.questions import losses, question, wish_text
+from fleet_tui.view.lines.questions import losses, question, request_text
 from tests.support.fleets import R0, T0, fleet, graph, labels, place_order, queue, told
 
 STATE = told(
@@ -42,5 +42,7 @@ def test_a_long_queue_is_cut_in_the_question_with_how_much_more_there_is() -> No
 
 
 def test_a_wish_in_one_line() -> None:
-    assert wish_text(STATE, Request(chain(R0, ["1", "2", "3"]))) == "robot_0 order Base -> Store, Store -> 3"
-    assert wish_text(STATE, Request((PauseRobot(R0), PauseRobot("robot_1")))) == "pause all"
+    assert (
+        request_text(STATE, Request(chain(R0, ["1", "2", "3"]))) == "robot_0 order Base -> Store, Store -> 3"
+    )
+    assert request_text(STATE, Request((PauseRobot(R0), PauseRobot("robot_1")))) == "pause all"

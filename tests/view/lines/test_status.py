@@ -32,7 +32,7 @@ def line(state: FleetState, *notes: str) -> str:
 def test_no_link_says_why_since_when_and_when_it_is_tried_next() -> None:
     state = told(fleet(), link_up(T0), link_lost(T0 + 10, "connection refused", T0 + 14), tick(T0 + 12))
     assert "○ no link for 2 s: connection refused, retry in 2 s ws://site:9090" in line(state)
-    assert {ink for text, ink in status_line(state, R0) if "no link" in text} == {StyleRole.ALARM}
+    assert {role for text, role in status_line(state, R0) if "no link" in text} == {StyleRole.ALARM}
     assert "retry in 0 s" in line(told(state, tick(T0 + 20)))
     trying = told(state, events.LinkChanged(LINK, T0 + 14, Phase.CONNECTING), tick(T0 + 15))
     assert "no link for 5 s: connection refused, connecting" in line(trying)
@@ -48,7 +48,7 @@ def test_before_the_first_connection() -> None:
 def test_the_first_seconds_of_connecting_are_no_trouble(before: tuple[events.Event, ...]) -> None:
     state = told(fleet(), *before, tick(T0 + 1.9))
     assert "○ connecting ws://site:9090" in line(state) and "no link" not in line(state)
-    assert {ink for _, ink in status_line(state, R0)}.isdisjoint({StyleRole.ALARM, StyleRole.WARN})
+    assert {role for _, role in status_line(state, R0)}.isdisjoint({StyleRole.ALARM, StyleRole.WARN})
     assert ("connection refused" in line(state)) is bool(before)
     assert "no link for 2 s" in line(told(state, tick(T0 + 2.1)))
 

@@ -15,8 +15,8 @@ writes = st.lists(st.tuples(st.integers(-4, 14), st.integers(-1, 3), texts, st.s
 @given(writes)
 def test_runs_cover_exactly_the_width(written: list[tuple[int, int, str, StyleRole]]) -> None:
     cells = Cells.blank(12, 3, StyleRole.FLOOR)
-    for x, y, text, ink in written:
-        cells.write(x, y, sanitize(text), ink)
+    for x, y, text, role in written:
+        cells.write(x, y, sanitize(text), role)
     for y, runs in enumerate(cells.all_runs()):
         assert sum(cell_width(text) for text, _ in runs) == 12
         assert all(runs[i][1] != runs[i + 1][1] for i in range(len(runs) - 1))
@@ -28,18 +28,18 @@ def test_changes_are_exactly_what_differs(
     first: list[tuple[int, int, str, StyleRole]], then: list[tuple[int, int, str, StyleRole]]
 ) -> None:
     before = Cells.blank(12, 3, StyleRole.FLOOR)
-    for x, y, text, ink in first:
-        before.write(x, y, text, ink)
+    for x, y, text, role in first:
+        before.write(x, y, text, role)
     after = before.copy()
-    for x, y, text, ink in then:
-        after.write(x, y, text, ink)
+    for x, y, text, role in then:
+        after.write(x, y, text, role)
     patched = before.copy()
     for y, start, end in after.changes(before):
         assert start < end
         patched.codes[y, start:end] = after.codes[y, start:end]
-        patched.inks[y, start:end] = after.inks[y, start:end]
+        patched.roles[y, start:end] = after.roles[y, start:end]
     assert np.array_equal(patched.codes, after.codes)
-    assert np.array_equal(patched.inks, after.inks)
+    assert np.array_equal(patched.roles, after.roles)
 
 
 narrow = st.text("ab▶‖", max_size=5)
@@ -58,10 +58,10 @@ def test_many_texts_at_once_are_the_same_as_one_after_the_other(
         once.write(y % 2, y, "仓" * 6, StyleRole.LABEL)
     singly = once.copy()
     once.write_all(written)
-    for x, y, text, ink in written:
-        singly.write(x, y, text, ink)
+    for x, y, text, role in written:
+        singly.write(x, y, text, role)
     assert np.array_equal(once.codes, singly.codes)
-    assert np.array_equal(once.inks, singly.inks)
+    assert np.array_equal(once.roles, singly.roles)
 
 
 def test_a_wide_character_loses_both_halves() -> None:

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
-from fleet_tui.view.map.glyphs import robot_glyph, robot_inks, robot_tag, vertex_glyph
+from fleet_tui.view.map.glyphs import robot_glyph, robot_roles, robot_tag, vertex_glyph
 from fleet_tui.view.map.scene import SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
@@ -39,8 +39,8 @@ def test_what_is_special_about_a_robot_stands_at_its_number() -> None:
 
 def test_trouble_goes_before_selection_and_selection_shows_in_the_arrow() -> None:
     offline = SceneRobot("r", 1, HERE, online=False, obstacle=True, selected=True)
-    assert robot_inks(offline) == (StyleRole.ROBOT_SELECTED, StyleRole.ROBOT_OFFLINE)
-    assert robot_inks(SceneRobot("r", 1, HERE)) == (StyleRole.ROBOT, StyleRole.ROBOT)
+    assert robot_roles(offline) == (StyleRole.ROBOT_SELECTED, StyleRole.ROBOT_OFFLINE)
+    assert robot_roles(SceneRobot("r", 1, HERE)) == (StyleRole.ROBOT, StyleRole.ROBOT)
 
 
 def test_a_vertex_by_its_role_then_by_its_label() -> None:

@@ -1,4 +1,4 @@
-"""Tags and labels find what room there is, and two of them never read as one."""
+"""Tags and labels use only free cells, and two of them never read as one."""
 
 from dataclasses import replace
 
@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.view.map.camera import Camera
-from fleet_tui.view.map.labels import Room
+from fleet_tui.view.map.labels import CellOccupancy
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
@@ -22,20 +22,20 @@ places = st.tuples(st.integers(0, WIDTH - 1), st.integers(0, HEIGHT - 1))
 taken_places = st.sets(places, max_size=WIDTH * HEIGHT // 3)
 
 
-def taken_cells(room: Room) -> set[tuple[int, int]]:
-    return {(x, y) for y in range(HEIGHT) for x in range(WIDTH) if not room.free(x, y, 1)}
+def taken_cells(occupancy: CellOccupancy) -> set[tuple[int, int]]:
+    return {(x, y) for y in range(HEIGHT) for x in range(WIDTH) if not occupancy.free(x, y, 1)}
 
 
 @given(taken_places, places, st.integers(1, 2), st.integers(1, 4), st.sampled_from((-1, 0, 1)))
 def test_a_number_is_beside_its_arrow_and_touches_nothing_else(
     others: set[tuple[int, int]], at: tuple[int, int], arrow: int, cells: int, before: int
 ) -> None:
-    room, (x, y) = Room(WIDTH, HEIGHT), at
+    occupancy, (x, y) = CellOccupancy(WIDTH, HEIGHT), at
     own = {(x + n, y) for n in range(arrow)} & {(n, y) for n in range(WIDTH)}
     for place in others | own:
-        room.take(*place, 1)
-    blocked = taken_cells(room)
-    side = room.number_side(x, y, arrow, cells, before)
+        occupancy.take(*place, 1)
+    blocked = taken_cells(occupancy)
+    side = occupancy.number_side(x, y, arrow, cells, before)
 
     def number(which: int) -> set[tuple[int, int]]:
         start = x - cells if which < 0 else x + arrow
@@ -50,7 +50,7 @@ def test_a_number_is_beside_its_arrow_and_touches_nothing_else(
     assert bool(side) == (fits(-1) or fits(1))
     if side:
         assert fits(side)
-        assert taken_cells(room) == blocked | number(side)
+        assert taken_cells(occupancy) == blocked | number(side)
     if before and fits(before):
         assert side == before
 
@@ -62,19 +62,19 @@ def test_a_number_covers_a_label_only_where_both_sides_do(
     below = np.full((HEIGHT, WIDTH), StyleRole.FLOOR, np.uint8)
     for x, y in texts:
         below[y, x] = StyleRole.LABEL
-    room, (x, y) = Room(WIDTH, HEIGHT, below), at
-    room.take(x, y, 1)
-    free = [room.free(start, y, 2) for start in (x - 2, x + 1)]
-    side = room.number_side(x, y, 1, 2, 0)
+    occupancy, (x, y) = CellOccupancy(WIDTH, HEIGHT, below), at
+    occupancy.take(x, y, 1)
+    free = [occupancy.free(start, y, 2) for start in (x - 2, x + 1)]
+    side = occupancy.number_side(x, y, 1, 2, 0)
     assert side
     assert free[side > 0] or not any(free)
 
 
 def test_a_label_at_the_rim_ends_above_its_vertex_not_beside_the_neighbours() -> None:
-    room, ground = Room(WIDTH, HEIGHT), np.full((HEIGHT, WIDTH), StyleRole.FLOOR, np.uint8)
+    occupancy, ground = CellOccupancy(WIDTH, HEIGHT), np.full((HEIGHT, WIDTH), StyleRole.FLOOR, np.uint8)
     for x in (WIDTH - 6, WIDTH - 2):
-        room.take(x, 4, 1)
-    assert room.label_spot(WIDTH - 2, 4, "Consumidores", ground) == (WIDTH - 13, 3)
+        occupancy.take(x, 4, 1)
+    assert occupancy.label_spot(WIDTH - 2, 4, "Consumidores", ground) == (WIDTH - 13, 3)
 
 
 FRAME = MapFrame(0.05, 400, 200)
@@ -89,7 +89,7 @@ def names(scene: Scene, camera: Camera) -> set[int]:
     cells = backdrop(scene, camera, MapOptions(pointed="1"))
     texts = np.where(
         np.isin(
-            cells.inks, (StyleRole.LABEL, StyleRole.TARGET, StyleRole.LABEL_BEYOND, StyleRole.TARGET_BEYOND)
+            cells.roles, (StyleRole.LABEL, StyleRole.TARGET, StyleRole.LABEL_BEYOND, StyleRole.TARGET_BEYOND)
         ),
         cells.codes,
         ord(" "),

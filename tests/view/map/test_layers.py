@@ -19,7 +19,7 @@ def test_the_selected_robot_lies_on_top() -> None:
     robots = tuple(SceneRobot(f"r{n}", n, structs.replace(pose, yaw=n), selected=n == 2) for n in (1, 2, 3))
     cells = drawn(replace(SCENE, robots=robots))
     x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 2.3))
-    assert cells.inks[y, x] == StyleRole.ROBOT_SELECTED
+    assert cells.roles[y, x] == StyleRole.ROBOT_SELECTED
     rows = cells.text().split("\n")
     assert rows[y][x - 1] == "2"
 
@@ -39,10 +39,10 @@ def test_labels_are_whole_or_absent_and_never_overlap(
     cells = backdrop(scene, FIT.zoomed(zoom), MapOptions())
     shown = {run for runs in cells.all_runs() for run in runs}
     wanted = [vertex.label for vertex in vertices]
-    for text, ink in shown:
+    for text, role in shown:
         assert "\x1b" not in text
         assert "\u202e" not in text
-        if ink in (
+        if role in (
             StyleRole.LABEL,
             StyleRole.TARGET,
             StyleRole.LABEL_BEYOND,
@@ -65,7 +65,7 @@ def test_the_missions_ends_get_their_labels_first() -> None:
 def test_the_cursor_marks_its_cell() -> None:
     look = MapOptions(cursor=(6.0, 3.0))
     x, y = FIT.to_cell(*SCENE.frame.to_pixel(6.0, 3.0))
-    assert drawn(look=look).inks[y, x] == StyleRole.CURSOR
+    assert drawn(look=look).roles[y, x] == StyleRole.CURSOR
 
 
 def test_the_label_under_the_cursor_goes_before_the_others_but_not_before_the_missions() -> None:

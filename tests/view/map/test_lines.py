@@ -81,9 +81,9 @@ def test_no_mission_takes_a_wall_away(
     mission = Mission(tuple(current), tuple(following), (8.0, 8.0, 5.0, 5.0))
     before = drawn(SCENE, look, camera)
     after = drawn(replace(SCENE, mission=mission, robots=(robot,)), look, camera)
-    walls = np.isin(before.inks, WALLS)
-    assert np.isin(after.inks[walls], WALLS + THROUGH).all()
-    same = walls if drawing is Drawing.ASCII else np.isin(after.inks, WALLS)
+    walls = np.isin(before.roles, WALLS)
+    assert np.isin(after.roles[walls], WALLS + THROUGH).all()
+    same = walls if drawing is Drawing.ASCII else np.isin(after.roles, WALLS)
     assert (after.codes[same] == before.codes[same]).all()
 
 
@@ -103,8 +103,8 @@ def test_the_current_way_is_one_line_through_walls_and_over_the_next_ways(
         around = {camera.to_cell(column + dx, row + dy) for dx in (-half, half) for dy in (-half, half)}
         # A point half a dot inside its cell: one at the rim may have its dot in the cell beside it.
         if len(around) == 1 and camera.shows(*(at := around.pop())):
-            assert cells.inks[at[1], at[0]] in LINE
-    line = np.isin(cells.inks, LINE)
+            assert cells.roles[at[1], at[0]] in LINE
+    line = np.isin(cells.roles, LINE)
     marks = {chr(code) for code in cells.codes[line]}
     if drawing is Drawing.ASCII:
         assert marks <= {"*", "#"}
@@ -116,8 +116,8 @@ def test_a_way_through_a_wall_goes_on_in_it() -> None:
     y = CAMERA.to_cell(*FRAME.to_pixel(5.0, 5.0))[1]
     left, right = (CAMERA.to_cell(*FRAME.to_pixel(x, 5.0))[0] for x in (2.0, 18.0))
     for drawing in Drawing:
-        inks = drawn(replace(SCENE, mission=Mission(ACROSS)), MapOptions(drawing)).inks[y, left : right + 1]
-        assert set(inks.tolist()) == set(LINE), drawing
+        roles = drawn(replace(SCENE, mission=Mission(ACROSS)), MapOptions(drawing)).roles[y, left : right + 1]
+        assert set(roles.tolist()) == set(LINE), drawing
 
 
 def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
@@ -130,8 +130,8 @@ def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
     for part in ("Base", "Store", "1→", "o"):
         assert part in cells.text()
     x, y = CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))
-    assert StyleRole.MISSION not in cells.inks[y, :x]
-    assert StyleRole.MISSION in cells.inks[y, x:]
+    assert StyleRole.MISSION not in cells.roles[y, :x]
+    assert StyleRole.MISSION in cells.roles[y, x:]
 
 
 def test_a_plain_vertex_on_the_current_way_is_part_of_the_line() -> None:
@@ -139,9 +139,9 @@ def test_a_plain_vertex_on_the_current_way_is_part_of_the_line() -> None:
     x, y = CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))
     for drawing, alone, on_way in ((Drawing.BRAILLE, "·", "•"), (Drawing.ASCII, "'", "*")):
         cells = drawn(scene, MapOptions(drawing))
-        assert (chr(cells.codes[y, x]), cells.inks[y, x]) == (alone, StyleRole.VERTEX)
+        assert (chr(cells.codes[y, x]), cells.roles[y, x]) == (alone, StyleRole.VERTEX)
         cells = drawn(replace(scene, mission=Mission(ACROSS)), MapOptions(drawing))
-        assert (chr(cells.codes[y, x]), cells.inks[y, x]) == (on_way, StyleRole.MISSION)
+        assert (chr(cells.codes[y, x]), cells.roles[y, x]) == (on_way, StyleRole.MISSION)
 
 
 def test_the_way_to_the_entry_moves_with_the_robot_over_the_same_backdrop() -> None:
@@ -151,8 +151,8 @@ def test_the_way_to_the_entry_moves_with_the_robot_over_the_same_backdrop() -> N
     for top, there in ((9.0, True), (6.0, False)):
         robot = SceneRobot("r", 1, Pose(2.0, top), selected=True)
         cells = picture(behind, replace(scene, robots=(robot,)), CAMERA, MapOptions())
-        assert (cells.inks[y, x] == StyleRole.MISSION) == there
-    assert behind.inks[y, x] != StyleRole.MISSION
+        assert (cells.roles[y, x] == StyleRole.MISSION) == there
+    assert behind.roles[y, x] != StyleRole.MISSION
 
 
 @pytest.mark.parametrize(
@@ -190,12 +190,12 @@ def test_trails_pale_and_thin_out_with_age_and_hide_nothing() -> None:
     walls = trail(*((n / 10, 0.02, 1.0) for n in range(200)))
     before, after = drawn(SCENE), drawn(replace(SCENE, trail=np.concatenate((young, old, walls))))
     young_row, old_row = (CAMERA.to_cell(*FRAME.to_pixel(2.0, y))[1] for y in (3.0, 7.0))
-    assert StyleRole.TRAIL in after.inks[young_row]
-    assert StyleRole.TRAIL_OLD in after.inks[old_row]
+    assert StyleRole.TRAIL in after.roles[young_row]
+    assert StyleRole.TRAIL_OLD in after.roles[old_row]
     assert dots(after, old_row) < dots(after, young_row)
-    hidden = np.isin(before.inks, WALLS)
+    hidden = np.isin(before.roles, WALLS)
     assert np.array_equal(before.codes[hidden], after.codes[hidden])
-    assert np.array_equal(before.inks[hidden], after.inks[hidden])
+    assert np.array_equal(before.roles[hidden], after.roles[hidden])
 
 
 @given(st.floats(2.0, 17.0), st.floats(-0.3, 0.3))
@@ -214,7 +214,7 @@ def test_a_robot_beside_its_edge_is_led_back_to_it() -> None:
     scene = replace(SCENE, mission=Mission((), (), (2.0, 2.0, 8.0, 2.0)))
     cells = drawn(replace(scene, robots=(SceneRobot("r", 1, Pose(8.0, 8.0), selected=True),)))
     x, y = CAMERA.to_cell(*FRAME.to_pixel(8.0, 5.0))
-    assert cells.inks[y, x] == StyleRole.MISSION
+    assert cells.roles[y, x] == StyleRole.MISSION
 
 
 @pytest.mark.parametrize("far", [1e300, -1e300, float("inf"), float("nan")])

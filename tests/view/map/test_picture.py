@@ -54,7 +54,7 @@ def test_golden_mission_and_trails(drawing: Drawing) -> None:
 
 
 def _ways(cells: Cells) -> str:
-    """Which cells have the inks of ways and trails: a wall under a way has the way's."""
+    """Which cells have the roles of ways and trails: a wall under a way has the way's."""
     marks = {
         StyleRole.MISSION: "*",
         StyleRole.MISSION_THROUGH: "*",
@@ -63,7 +63,7 @@ def _ways(cells: Cells) -> str:
         StyleRole.TRAIL: ",",
         StyleRole.TRAIL_OLD: "'",
     }
-    return "\n".join("".join(marks.get(StyleRole(ink), "-") for ink in row) for row in cells.inks.tolist())
+    return "\n".join("".join(marks.get(StyleRole(role), "-") for role in row) for row in cells.roles.tolist())
 
 
 def test_ascii_is_ascii_whatever_the_labels_say() -> None:
@@ -109,22 +109,22 @@ def test_robots_that_are_nowhere_are_not_drawn_and_break_nothing() -> None:
 
 def test_edges_hide_no_wall() -> None:
     without, with_edges = (backdrop(SCENE, FIT, MapOptions(edges=on, labels=False)) for on in (False, True))
-    walls = (without.inks == StyleRole.WALL) | (without.inks == StyleRole.WALL_BEYOND)
+    walls = (without.roles == StyleRole.WALL) | (without.roles == StyleRole.WALL_BEYOND)
     assert np.array_equal(without.codes[walls], with_edges.codes[walls])
-    assert (with_edges.inks == StyleRole.EDGE).sum() > 40
+    assert (with_edges.roles == StyleRole.EDGE).sum() > 40
 
 
 def test_a_long_edge_far_outside_costs_no_more_than_its_visible_part() -> None:
     scene = replace(SCENE, edges=((-1e7, 3.0, 1e7, 3.0),))
     y = FIT.to_cell(*SCENE.frame.to_pixel(6, 3.0))[1]
-    assert (backdrop(scene, FIT, MapOptions(edges=True)).inks[y] == StyleRole.EDGE).sum() > 40
+    assert (backdrop(scene, FIT, MapOptions(edges=True)).roles[y] == StyleRole.EDGE).sum() > 40
 
 
 def test_of_robots_that_keep_apart_each_has_its_number() -> None:
     apart = [Pose(1.0 + n % 10 * 1.1, 0.5 + n // 10 * 0.7, n) for n in range(100)]
     robots = tuple(SceneRobot(f"r{n}", n + 1, pose) for n, pose in enumerate(apart))
     cells = drawn(replace(SCENE, vertices=(), robots=robots), Camera.fit((240, 152), 120, 40))
-    tags = np.where(np.isin(cells.inks, (StyleRole.ROBOT, StyleRole.ROBOT_SELECTED)), cells.codes, ord(" "))
+    tags = np.where(np.isin(cells.roles, (StyleRole.ROBOT, StyleRole.ROBOT_SELECTED)), cells.codes, ord(" "))
     numbers = "".join(map(chr, tags.ravel())).translate({ord(arrow): " " for arrow in "→↗↑↖←↙↓↘"}).split()
     assert sorted(numbers) == sorted(map(str, range(1, 101)))
 

@@ -98,7 +98,7 @@ def test_every_view_is_a_picture_that_fills_its_canvas(
 ) -> None:
     camera = data.draw(cameras(scene.frame))
     cells = picture(backdrop(scene, camera, look), scene, camera, look)
-    assert cells.codes.shape == cells.inks.shape == (camera.height, camera.width)
+    assert cells.codes.shape == cells.roles.shape == (camera.height, camera.width)
     for runs in cells.all_runs():
         text = "".join(part for part, _ in runs)
         assert cell_width(text) == camera.width

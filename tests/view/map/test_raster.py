@@ -77,11 +77,11 @@ def test_no_wall_is_lost(side: int, place: float, zoom: float, pan: int, upright
     fit = Camera.fit((side, side), 24, 12)
     camera = fit.zoomed(2**zoom, (column, row)).centred(column, row).panned(pan, pan)
     for drawing in Drawing:
-        inks = ground(grid_of(classes), camera, drawing).inks
+        roles = ground(grid_of(classes), camera, drawing).roles
         if not upright:
-            inks = inks.T
-        walls = (inks == StyleRole.WALL) | (inks == StyleRole.WALL_BEYOND)
-        inside = (walls | (inks == StyleRole.FLOOR)).any(axis=1)
+            roles = roles.T
+        walls = (roles == StyleRole.WALL) | (roles == StyleRole.WALL_BEYOND)
+        inside = (walls | (roles == StyleRole.FLOOR)).any(axis=1)
         assert inside.any()
         assert walls[inside].any(axis=1).all()
 
@@ -136,7 +136,7 @@ def test_unknown_free_and_wall_have_glyphs_of_their_own(drawing: Drawing, row: s
     classes = np.repeat(np.repeat([[UNKNOWN, FREE, OCCUPIED]], 4, axis=0), 2, axis=1)
     cells = ground(grid_of(classes), Camera(3.0, 2.0, 1.0, 3, 1, (6, 4)), drawing)
     assert cells.text() == row
-    assert cells.inks[0].tolist() == [StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL]
+    assert cells.roles[0].tolist() == [StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL]
 
 
 def test_unknown_ground_is_marked_sparsely_where_colours_do_not_show_it() -> None:
@@ -156,11 +156,11 @@ def test_panning_by_a_cell_moves_every_cell_and_changes_none(drawing: Drawing, s
     camera = Camera.fit((side, side), 40, 20).zoomed(1.7).centred(side / 2, side / 2)
     before, after = (ground(grid_of(classes), c, drawing) for c in (camera, camera.panned(3, -2)))
     assert np.array_equal(before.codes[:-2, 3:], after.codes[2:, :-3])
-    assert np.array_equal(before.inks[:-2, 3:], after.inks[2:, :-3])
+    assert np.array_equal(before.roles[:-2, 3:], after.roles[2:, :-3])
 
 
 def test_without_a_map_the_extent_is_empty_floor() -> None:
     cells = ground(None, Camera.fit((100, 100), 30, 10), Drawing.BRAILLE)
-    assert (cells.inks == StyleRole.FLOOR).sum() > 100
-    assert (cells.inks == StyleRole.WALL).sum() == 0
-    assert cells.inks[5, 0] == StyleRole.UNKNOWN
+    assert (cells.roles == StyleRole.FLOOR).sum() > 100
+    assert (cells.roles == StyleRole.WALL).sum() == 0
+    assert cells.roles[5, 0] == StyleRole.UNKNOWN

@@ -22,9 +22,9 @@ def test_rows_stand_in_the_sequence_given() -> None:
     assert audit_table([], empty="no record").empty == "no record"
 
 
-def test_trouble_is_seen_by_its_ink() -> None:
-    inks = {role for text, role in audit_table([record("x")]).rows[0].runs if text.startswith(": ")}
-    assert inks <= {StyleRole.ALARM, StyleRole.GOOD, StyleRole.WARN, StyleRole.TEXT}
+def test_trouble_is_seen_by_its_role() -> None:
+    roles = {role for text, role in audit_table([record("x")]).rows[0].runs if text.startswith(": ")}
+    assert roles <= {StyleRole.ALARM, StyleRole.GOOD, StyleRole.WARN, StyleRole.TEXT}
 
 
 @given(TEXTS)

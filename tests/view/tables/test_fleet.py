@@ -35,8 +35,8 @@ def row(state: FleetState) -> str:
     return text_of(runs(state))
 
 
-def ink_of(state: FleetState, part: str) -> StyleRole:
-    (found,) = {ink for text, ink in runs(state) if part in text}
+def role_of(state: FleetState, part: str) -> StyleRole:
+    (found,) = {role for text, role in runs(state) if part in text}
     return found
 
 
@@ -69,7 +69,7 @@ def test_offline_with_its_age_after_the_limit() -> None:
     state = heard(at=T0)
     assert "offline" not in row(told(state, tick(T0 + 5.0)))
     silent = told(state, tick(T0 + 7.2))
-    assert "offline 7 s" in row(silent) and ink_of(silent, "offline") is StyleRole.ALARM
+    assert "offline 7 s" in row(silent) and role_of(silent, "offline") is StyleRole.ALARM
     assert "idle" not in row(silent)
     assert "offline" not in row(told(silent, battery(T0 + 8), tick(T0 + 8)))
 
@@ -86,7 +86,7 @@ def test_obstacle_above_three_seconds(seconds: float, said: bool) -> None:
 def test_an_obstacle_of_an_offline_robot_was_then() -> None:
     state = told(heard(events.ObstacleReported(R0, T0 + 1, 4.2)), tick(T0 + 30))
     assert "obstacle" not in row(state)
-    assert "contact for 4.2 s, 29 s ago" in row(state) and ink_of(state, "contact") is StyleRole.DIM
+    assert "contact for 4.2 s, 29 s ago" in row(state) and role_of(state, "contact") is StyleRole.DIM
 
 
 def test_paused_by_its_own_word_or_by_ours() -> None:
@@ -99,7 +99,7 @@ def test_paused_by_its_own_word_or_by_ours() -> None:
 
 
 @pytest.mark.parametrize(
-    ("percent", "text", "ink"),
+    ("percent", "text", "role"),
     [
         (100.0, "100 %", StyleRole.GOOD),
         (20.0, " 20 %", StyleRole.GOOD),
@@ -108,11 +108,11 @@ def test_paused_by_its_own_word_or_by_ours() -> None:
     ],
 )
 def test_a_battery_below_twenty_is_red_and_reads_below_twenty(
-    percent: float, text: str, ink: StyleRole
+    percent: float, text: str, role: StyleRole
 ) -> None:
     state = heard(battery(T0 + 1, percent))
-    assert text in row(state) and ink_of(state, "%") is ink
-    assert ink_of(told(state, tick(T0 + 60)), "%") is StyleRole.DIM
+    assert text in row(state) and role_of(state, "%") is role
+    assert role_of(told(state, tick(T0 + 60)), "%") is StyleRole.DIM
 
 
 def test_the_alarm_of_a_battery_reads_below_the_limit_too() -> None:
@@ -151,7 +151,7 @@ def test_every_robot_has_its_row_in_the_order_of_the_config() -> None:
     table = fleet_table(state, "robot_3", WIDTH)
     assert [line.key for line in table.rows] == [f"robot_{n}" for n in range(12)]
     assert text_of(table.title) == "Fleet 2 of 12 online"
-    marked = [line.key for line in table.rows if StyleRole.ACCENT in {ink for _, ink in line.runs}]
+    marked = [line.key for line in table.rows if StyleRole.ACCENT in {role for _, role in line.runs}]
     assert marked == ["robot_3"]
     starts = {text_of(line.runs).index("robot_") for line in table.rows}
     assert len(starts) == 1

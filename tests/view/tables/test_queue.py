@@ -147,9 +147,9 @@ def test_nothing_to_do_is_not_nothing_heard() -> None:
     assert queue_table(told(fleet(), queue(T0)), R0, False, 80).empty == "no orders: press o to order"
 
 
-def test_an_order_to_nowhere_is_marked_by_ink_too() -> None:
+def test_an_order_to_nowhere_is_marked_by_role_too() -> None:
     odd = queue_table(state(), R0, False, 100).rows[2]
-    assert {ink for text, ink in odd.runs if "99?" in text} == {StyleRole.WARN}
+    assert {role for text, role in odd.runs if "99?" in text} == {StyleRole.WARN}
 
 
 def test_what_is_under_way_stands_at_its_order_or_in_the_title() -> None:

@@ -40,7 +40,7 @@ def test_each_value_has_its_age_and_an_old_one_is_marked() -> None:
     assert "not received" in line(heard(), "Cargo")
     old = told(heard(), pose(T0 + 60), tick(T0 + 60))
     (row,) = [row for row in robot_page(old, R0, str).rows if "Battery" in text_of(row.runs)]
-    assert StyleRole.WARN in {ink for _, ink in row.runs}
+    assert StyleRole.WARN in {role for _, role in row.runs}
 
 
 def test_news_is_the_first_line_and_a_calm_robot_has_none() -> None:

@@ -14,20 +14,20 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 
 
-class InkView(Widget):
+class RunsView(Widget):
     """Paints rows of runs. It has no border or padding: the first run begins in the widget's corner."""
 
     ALLOW_SELECT: ClassVar[bool] = False
     """Disables text selection: dragging has another use here."""
 
-    def __init__(self, inks: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
+    def __init__(self, styles: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(id=id)
-        self._styles = _by_number(inks or {})
+        self._styles = _by_number(styles or {})
         self._rows: Sequence[Sequence[Run]] = []
         self._strips: list[Strip] = []
 
-    def set_inks(self, styles: Mapping[StyleRole, Style]) -> None:
-        """Change the theme: every ink's style, at once."""
+    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
+        """Change the theme: the style of every role, at once."""
         self._styles = _by_number(styles)
         self._strips = [self._strip(y) for y in range(len(self._strips))]
         self.refresh()
@@ -52,7 +52,7 @@ class InkView(Widget):
     def _strip(self, y: int) -> Strip:
         styles, row = self._styles, self._rows[y]
         # Measured here: Rich would cache each of these texts, which are new every second.
-        return RowStrip([Segment(text, styles[ink]) for text, ink in row], width_of(row))
+        return RowStrip([Segment(text, styles[role]) for text, role in row], width_of(row))
 
     def render_line(self, y: int) -> Strip:
         """Return one row, whole."""
@@ -68,4 +68,4 @@ class InkView(Widget):
 
 
 def _by_number(styles: Mapping[StyleRole, Style]) -> list[Style]:
-    return [styles.get(ink, Style.null()) for ink in StyleRole]
+    return [styles.get(role, Style.null()) for role in StyleRole]

@@ -5,7 +5,7 @@ from textual.geometry import Region
 
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
-from fleet_tui.widgets.ink_view import InkView
+from fleet_tui.widgets.runs_view import RunsView
 from tests.support.widget_app import WidgetApp, text
 
 TEXT, WARN = StyleRole.TEXT, StyleRole.WARN
@@ -15,7 +15,7 @@ def rows(*texts: str) -> list[list[Run]]:
     return [[(f"{one:<20}", TEXT)] for one in texts]
 
 
-class Watched(InkView):
+class Watched(RunsView):
     """Remembers the regions that it refreshes."""
 
     def __init__(self) -> None:
@@ -48,7 +48,7 @@ async def test_a_theme_changes_every_row_and_a_shorter_list_leaves_blank_ones() 
     view = Watched()
     async with WidgetApp(view).run_test(size=(20, 3)):
         view.paint_rows([[("a" * 20, WARN)], *rows("b")])
-        view.set_inks({WARN: Style(bold=True)})
+        view.set_role_styles({WARN: Style(bold=True)})
         (segment,) = view.render_line(0)
         assert segment.style == Style(bold=True)
         assert text(view)[2] == " " * 20
