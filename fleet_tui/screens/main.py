@@ -49,7 +49,7 @@ class MainScreen(Screen[None]):
     BLANK = True  # the screen itself is covered completely
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
-    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall")]  # noqa: RUF012  # as Textual declares it
+    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-low"), (24, "-tall")]  # noqa: RUF012  # as Textual declares it
 
     rest: "Rest"
     alarm_cleared_at = -math.inf
