@@ -7,7 +7,7 @@ PURE := $(addprefix tests/,text model keys rules state view adapters config test
 # Tests with links and processes wait more than they work: several at once, the longest first.
 TOGETHER := -q -n 4 --maxschedchunk 1
 
-.PHONY: demo test quick lint types unit bench faults fuzz soak picture lock format clean
+.PHONY: demo test quick lint types unit bench faults fuzz soak pictures docs lock format clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -58,8 +58,12 @@ $(READY): pyproject.toml requirements.lock
 	@$(BIN)/pip install --quiet --disable-pip-version-check --no-deps -e .
 	@touch $@
 
-picture: $(READY)
-	@$(BIN)/python docs/picture.py
+# Needs Xvfb, xterm and xdotool: pictures of a real terminal.
+pictures: $(READY)
+	@$(BIN)/python docs/pictures.py states build/pictures && echo "look at build/pictures"
+
+docs: $(READY)
+	@$(BIN)/python docs/pictures.py docs
 
 lock:
 	@rm -rf $(VENV)/lock && $(PYTHON) -m venv $(VENV)/lock

@@ -1,11 +1,12 @@
-"""Makes PNG pictures of the console's states at four sizes, in a real terminal on a virtual screen.
+"""Makes pictures of the console in a real terminal on a virtual screen.
 
-Run: python docs/pictures.py FOLDER [NAME ...]
+Run: python docs/pictures.py states FOLDER [NAME ...]   every state at four sizes, to be looked at
+     python docs/pictures.py docs                       the pictures in docs/, and the moving one
 
-Needs Xvfb, xterm and xdotool (packages of these names). Without them it exports the application's own
-picture of the start, as SVG.
+Needs Xvfb, xterm and xdotool, which are Debian packages of these names.
 """
 
+import os
 import shutil
 import subprocess
 import sys
@@ -20,7 +21,6 @@ from PIL import Image, ImageGrab
 
 SIZES = ((60, 15), (80, 24), (120, 40), (200, 60))
 CONSOLE = str(Path(sys.executable).with_name("fleet-tui"))
-DISPLAY = ":77"
 TERMINAL = ["xterm", "-fa", "DejaVu Sans Mono", "-fs", "10", "-b", "0", "+sb", "-tn", "xterm-256color"]
 ARRIVED, SETTLED = 12.0, 0.8
 """Seconds from the start of a demo, and from a key, until the picture."""
@@ -35,6 +35,10 @@ class Console:
     environment: dict[str, str] = field(default_factory=dict)
     wait: float = ARRIVED
 
+
+FRAME = 0.5
+"""Seconds between the frames of the moving picture."""
+COLOURS = 64
 
 ESC = "Escape"
 CONSOLES = {
@@ -73,47 +77,65 @@ CONSOLES = {
     ),
 }
 
+ORDER = ["o", "'Ba", "Return", "'Con", "Return"]
+DOCS = {
+    "console": ((120, 32), Console(["--robots", "12"], {"ordered": ORDER, "edges": ["e"]})),
+    "small": ((80, 24), Console(["--robots", "12"], {"form": ["o", "'Rec", "Return", "'Con"]})),
+    "light": (
+        (120, 32),
+        Console(
+            ["--robots", "12"],
+            {"theme": ["colon", "'theme light", "Return"], "trails": ["t"], "paused": ["'P"]},
+        ),
+    ),
+    "nav2": (
+        (100, 34),
+        Console(
+            ["--robots", "3", "--floors", "1", "--kind", "nav2", "--fault", "foreign-goal:robot_1"],
+            {"orders": ["colon", "'robot_0 Base > Consumidores", "Return"]},
+            wait=25,
+        ),
+    ),
+}
+"""The pictures of the documentation, by name: size, console, and the keys before them."""
 
-def run(*command: str) -> str:
-    """Run a tool on the virtual screen and return its output."""
-    return subprocess.run(
-        command, env={"DISPLAY": DISPLAY, "PATH": "/usr/bin:/bin"}, capture_output=True, text=True, check=True
-    ).stdout
+FILM: list[tuple[list[str], float]] = [
+    ([], 2),
+    (["o", "'Ba", "Return", "'Con"], 2),
+    (["Return"], 3),
+    (["4"], 2),
+    (["w"], 3),
+    ([ESC, "plus", "plus", "plus"], 1),
+    (["f"], 4),
+    (["0"], 2),
+]
+"""Keys of the moving picture, and the seconds after them."""
 
 
 @contextmanager
 def screen() -> Iterator[None]:
-    """Run a virtual screen."""
-    server = subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", "2000x1400x24"], stderr=subprocess.DEVNULL)
-    try:
-        for _ in range(50):
-            time.sleep(0.1)
-            if not subprocess.run(
-                ["xdotool", "getdisplaygeometry"],
-                env={"DISPLAY": DISPLAY},
-                check=False,
-                capture_output=True,
-                executable=shutil.which("xdotool"),
-            ).returncode:
-                break
-        yield
-    finally:
-        server.terminate()
-        server.wait()
+    """Run a virtual screen, the DISPLAY of all that is started meanwhile."""
+    command = ["Xvfb", "-displayfd", "1", "-screen", "0", "2000x1400x24"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+        assert server.stdout is not None
+        os.environ["DISPLAY"] = f":{server.stdout.readline().strip()}"
+        try:
+            yield
+        finally:
+            server.terminate()
+
+
+def run(*command: str) -> str:
+    """Run a tool on the virtual screen and return its output."""
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
 @contextmanager
 def terminal(console: Console, size: tuple[int, int]) -> Iterator[None]:
     """Run a console in a terminal of this size, in the corner of the screen."""
     with TemporaryDirectory() as home:
-        environment = {
-            "DISPLAY": DISPLAY,
-            "HOME": home,
-            "XDG_STATE_HOME": home,
-            "XDG_CONFIG_HOME": home,
-            "PATH": "/usr/bin:/bin",
-            "LANG": "C.UTF-8",
-        }
+        own = {"HOME": home, "XDG_STATE_HOME": home, "XDG_CONFIG_HOME": home, "LANG": "C.UTF-8"}
+        environment = {**own, "PATH": os.environ["PATH"], "DISPLAY": os.environ["DISPLAY"]}
         geometry = f"{size[0]}x{size[1]}+0+0"
         # xterm drops COLORTERM from its own environment.
         variables = [f"{name}={value}" for name, value in console.environment.items()]
@@ -147,29 +169,67 @@ def photograph() -> Image.Image:
     """Return the terminal's picture."""
     facts = run("xdotool", "getwindowgeometry", "--shell", window()).split()
     width, height = (int(fact.split("=")[1]) for fact in facts[3:5])
-    return ImageGrab.grab((0, 0, width, height), xdisplay=DISPLAY)
+    return ImageGrab.grab((0, 0, width, height), xdisplay=os.environ["DISPLAY"])
 
 
-def take(folder: Path, name: str, console: Console) -> None:
-    """Make the pictures of one console at all sizes."""
-    for width, height in SIZES:
-        with terminal(console, (width, height)):
-            time.sleep(console.wait)
-            for state, keys in console.states.items():
-                press(keys)
-                time.sleep(SETTLED if keys else 0)
-                path = folder / f"{name}-{state}-{width}x{height}.png"
-                photograph().save(path)
-                print(path)  # noqa: T201  # a command line tool
-
-
-def main(folder: Path, names: list[str]) -> None:
-    """Make the pictures of the named consoles, or of all."""
+def states(folder: Path, names: list[str]) -> None:
+    """Make the pictures of the named consoles, or of all, in each state and size."""
     folder.mkdir(parents=True, exist_ok=True)
+    for name in names or CONSOLES:
+        console = CONSOLES[name]
+        for width, height in SIZES:
+            with terminal(console, (width, height)):
+                time.sleep(console.wait)
+                for state, keys in console.states.items():
+                    press(keys)
+                    time.sleep(SETTLED if keys else 0)
+                    photograph().save(folder / f"{name}-{state}-{width}x{height}.png")
+
+
+def pictures_of_docs() -> None:
+    """Make the pictures that documentation pages show."""
+    folder = Path(__file__).parent
+    for name, (size, console) in DOCS.items():
+        with terminal(console, size):
+            time.sleep(console.wait)
+            for keys in console.states.values():
+                press(keys)
+                time.sleep(SETTLED)
+            photograph().quantize(COLOURS, dither=Image.Dither.NONE).save(
+                folder / f"{name}.png", optimize=True
+            )
+    film(folder / "console.gif")
+
+
+def film(path: Path) -> None:
+    """Make the moving picture: an order is given, a robot is explained, the fleet drives on."""
+    console = CONSOLES["fleet"]
+    frames: list[Image.Image] = []
+    with terminal(console, (100, 30)):
+        time.sleep(console.wait)
+        for keys, seconds in FILM:
+            for key in keys:
+                press([key])
+                frames.append(photograph())
+            for _ in range(int(seconds / FRAME)):
+                time.sleep(FRAME)
+                frames.append(photograph())
+    palette = frames[len(frames) // 2].quantize(COLOURS, dither=Image.Dither.NONE)
+    first, *more = (frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames)
+    first.save(path, save_all=True, append_images=more, duration=int(FRAME * 1000), loop=0, optimize=True)
+
+
+def main(what: str, arguments: list[str]) -> None:
+    """Make pictures of all states, or those of the documentation."""
+    missing = [tool for tool in ("Xvfb", "xterm", "xdotool") if shutil.which(tool) is None]
+    if missing:
+        sys.exit(f"not installed: {', '.join(missing)} (Debian: apt install xvfb xterm xdotool)")
     with screen():
-        for name in names or CONSOLES:
-            take(folder, name, CONSOLES[name])
+        if what == "docs":
+            pictures_of_docs()
+        else:
+            states(Path(arguments[0]), arguments[1:])
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), sys.argv[2:])
+    main(sys.argv[1], sys.argv[2:])

@@ -49,7 +49,7 @@ class MainScreen(Screen[None]):
     BLANK = True  # the screen itself is covered completely
     AUTO_FOCUS = "#map"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
-    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-tall")]  # noqa: RUF012  # as Textual declares it
+    VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-low"), (24, "-tall")]  # noqa: RUF012  # as Textual declares it
 
     rest: "Rest"
     alarm_cleared_at = -math.inf
@@ -77,6 +77,7 @@ class MainScreen(Screen[None]):
             else Replay(backend.player, self.notices, settings.clock, self._forget_trails)
         )
         self._all_orders = False
+        self._hinted: tuple[Pane, bool, set[str], int] | None = None
         self._mapped: tuple[str, str] | None = None
 
     def compose(self) -> ComposeResult:
@@ -134,8 +135,11 @@ class MainScreen(Screen[None]):
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
         keys, may_command = self.settings.keys, not self.dispatch.permissions.read_only
-        offered = hints(keys, pane, may_command, hidden_keys(state, robot))
-        runs, buttons = footer(*offered, keys, self.hints.size.width)
+        shown = pane, may_command, hidden_keys(state, robot), self.hints.size.width
+        if shown == self._hinted:
+            return
+        self._hinted = shown
+        runs, buttons = footer(*hints(keys, *shown[:3]), keys, shown[3])
         self.hints.show(runs, buttons=buttons)
 
     def idle_keys(self) -> set[str]:

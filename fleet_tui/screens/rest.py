@@ -101,7 +101,9 @@ class Rest:
         """Return the order that is being typed, and show its length in the form."""
         draft, form = self.order_form.draft(), self.order_form
         route = None if draft is None else draft_route(self._screen.store.state.robots[draft.robot], draft)
-        form.route.update("" if route is None else route.text)
+        text = "" if route is None else route.text
+        if text != form.route.content:  # an update lays out the whole screen anew
+            form.route.update(text)
         return draft
 
     def picked(self, event: messages.Picked) -> None:

@@ -5,6 +5,8 @@ from typing import NamedTuple
 LEAST_FLEET, LEAST_LIST = 4, 3
 """Lines, with the title."""
 LEAST_MAP = 9
+BUTTONS = 13
+"""Lines of the simple interface."""
 LEAST_PAGE = 6
 """Lines from which the robot's page is worth its place."""
 
@@ -34,6 +36,20 @@ def below_map(lines: int, wanted: Wanted, covered: int = 0) -> tuple[int, int, i
     fleet = max(LEAST_FLEET, min(wanted.fleet, (lines - low) * 2 // 5, lines - low - LEAST_MAP))
     above = max(1, min(lines - low - fleet, lines - covered))
     return above, lines - low - above, low
+
+
+def below_buttons(lines: int, wanted: Wanted) -> tuple[int, int, int]:
+    """Share out a narrow screen with the simple interface: its buttons, the fleet, alarms and queue."""
+    low = _share(max(wanted.alarms, wanted.queue), lines // 4)
+    above = max(1, min(BUTTONS, lines - low - LEAST_FLEET))
+    fleet = max(LEAST_FLEET, min(wanted.fleet, lines - low - above))
+    return above, fleet, lines - above - fleet
+
+
+def without_map(lines: int, wanted: Wanted) -> tuple[int, int]:
+    """Share out a screen too small for a map: fleet, alarms."""
+    fleet = max(1, min(wanted.fleet, lines - _share(wanted.alarms, lines // 3)))
+    return fleet, max(1, lines - fleet)
 
 
 def _share(wanted: int, most: int) -> int:

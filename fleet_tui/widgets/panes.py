@@ -1,11 +1,11 @@
 """The panes of the main screen, and how they share its lines."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from textual.containers import Container
 from textual.widget import Widget
 
-from fleet_tui.view.layout import Wanted, below_map, beside_map
+from fleet_tui.view.layout import LEAST_LIST, Wanted, below_buttons, below_map, beside_map, without_map
 from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -61,27 +61,36 @@ class Panes(Container):
         self._alone = inside[0] if inside and not self._alone else ""
 
     def _share_out(self, wanted: Wanted, covered: int) -> None:
-        """Give the panes their heights. In tiny and simple layouts the style sheet does it."""
-        screen = self.screen
-        lines, is_wide = self.size.height or self.app.size.height - OTHERS, screen.has_class("-wide")
-        is_small = screen.has_class("-tiny") or screen.has_class("-flat")
-        by_sheet = is_small or (self.has_class("-simple") and not is_wide)
-        alone = "" if by_sheet else self._alone
-        if by_sheet:
-            heights: tuple[int, ...] = ()
-        elif alone:
-            heights = (lines, 0, 0, 0)
-        else:
-            heights = beside_map(lines, wanted) if is_wide else below_map(lines, wanted, covered)
+        """Give the panes their heights."""
+        lines = self.size.height or self.app.size.height - OTHERS
+        is_wide = self.screen.has_class("-wide") and not self._is_small
+        alone = self._alone if self._alone in self._enlargeable(is_wide) else ""
+        heights = (lines, *[0] * 3)[: 4 if is_wide else 1] if alone else self._heights(lines, wanted, covered)
         rows = " ".join(map(str, heights))
         if (rows, alone, is_wide) == self._shared_out:
             return
         self._shared_out = rows, alone, is_wide
-        if rows:
-            self.styles.grid_rows = rows
-        else:
-            self.styles.clear_rule("grid_rows")
+        self.styles.grid_rows = rows
         for pane in self.children:
-            keeps = is_wide and pane.id == "map"
+            keeps = is_wide and pane.id in ("map", "simple")
+            spans = (not is_wide and not self._is_small) or alone == "map"
             pane.set_class(bool(alone) and pane.id != alone and not keeps, "-hidden")
-            pane.set_class(bool(alone) and pane.id == alone and (not is_wide or alone == "map"), "-across")
+            pane.set_class(bool(alone) and pane.id == alone and spans, "-across")
+
+    @property
+    def _is_small(self) -> bool:
+        return self.screen.has_class("-tiny") or self.screen.has_class("-flat")
+
+    def _enlargeable(self, is_wide: bool) -> Collection[str]:
+        """Return the panes that can have the column."""
+        if self.has_class("-simple"):
+            return ("fleet", "alarms", "queue") if is_wide else ()
+        return ("fleet", "alarms") if self._is_small else ("map", "fleet", "alarms", "queue")
+
+    def _heights(self, lines: int, wanted: Wanted, covered: int) -> tuple[int, ...]:
+        is_simple = self.has_class("-simple")
+        if self._is_small:
+            return (max(1, lines - LEAST_LIST), LEAST_LIST) if is_simple else without_map(lines, wanted)
+        if self.screen.has_class("-wide"):
+            return beside_map(lines, wanted)
+        return below_buttons(lines, wanted) if is_simple else below_map(lines, wanted, covered)

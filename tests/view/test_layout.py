@@ -3,7 +3,16 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.view.layout import LEAST_LIST, LEAST_MAP, Wanted, below_map, beside_map
+from fleet_tui.view.layout import (
+    BUTTONS,
+    LEAST_LIST,
+    LEAST_MAP,
+    Wanted,
+    below_buttons,
+    below_map,
+    beside_map,
+    without_map,
+)
 
 wishes = st.builds(Wanted, st.integers(2, 502), st.integers(2, 60), st.integers(2, 60))
 
@@ -38,3 +47,19 @@ def test_a_small_fleet_leaves_lines_to_the_robots_page() -> None:
 def test_more_alarms_have_more_lines() -> None:
     assert beside_map(37, Wanted(14, 9, 2))[1] == 9
     assert below_map(21, Wanted(14, 9, 2))[2] == 5
+
+
+@given(st.integers(13, 200), wishes)
+def test_the_simple_interface_leaves_every_line_it_does_not_need(lines: int, wanted: Wanted) -> None:
+    heights = below_buttons(lines, wanted)
+    assert sum(heights) == lines
+    assert min(heights) >= LEAST_LIST
+    assert lines < 21 or heights[0] == BUTTONS
+
+
+@given(st.integers(6, 40), wishes)
+def test_a_screen_without_a_map_gives_its_lines_to_the_robots(lines: int, wanted: Wanted) -> None:
+    fleet, alarms = without_map(lines, wanted)
+    assert fleet + alarms == lines
+    assert alarms >= LEAST_LIST
+    assert fleet == min(wanted.fleet, lines - alarms)

@@ -6,9 +6,9 @@ from tests.support.watched_store import config_of
 
 
 def heights(it: Console) -> dict[str, int]:
-    panes = ("map", "fleet", "alarms", "queue", "page")
-    shown = {name: it.app.main.query_one(f"#{name}") for name in panes}
-    return {name: pane.size.height for name, pane in shown.items() if pane.display}
+    panes = ("map", "simple", "fleet", "alarms", "queue", "page")
+    shown = {pane.id: pane for name in panes for pane in it.app.main.query(f"#{name}")}
+    return {name or "": pane.size.height for name, pane in shown.items() if pane.display}
 
 
 async def test_each_pane_has_what_its_rows_need_and_the_robots_page_the_rest(server: RosbridgeServer) -> None:
@@ -41,3 +41,34 @@ async def test_the_focused_pane_takes_the_column_and_gives_it_back(server: Rosbr
         assert it.app.main.query_one("#map").size.width == 120
         await it.press("=")
         await it.shows("Fleet")
+
+
+async def test_a_screen_without_a_map_has_as_many_robots_as_fit(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 12), (60, 15), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        assert heights(it) == {"fleet": 9, "alarms": 3}
+        await it.press("tab", "=")
+        await it.until(lambda _: heights(it) == {"fleet": 12})
+        await it.press("=", "s")
+        await it.until(lambda _: heights(it) == {"simple": 9, "alarms": 3})
+
+
+async def test_the_simple_interface_shows_its_four_buttons(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 12), (80, 24), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        await it.press("s")
+        await it.until(lambda _: heights(it) == {"simple": 13, "fleet": 5, "alarms": 3, "queue": 3})
+    async with console(config_of(server.url, 12), (80, 16), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        await it.press("s")
+        await it.until(lambda _: heights(it) == {"simple": 6, "fleet": 4, "alarms": 3, "queue": 3})
+        assert it.app.main.query_one("#simple-send").region.bottom <= 8
+
+
+async def test_an_enlarged_pane_leaves_the_simple_interface_in_place(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 12), (120, 40), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        await it.press("s")
+        it.app.main.fleet.focus()
+        await it.press("=")
+        await it.until(lambda _: heights(it) == {"simple": 35, "fleet": 37})

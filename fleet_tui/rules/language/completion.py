@@ -8,6 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.language.grammar import ALL, USAGE, Token, find_robot, tokens
 from fleet_tui.rules.language.lookup import places, recent_ends
+from fleet_tui.rules.marks import numbered_robots
 
 
 def is_command(line: str, state: FleetState) -> bool:
@@ -15,7 +16,10 @@ def is_command(line: str, state: FleetState) -> bool:
     found = tokens(line)
     if not found or (len(found) == 1 and not line[-1:].isspace()):
         return False
-    return found[0].text.casefold() in USAGE or _robot(found[0], state) is not None
+    word = found[0].text
+    return (
+        word.casefold() in USAGE or bool(numbered_robots(word, state)) or _robot(found[0], state) is not None
+    )
 
 
 def complete(line: str, state: FleetState, selected: str = "") -> list[str]:

@@ -23,6 +23,7 @@ from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.language.lookup import NUMBER, called, no_graphs, places, plain_id
+from fleet_tui.rules.marks import numbered_robots
 
 USAGE = {
     "order": "order ROBOT FROM TO, or ROBOT FROM > TO",
@@ -93,13 +94,16 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
 
 
 def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot:
-    """Return a robot by its name, in any case if unambiguous, or by its number."""
+    """Return a robot by its name, in any case if unambiguous, or by its number: of its key, or on the map."""
     same = [name for name in state.robots if name.casefold() == word.casefold()]
     for name in [word] if word in state.robots else same if len(same) == 1 else []:
         return state.robots[name]
-    for robot in state.robots.values():
-        if str(robot.number) == plain_id(word):
-            return robot
+    numbered = numbered_robots(word, state)
+    if len(numbered) > 1:
+        names = " or ".join(robot.name for robot in numbered)
+        raise CommandError(f"{_said(word)} is ambiguous: {names}; type the name")
+    if numbered:
+        return numbered[0]
     near = did_you_mean(word, known or state.robots)
     raise CommandError(f"unknown robot{' or command' if known else ''} {_said(word)}{near}")
 

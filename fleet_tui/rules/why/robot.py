@@ -32,7 +32,7 @@ def moves(state: FleetState, robot: Robot) -> Reason | None:
         return None
     if state.now - since >= STANDS_AFTER:
         return None
-    evidence = f"pose changed {state.now - since:.1f} s ago"
+    evidence = f"pose changed {max(0.0, state.now - since):.1f} s ago"
     return Reason(f"{robot.name} is moving", evidence, seen=robot.pose.at)
 
 

@@ -4,7 +4,6 @@ The picture is the selected robot's: its map, graph and labels. The others are p
 own map_metadata.
 """
 
-import re
 from dataclasses import replace
 from functools import lru_cache
 
@@ -12,6 +11,7 @@ from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.draft import Draft, draft_route
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
@@ -26,9 +26,6 @@ YET, PATIENCE = " yet", 5.0
 problem."""
 FAR = 1e6
 """Metres beyond which a place is an error and doesn't extend the picture."""
-
-LONGEST_MARK = 4
-"""Digits of a number on the map."""
 
 Drawn = tuple[tuple[SceneVertex, ...], tuple[Line, ...], tuple[Line, ...]]
 
@@ -48,16 +45,6 @@ def _drawn(robot_map: RobotMap) -> Drawn:
     ]
     one_way = tuple(line for line, alone in lines if alone and graph.directed)
     return vertices, tuple(line for line, _ in lines), one_way
-
-
-@lru_cache(maxsize=2)
-def marks_of(names: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the numbers of robots on the map: the last digits of their names if these tell all robots apart,
-    else their places in the configuration, from 1."""
-    found = [re.findall(r"[0-9]+", name)[-1:] for name in names]
-    marks = tuple(digits[0] for digits in found if digits and len(digits[0]) <= LONGEST_MARK)
-    is_told_apart = len(names) == len(marks) == len({int(mark) for mark in marks})
-    return marks if is_told_apart else tuple(str(place + 1) for place in range(len(names)))
 
 
 def map_owner(state: FleetState, selection: Selection) -> Robot | None:

@@ -38,7 +38,7 @@ def draw_robots(
         arrow = arrows[x, y]
         if owners[x, y] is robot:
             texts.append((x, y, arrow, arrow_role))
-        for text in (robot_tag(robot, plain), robot_number(robot)):
+        for text in dict.fromkeys((robot_tag(robot, plain), robot_number(robot))):
             side = occupancy.number_side(x, y, len(arrow), len(text), sides.get(robot.number, 0))
             if side:
                 sides[robot.number] = side

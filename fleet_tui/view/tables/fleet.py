@@ -119,7 +119,7 @@ def _head(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> 
     )
     runs: list[Run] = [
         dot,
-        (f"{robot.number:{columns.number - 1}d} ", StyleRole.DIM),
+        (f"{columns.number_of(robot):>{columns.number - 1}} ", StyleRole.DIM),
         (fit(robot.name, columns.name), StyleRole.ACCENT if selected else role),
     ]
     if columns.battery:

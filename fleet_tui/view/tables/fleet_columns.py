@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.marks import marks_of
 from fleet_tui.text.sanitize import fit
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, column
@@ -13,8 +14,10 @@ from fleet_tui.view.tables.table import Run, column
 DOT = 2
 STATE, ORDER_LEAST, ORDER_MOST = 15, 15, 30
 """Cells that states must have, and those of the column of orders before them."""
-WHOLE_FLOORS, WITH_MORE = 54, 70
-"""Cells of a pane from which floors have their whole names, and from which it has more columns."""
+WHOLE_FLOORS, WITH_WAITING, WITH_SEEN = 54, 70, 90
+"""Cells of a pane from which floors have their whole names, and from which it has further columns."""
+LAST_KEY = 9
+"""The last robot with a key of its own."""
 UNKNOWN_FLOOR = "unknown floor"
 NO_FLOOR = ("", "-", UNKNOWN_FLOOR)
 
@@ -28,7 +31,7 @@ def floor_text(state: FleetState, robot: Robot) -> str:
 
 class Columns(NamedTuple):
     """Widths in cells with the gap after them, 0 for a column for which no robot of the fleet has a value or
-    the pane no space. `floors` are their names as shown."""
+    the pane no space. `floors` are their names as shown; `number_head` is the name of the first column."""
 
     number: int
     name: int
@@ -39,6 +42,7 @@ class Columns(NamedTuple):
     waiting: int
     seen: int
     floors: Mapping[str, str]
+    number_head: str = "#"
 
     @classmethod
     def of(cls, state: FleetState, width: int) -> "Columns":
@@ -46,29 +50,37 @@ class Columns(NamedTuple):
         robots = state.robots.values()
         reported = {value for robot in robots for value in robot.kind.reports}
         names = {floor_text(state, robot) for robot in robots}
+        by_place = marks_of(tuple(state.robots)) == tuple(str(robot.number) for robot in robots)
         is_narrow = width < WHOLE_FLOORS
         floors = shortened(names) if is_narrow else {name: name for name in names}
         is_obvious = is_narrow and len(state.floors) == 1 and not names.intersection(NO_FLOOR)
         fixed = cls(
-            number=len(str(len(robots))) + 1,
+            number=len(str(len(robots))) + 1 if by_place else 4,
             name=column((robot.name for robot in robots), 6, 14) + 1,
             battery=6 if "battery" in reported else 0,
             floor=column(floors.values(), 5, 13) + 1 if "pose" in reported and not is_obvious else 0,
             cargo=2 if "cargo" in reported else 0,
             order=0,
-            waiting=6 if width >= WITH_MORE and "queue" in reported else 0,
-            seen=7 if width >= WITH_MORE else 0,
+            waiting=6 if width >= WITH_WAITING and "queue" in reported else 0,
+            seen=7 if width >= WITH_SEEN else 0,
             floors=floors,
+            number_head="#" if by_place else "Key",
         )
-        left = width - DOT - sum(fixed[:-1])
+        left = width - DOT - sum(fixed[:-2])
         return fixed._replace(order=min(left - STATE, ORDER_MOST) if left >= STATE + ORDER_LEAST else 0)
+
+    def number_of(self, robot: Robot) -> str:
+        """Return a robot's place in the configuration if that is its number on the map too, else its key."""
+        if self.number_head == "#":
+            return str(robot.number)
+        return str(robot.number) if robot.number <= LAST_KEY else ""
 
     @property
     def head(self) -> tuple[Run, ...]:
         """Return their names."""
         names = (
             ("", DOT),
-            ("#".rjust(self.number - 1), self.number),
+            (self.number_head.rjust(self.number - 1), self.number),
             ("Robot", self.name),
             ("Batt", self.battery),
             ("Floor", self.floor),

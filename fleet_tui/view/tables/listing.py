@@ -76,7 +76,7 @@ class Listing:
             (text, StyleRole.TITLE_FOCUSED if role is StyleRole.TITLE and focused else role)
             for text, role in self._table.title
         ]
-        if len(self._table.rows) > rows and not self._table.title_buttons:
+        if len(self._table.rows) > rows and self.cursor is not None and not self._table.title_buttons:
             title.append((f" {self._place + 1}/{len(self._table.rows)}", StyleRole.DIM))
         runs = [("─ ", StyleRole.RULE), *title, (" ", StyleRole.RULE)]
         return cut([*runs, ("─" * (width - width_of(runs)), StyleRole.RULE)], width)

@@ -11,7 +11,7 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import news, whose_mission
+from fleet_tui.view.tables.fleet import STILL_FROM, news, whose_mission
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
@@ -49,7 +49,7 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         "pose": (_pose_text(state, robot), robot.pose),
         "battery": (_number(robot.battery, "%"), robot.battery),
         "cargo": (_yes_or_no(robot.cargo), robot.cargo),
-        "obstacle": (_number(robot.obstacle, "s of contact"), robot.obstacle),
+        "obstacle": (_contact(robot.obstacle), robot.obstacle),
         "paused": (_yes_or_no(robot.paused), robot.paused),
     }
     for value, (text, reading) in texts.items():
@@ -65,7 +65,9 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             (ago(reading.at, state.now), StyleRole.WARN if is_old else StyleRole.DIM),
         )
     if robot.standing is not None and state.is_fresh(robot, "pose"):
-        yield _named("Still", (f"for {age(state.now - robot.standing.at)}", StyleRole.TEXT))
+        still = state.now - robot.standing.at
+        text = f"standing for {age(still)}" if still >= STILL_FROM else "moving"
+        yield _named("Movement", (text, StyleRole.TEXT))
 
 
 def _pose_text(state: FleetState, robot: Robot) -> str:
@@ -78,6 +80,10 @@ def _pose_text(state: FleetState, robot: Robot) -> str:
 
 def _number(reading: Reading[float] | None, unit: str) -> str:
     return "" if reading is None else f"{reading.value:.0f} {unit}"
+
+
+def _contact(reading: Reading[float] | None) -> str:
+    return "none" if reading is None or reading.value == 0.0 else f"for {reading.value:.1f} s"
 
 
 def _yes_or_no(reading: Reading[bool] | None) -> str:

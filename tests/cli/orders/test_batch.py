@@ -24,7 +24,7 @@ async def test_two_same_orders_are_two_orders(server: RosbridgeServer, folder: P
 async def test_every_command_of_the_language_from_standard_input(
     server: RosbridgeServer, folder: Path
 ) -> None:
-    lines = "robot_0 Base > Consumidores > Base\ncancel robot_0 2\nclear 1\nPAUSE ALL\nresume robot_1\n"
+    lines = "robot_0 Base > Consumidores > Base\ncancel robot_0 2\nclear 0\nPAUSE ALL\nresume robot_1\n"
     done = await run(folder, "run", "-", "--json", "--yes", stdin=lines)
     said = [json.loads(line) for line in done.out.splitlines()]
     assert done.code == 0 and all(one["done"] for one in said) and len(said) == 7
