@@ -23,6 +23,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.recording.part_files import PartLimits
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.taps import Taps
+from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
 
 FINE, NO_LINK = 0, 3
@@ -97,7 +98,7 @@ class _Watch:
         online = sum(map(state.is_online, state.robots.values()))
         size = f"{recorder.size / 1e6:.1f} MB ({flow / 1e3:.0f} kB/s)"
         text = (
-            f"{now - recorder.began:.0f} s, {online} of {len(state.robots)} robots online, "
+            f"{age(now - recorder.began)}, {online} of {len(state.robots)} robots online, "
             f"{recorder.records:,} records ({rate:.0f}/s), {size}"
         )
         sys.stderr.write(f"\r{text[:79]}\x1b[K")

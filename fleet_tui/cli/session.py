@@ -22,18 +22,18 @@ class WaitingStore(Store):
 
     def __init__(self, state: FleetState) -> None:
         super().__init__(state)
-        self._told = threading.Condition()
+        self._changed = threading.Condition()
 
     def apply(self, event: Event) -> None:
         """Apply one event, and wake the waiting thread."""
         super().apply(event)
-        with self._told:
-            self._told.notify_all()
+        with self._changed:
+            self._changed.notify_all()
 
     def wait(self, holds: Callable[[FleetState], object], seconds: float) -> bool:
         """Wait at most `seconds` until the state meets a condition; tell whether it does."""
-        with self._told:
-            return bool(self._told.wait_for(lambda: holds(self.state), seconds))
+        with self._changed:
+            return bool(self._changed.wait_for(lambda: holds(self.state), seconds))
 
 
 @contextmanager

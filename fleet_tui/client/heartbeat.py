@@ -35,7 +35,7 @@ class Heartbeat:
         self._link, self._calls, self._services, self._report = link, calls, services, report
         self._round_trips = round_trips
         self._connected = False
-        self._told: CommandPathChanged | None = None
+        self._reported: CommandPathChanged | None = None
         self._answered_at = 0.0
         self._task: asyncio.Task[None] | None = None
         self.path, self.reason = CommandPath.UNTRIED, ""
@@ -43,10 +43,10 @@ class Heartbeat:
 
     def _set(self, path: CommandPath, reason: str = "") -> None:
         self.path, self.reason = path, reason
-        told = CommandPathChanged(self._link, path, reason, self._connected)
-        if told != self._told:
-            self._told = told
-            self._report(told)
+        change = CommandPathChanged(self._link, path, reason, self._connected)
+        if change != self._reported:
+            self._reported = change
+            self._report(change)
 
     def start(self) -> None:
         """Start beating: the connection is open. A pause need not wait for the first answer."""

@@ -103,5 +103,5 @@ class OrderRequests:
         if robot.kind.can(kind.CLEAR):
             clearing = Request((ClearOrders(name),))
             entries.append((f"Clear all orders of {name}", partial(self._dispatch.do, clearing)))
-        told = origin(self._store.state, name, order, self._clock)
-        self._open_menu(f"Order {sanitize(order_id)} of {name}: {mission(robot, order)}\n{told}", entries)
+        source = origin(self._store.state, name, order, self._clock)
+        self._open_menu(f"Order {sanitize(order_id)} of {name}: {mission(robot, order)}\n{source}", entries)

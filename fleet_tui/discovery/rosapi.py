@@ -63,8 +63,8 @@ async def _actions(wire: BridgeConnection) -> tuple[str, ...]:
 
 def _ros(version: object, types: Mapping[str, str]) -> int:
     """Return 1 or 2: an old rosapi does not report it, but only ROS 2 spells types with `/msg/`."""
-    told = version.get("version") if isinstance(version, dict) else None
-    return told if told in (1, 2) else 2 if any("/msg/" in type_ for type_ in types.values()) else 1
+    answered = version.get("version") if isinstance(version, dict) else None
+    return answered if answered in (1, 2) else 2 if any("/msg/" in type_ for type_ in types.values()) else 1
 
 
 async def clock_ahead(wire: BridgeConnection) -> float | None:
@@ -72,10 +72,10 @@ async def clock_ahead(wire: BridgeConnection) -> float | None:
     began, wall = time.monotonic(), time.time()
     try:
         answer = await wire.call("/rosapi/get_time", {}, ANSWER_WITHIN)
-        told = msgspec.convert(answer, _Time).time.seconds
+        answered = msgspec.convert(answer, _Time).time.seconds
     except (LinkError, msgspec.ValidationError):
         return None
-    return None if told is None else told - (wall + (time.monotonic() - began) / 2)
+    return None if answered is None else answered - (wall + (time.monotonic() - began) / 2)
 
 
 async def _ask(wire: BridgeConnection, verb: str, args: dict[str, object], key: str, until: float) -> Any:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
+from fleet_tui.text.durations import age
 
 SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
 LATE = 0.5  # seconds by which poses grow older during the measurement
@@ -87,6 +88,4 @@ def _clock(subject: str, ahead: float, by: str) -> Finding:
 def _span(seconds: float) -> str:
     if seconds < 1:
         return milliseconds(seconds)
-    if seconds < 600:
-        return f"{seconds:.1f} s"
-    return f"{seconds / 60:.0f} min" if seconds < 36_000 else f"{seconds / 3600:.0f} h"
+    return f"{seconds:.1f} s" if seconds < 100 else age(seconds)

@@ -113,7 +113,7 @@ def _places(
 ) -> Iterator[Finding]:
     """Return the place of each robot that reports it."""
     floors_of = {robot.name: config.floors_of(robot) for robot in config.robots}
-    told = {
+    reported = {
         one.robot: one.floor for one in (facts.event for facts in topics) if isinstance(one, FloorReported)
     }
     for facts in topics:
@@ -121,7 +121,7 @@ def _places(
         if isinstance(pose, PoseReported | LocalisationReported):
             floors = floors_of[pose.robot]
             alone = floors[0] if len(floors) == 1 else ""
-            yield place_finding(config, pose, grids, floors, told.get(pose.robot, alone))
+            yield place_finding(config, pose, grids, floors, reported.get(pose.robot, alone))
 
 
 def _bridges(whole: Config, config: Config, until: float, take: Take) -> Iterator[BridgeFacts]:

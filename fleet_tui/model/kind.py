@@ -16,7 +16,7 @@ class Kind(Struct, frozen=True):
     of Robot's fields; `accepts` the requests it takes. `silence`: seconds after which a missing value is
     old, infinite for one sent only on change; for others `FleetState.patience` counts. `unset`: by
     unaccepted request the key of the profile that is empty. `frames_are_floors`: the frame of its poses
-    names the floor. `tells_ends`: it lists how an order ended. `keeps_goals`: it drives one goal at a time
+    names the floor. `reports_ends`: it lists how an order ended. `keeps_goals`: it drives one goal at a time
     and has no queue: this console keeps it. `holds`: a pause cancels its goal, which this console keeps
     and sends again. `takes_stops`: one order leads to any number of stops; `gives_stops`: this console
     sends those one by one. `changes_floors`: an order can lead it to another floor."""
@@ -27,7 +27,7 @@ class Kind(Struct, frozen=True):
     silence: Mapping[str, float] = field(default_factory=dict)
     unset: Mapping[str, str] = field(default_factory=dict)
     frames_are_floors: bool = True
-    tells_ends: bool = False
+    reports_ends: bool = field(default=False, name="tells_ends")  # as recordings have it
     keeps_goals: bool = False
     holds: bool = False
     takes_stops: bool = False

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.order import BEGUN, Order, OrderQueue, OrderState
+from fleet_tui.text.durations import age
 
 ARRIVES = 2.0
 """Metres from its last vertex within which a robot must have been to count as having driven the order."""
@@ -79,10 +80,10 @@ def trace_queue(
     at: float,
     before: tuple[float, int] | None,
     away: Away,
-    tells_ends: bool = False,
+    reports_ends: bool = False,
 ) -> tuple[Mapping[str, OrderTrace], list[GoneOrder]]:
     """Compare a queue with the orders that were open before it; `before`: time of the last queue and its last
-    serial; `tells_ends`: such a robot lists how an order ended.
+    serial; `reports_ends`: such a robot lists how an order ended.
 
     Returns the orders that are open now, and those that have ended.
     """
@@ -91,7 +92,7 @@ def trace_queue(
     starts_over = before is not None and queue.last_serial < before[1]
     gone = [
         GoneOrder(trace.order, at, Stage.LOST, NOT_LISTED)
-        if tells_ends and id_ not in listed
+        if reports_ends and id_ not in listed
         else _end_of(trace, listed.get(id_), last_listed, at, starts_over, away)
         for id_, trace in traces.items()
         if _is_over(trace, listed.get(id_))
@@ -138,7 +139,7 @@ def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away:
     if trace.was_driven(last_listed):
         return Stage.DONE, "driven to the end"
     if last_listed is not None and at - last_listed > BLIND_AFTER:
-        blind = f"left the queue while no queue was received for {at - last_listed:.0f} s"
+        blind = f"left the queue while no queue was received for {age(at - last_listed)}"
         return Stage.LOST, f"{blind}: may have been completed"
     if not trace.begun:
         return Stage.LOST, "left the queue before it started"
@@ -147,7 +148,7 @@ def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away:
         return Stage.DONE, "left the queue after it started"
     metres, seen_at = seen
     if at - seen_at > BLIND_AFTER:
-        blind = f"left the queue while no pose was received for {at - seen_at:.0f} s"
+        blind = f"left the queue while no pose was received for {age(at - seen_at)}"
         return Stage.LOST, f"{blind}: may have been completed"
     where = "on another floor" if metres == math.inf else f"{metres:.0f} m from its end"
     return Stage.LOST, f"left the queue with the robot {where}"

@@ -116,12 +116,12 @@ def _look_through(recording: Recording, part: Path) -> Iterator[int]:
 
 
 def _take_lines(recording: Recording, part: Path, lines: Lines) -> Iterator[int]:
-    told = in_member = nth = 0
+    reported = in_member = nth = 0
     last = b""
     try:
         for member, line in lines:
-            if lines.done != told:
-                yield (told := lines.done)
+            if lines.done != reported:
+                yield (reported := lines.done)
             if line.startswith(_BULK):
                 last = line
                 continue

@@ -46,7 +46,7 @@ class ActionDesk:
         self._dialect, self._unsourced = dialect, unsourced
         self._servers = {name: (fleet, server) for fleet in fleets for name, server in fleet.actions.items()}
         self._given: list[_Given] = []
-        self.tells_failure = True
+        self.reports_failure = True
         """False: a goal that is rejected, or for which there is no server, is never answered."""
 
     @property
@@ -67,7 +67,7 @@ class ActionDesk:
             return self._fail(session, operation, "No action server available", SOUGHT)
         goal = server.take(uuid.uuid4().bytes, time.time_ns(), request)
         if goal is None:
-            if not self.tells_failure:
+            if not self.reports_failure:
                 return asyncio.Future()
             return self._fail(session, operation, "Action goal was rejected")
         given = _Given(session, operation, fleet, server, goal)
@@ -83,22 +83,22 @@ class ActionDesk:
                 return
         raise BridgeError(f"No goal with id {operation.get('id')} to cancel")
 
-    def tell_feedback(self) -> None:
+    def publish_feedback(self) -> None:
         """Send feedback to the clients that asked for it."""
         for given in self._given:
             if given.operation.get("feedback") and given.server.alive and not given.goal.over:
                 values = given.fleet.feedback(given.server, given.goal, self._dialect)
                 if values is not None:
-                    self._tell(given.session, given.operation, "action_feedback", {"values": values})
+                    self._send(given.session, given.operation, "action_feedback", {"values": values})
 
-    def tell_results(self) -> None:
+    def send_results(self) -> None:
         """Send the results of ended goals; a dead server never sends any."""
         for given in list(self._given):
             if not given.server.alive:
                 self._given.remove(given)
             elif given.goal.over and (values := given.fleet.result(given.server, given.goal)) is not None:
                 self._given.remove(given)
-                self._tell_result(given.session, given.operation, values, given.goal.status, True)
+                self._send_result(given.session, given.operation, values, given.goal.status, True)
                 given.ended.set_result(None)
 
     def gone(self, session: "Session") -> None:
@@ -124,22 +124,22 @@ class ActionDesk:
     def _fail(self, session: "Session", operation: "Operation", message: str, delay: float = 0.0) -> Ended:
         ended = Ended()
 
-        def tell() -> None:
-            self._tell_result(session, operation, message, 0, False)
+        def fail() -> None:
+            self._send_result(session, operation, message, 0, False)
             ended.set_result(None)
 
         if delay == 0.0:
-            tell()
-        elif self.tells_failure:
-            asyncio.get_running_loop().call_later(delay, tell)
+            fail()
+        elif self.reports_failure:
+            asyncio.get_running_loop().call_later(delay, fail)
         return ended
 
-    def _tell_result(
+    def _send_result(
         self, session: "Session", operation: "Operation", values: Any, status: int, result: bool
     ) -> None:
-        told = {"values": values, "status": status, "result": result}
-        self._tell(session, operation, "action_result", told)
+        content = {"values": values, "status": status, "result": result}
+        self._send(session, operation, "action_result", content)
 
-    def _tell(self, session: "Session", operation: "Operation", op: str, told: Message) -> None:
+    def _send(self, session: "Session", operation: "Operation", op: str, content: Message) -> None:
         id_ = {"id": operation["id"]} if operation.get("id") is not None else {}
-        session.reply(to_json({"op": op, "action": operation["action"], **told, **id_}))
+        session.reply(to_json({"op": op, "action": operation["action"], **content, **id_}))

@@ -77,11 +77,11 @@ class Guests:
             raise ServiceError(f"Tried to advertise {name} with type {type_}, established is {established}")
         self._since.setdefault((session, name), time.monotonic())
         if known is None:
-            told = self._dialect.message_type(short)
+            full_name = self._dialect.message_type(short)
             nothing = tuple[Payload, ...]()
-            self._types[name] = told
+            self._types[name] = full_name
             self._topics[name] = Topic(
-                name, told, lambda _now: Payload({}), None, False, latched, lambda: nothing
+                name, full_name, lambda _now: Payload({}), None, False, latched, lambda: nothing
             )
             self._advertised[name] = set()
         if name in self._advertised:  # otherwise a robot publishes it as well, and continues
@@ -119,10 +119,10 @@ class Guests:
     def offer(self, session: "Session", name: str, type_: str) -> None:
         """Advertise a service for a client. Raises ServiceError."""
         for defined, (request, _) in SERVICES.items():
-            told = self._dialect.service_type(defined)
-            if type_ in (told, self._dialect.short(told)):
-                self._offers[resolve(name)] = _Offer(session, self._dialect.short(told))
-                self._services[resolve(name)] = ServiceType(told, request)
+            full_name = self._dialect.service_type(defined)
+            if type_ in (full_name, self._dialect.short(full_name)):
+                self._offers[resolve(name)] = _Offer(session, self._dialect.short(full_name))
+                self._services[resolve(name)] = ServiceType(full_name, request)
                 return
         raise ServiceError(self._dialect.unknown_package(type_.partition("/")[0], "srv"))
 

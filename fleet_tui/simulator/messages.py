@@ -69,8 +69,8 @@ def raw_payload(dialect: Dialect, type_: str, now: float, value: Message) -> Pay
     """A message that cbor-raw can carry too."""
 
     def raw(msg: Message) -> Message:
-        told = dialect.short(dialect.message_type(type_))
-        return {**dialect.time(now), "bytes": encode(dialect, told, msg)}
+        short_name = dialect.short(dialect.message_type(type_))
+        return {**dialect.time(now), "bytes": encode(dialect, short_name, msg)}
 
     return Payload(value, raw)
 

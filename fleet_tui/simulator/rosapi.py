@@ -88,7 +88,7 @@ class RosapiServer:
                 texts = ["\n".join(self._fields(type_)) for type_ in found["types"]]
                 return found | {"typedefs_full_text": texts}
             case "services":
-                return {"services": [*self._told, *self.services]}
+                return {"services": [*self._known, *self.services]}
             case "get_time":
                 return {"time": self._dialect.time(self._clock())}
             case "get_ros_version":
@@ -103,7 +103,7 @@ class RosapiServer:
         raise NodeDiedError  # action_type: the handler ends the whole of rosapi
 
     @property
-    def _told(self) -> Mapping[str, ServiceType]:
+    def _known(self) -> Mapping[str, ServiceType]:
         return {name: type_ for name, type_ in self._services.items() if HIDDEN not in name}
 
     def _fields(self, type_: str) -> Iterable[str]:
@@ -122,10 +122,10 @@ class RosapiServer:
         if verb == "topics_for_type":
             found = {**self._listened, **self._topics}
             return {"topics": [name for name, other in found.items() if other == type_]}
-        return {"services": [name for name, other in self._told.items() if other.name == type_]}
+        return {"services": [name for name, other in self._known.items() if other.name == type_]}
 
     def _about_services(self, verb: str, service: str) -> Values:
-        known = self._told.get(service) or self.services.get(service)
+        known = self._known.get(service) or self.services.get(service)
         match verb:
             case "service_type":
                 return {"type": known.name if known else ""}
@@ -157,7 +157,7 @@ class RosapiServer:
         return {
             "subscribing": list({BRIDGE: self._subscribed(), FLEET: self._listened}.get(node, ())),
             "publishing": [name for name in self._topics if self._publisher(name) == node],
-            "services": [name for name in (*self._told, *self.services) if self._offering(name) == node],
+            "services": [name for name in (*self._known, *self.services) if self._offering(name) == node],
         }
 
     def _offering(self, service: str) -> str:

@@ -169,7 +169,7 @@ class RosbridgeServer:
             for line in self._talk.tell(fleet.lines(), time.time()):
                 self.bridge.publish(ROSOUT, Payload(line))
         self.bridge.spread()
-        self.bridge.services.actions.tell_feedback()
+        self.bridge.services.actions.publish_feedback()
         if tick % max(1, round(self._rate)) == 0:
             self.bridge.publish(DIAGNOSTICS)
         for name in dict.fromkeys(map(resolve, self.bridge.channels)):

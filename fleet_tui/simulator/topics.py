@@ -97,7 +97,7 @@ class TopicDesk:
         for fleet in self.fleets:
             for name, payload in fleet.news(self.dialect):
                 self.publish(name, payload)
-        self.services.actions.tell_results()
+        self.services.actions.send_results()
 
     def complain(self, session: Session, operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""

@@ -36,23 +36,23 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
             return replace(robot, own_floor=truncate(event.floor, LONGEST_NAME))
         case navigation_events.Unmeasured():
             names = robot.unmeasured
-            told = names if event.value in names else (*names, event.value)
-            return with_sign_of_life(replace(robot, unmeasured=told), event.at)
+            new = names if event.value in names else (*names, event.value)
+            return with_sign_of_life(replace(robot, unmeasured=new), event.at)
         case _:
             assert_never(event)
 
 
-def _merged(robot: Robot, told: Progress) -> Progress:
+def _merged(robot: Robot, new: Progress) -> Progress:
     """Merge progress messages: of a goal with several stops one gives the stop, others the distance on its
     leg."""
     if robot.progress is None:
-        return told
+        return new
     known = robot.progress.value
-    if told.stop is not None:
-        return replace(known, goal=told.goal, stop=told.stop)
+    if new.stop is not None:
+        return replace(known, goal=new.goal, stop=new.stop)
     goals = (goal for listed in robot.goals.values() for goal in listed)
-    is_leg = any(goal.id == told.goal and goal.is_leg for goal in goals)
-    return replace(told, goal=known.goal, stop=known.stop) if is_leg else told
+    is_leg = any(goal.id == new.goal and goal.is_leg for goal in goals)
+    return replace(new, goal=known.goal, stop=known.stop) if is_leg else new
 
 
 def _take_odometry(robot: Robot, event: navigation_events.OdometryReported) -> Robot:

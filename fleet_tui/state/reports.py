@@ -134,7 +134,7 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
             robot = with_fault(robot, line)
     last = (robot.queue.at, robot.orders.last_serial) if robot.queue else None
     traces, gone = trace_queue(
-        robot.traces, queue, at, last, partial(_metres_to_end, robot), robot.kind.tells_ends
+        robot.traces, queue, at, last, partial(_metres_to_end, robot), robot.kind.reports_ends
     )
     robot = replace(_without_lost_pause(robot, event), queue=Reading(queue, at))
     if event.fault:

@@ -52,11 +52,13 @@ class Annunciator:
 
     def _sequence(self, alarms: list[Alarm]) -> str:
         rings = any(_priority(alarm) in self._bell for alarm in alarms)
-        told = [alarm for alarm in alarms if _priority(alarm) in self._notify]
+        notified = [alarm for alarm in alarms if _priority(alarm) in self._notify]
         sequence = "\x07" if rings else ""
-        if told:
-            more = f" and {len(told) - 1} more" if told[1:] else ""
-            sequence += notification(f"{told[0].condition.source} {told[0].text}{more}", self._inside_tmux)
+        if notified:
+            more = f" and {len(notified) - 1} more" if notified[1:] else ""
+            sequence += notification(
+                f"{notified[0].condition.source} {notified[0].text}{more}", self._inside_tmux
+            )
         return sequence
 
 

@@ -82,16 +82,16 @@ def leave_on_signals(leave: Callable[[], object], restore: Callable[[], None]) -
     loop = asyncio.get_running_loop()
     terminal = sys.__stdout__  # Textual has replaced the other one by now
 
-    def told(number: int, _frame: object) -> None:
+    def on_signal(number: int, _frame: object) -> None:
         end_within(PATIENCE, 128 + number, restore)
         loop.call_soon_threadsafe(leave)
 
     def look() -> None:
         if terminal is not None and _is_hung_up(terminal.fileno()):
-            told(signal.SIGHUP, None)
+            on_signal(signal.SIGHUP, None)
         else:
             loop.call_later(LOOK_EVERY, look)
 
     for name in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
-        signal.signal(name, told)
+        signal.signal(name, on_signal)
     look()

@@ -36,20 +36,20 @@ class FaultGuard:
             if repr(problem) != self._logged:  # once: ten times a second would fill the log
                 self._logged = repr(problem)
                 LOG.exception("tick")
-            self._tell(problem)
+            self._report(problem)
 
     def action_failed(self, action: "str | ActionParseResult", problem: Exception) -> None:
         """Log and report that an action failed, with its key if it has one."""
         name = str(action).removeprefix("screen.").removeprefix("key('").removesuffix("')")
         LOG.error("action %s", name, exc_info=problem)
-        self._tell(problem)
+        self._report(problem)
 
     def worker_failed(self, error: BaseException) -> None:
         """Log and report that a background task failed."""
         LOG.error("worker", exc_info=error)
-        self._tell(error)
+        self._report(error)
 
-    def _tell(self, problem: BaseException) -> None:
+    def _report(self, problem: BaseException) -> None:
         # The text of an exception may contain anything, or be empty.
         message = sanitize(truncate(str(problem))) or type(problem).__name__
         self._note(f"internal error: {message} (see the log file)")

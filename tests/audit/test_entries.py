@@ -32,8 +32,8 @@ from tests.support.fleets import (
     link_lost,
     place_order,
     queue,
+    reduced,
     tick,
-    told,
 )
 from tests.support.records import ANA, ORDER, give, read, watched
 from tests.support.watched_store import config_of
@@ -135,7 +135,7 @@ def test_what_was_asked_of_many_robots_is_summed_up_once_it_is_decided() -> None
     states = [fleet(2)]
     refusals = [CommandAdvanced(id_, Stage.REFUSED, T0 + 1, "busy") for id_ in (1, 2)]
     for fact in (*asked, *refusals):
-        states.append(told(states[-1], fact))
+        states.append(reduced(states[-1], fact))
     found = [
         [one for one in command_records(ANA, *pair, lambda at: at) if one.change == "summary"]
         for pair in pairwise(states)

@@ -10,7 +10,7 @@ from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk
-from tests.support.fleets import T0, battery, fleet, link_up, tick, told
+from tests.support.fleets import T0, battery, fleet, link_up, reduced, tick
 
 LOW = [("robot_0", "battery"), ("robot_1", "battery")]
 
@@ -18,7 +18,7 @@ LOW = [("robot_0", "battery"), ("robot_1", "battery")]
 def responses(cleared_at: Callable[[], float] = lambda: -math.inf) -> tuple[Desk, RowsPane, AlarmResponses]:
     """Two robots whose batteries are low, and the pane with their alarms."""
     low = (battery(T0, 5.0, robot=f"robot_{n}") for n in range(2))
-    desk, pane = Desk(told(fleet(2), link_up(T0 - 9), *low, tick(T0))), RowsPane(id="alarms")
+    desk, pane = Desk(reduced(fleet(2), link_up(T0 - 9), *low, tick(T0))), RowsPane(id="alarms")
     keys, _ = keymap({})
     return (
         desk,

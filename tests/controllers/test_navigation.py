@@ -3,12 +3,12 @@
 from fleet_tui.model.events import PoseReported
 from fleet_tui.model.geometry import Pose
 from tests.support.desk import Desk
-from tests.support.fleets import T0, fleet, told
+from tests.support.fleets import T0, fleet, reduced
 
 
 def desk() -> Desk:
     """Three robots on two floors, of which the second one is on the second floor."""
-    return Desk(told(fleet(3, 2), PoseReported("robot_1", T0, Pose(1.0, 2.0), "floor_1", None)))
+    return Desk(reduced(fleet(3, 2), PoseReported("robot_1", T0, Pose(1.0, 2.0), "floor_1", None)))
 
 
 def test_steps_go_round_and_numbers_choose() -> None:

@@ -3,7 +3,7 @@
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.state.store import Store
-from tests.support.fleets import R0, T0, commanded, fleet, told
+from tests.support.fleets import R0, T0, commanded, fleet, reduced
 
 
 def test_what_is_said_is_shown_at_once_and_what_is_noted_with_the_next_tick() -> None:
@@ -20,6 +20,6 @@ def test_a_command_that_comes_later_is_newer_than_the_text() -> None:
     notices = Notices(store, lambda: None)
     notices.say("one")
     before = notices.at
-    store.put(told(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT, at=T0 + 1)))
+    store.put(reduced(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT, at=T0 + 1)))
     notices.say("two")
     assert notices.at > before

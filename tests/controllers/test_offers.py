@@ -8,7 +8,7 @@ from fleet_tui.controllers.session import ConsoleSession
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane
 from tests.support.desk import Desk, ready
-from tests.support.fleets import labels, told
+from tests.support.fleets import labels, reduced
 
 
 class Answers:
@@ -27,7 +27,7 @@ class Palette:
     """The offers of a desk, and which keys were run."""
 
     def __init__(self) -> None:
-        self.desk = Desk(told(ready(), labels({1: "Base", 2: "St\x1bore", 9: "Nowhere"})))
+        self.desk = Desk(reduced(ready(), labels({1: "Base", 2: "St\x1bore", 9: "Nowhere"})))
         self.run: list[str] = []
         self.themes: list[str] = []
         self.offers = Offers(

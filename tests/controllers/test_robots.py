@@ -50,8 +50,8 @@ def test_the_menu_has_what_the_robot_accepts() -> None:
 
 def test_the_newest_fault_stands_above_the_menu() -> None:
     from fleet_tui.model.events import MessageRejected
-    from tests.support.fleets import told
+    from tests.support.fleets import reduced
 
-    desk, _, robots = requests(told(ready(), MessageRejected(R0, "no \x1b pose")))
+    desk, _, robots = requests(reduced(ready(), MessageRejected(R0, "no \x1b pose")))
     robots.menu(R0)
     assert desk.menus[0].title == f"{R0}: no ␛ pose"

@@ -32,7 +32,7 @@ from fleet_tui.model.order import (
     route_text,
 )
 from fleet_tui.rules.commands.pauses import WAITS
-from tests.support.fleets import R0, T0, commanded, fleet, graph, link_up, place_order, pose, tick, told
+from tests.support.fleets import R0, T0, commanded, fleet, graph, link_up, place_order, pose, reduced, tick
 
 GOAL = "3f2a-77"
 ORDER = place_order(R0, "dock A", "7b")
@@ -51,7 +51,7 @@ def confirmed(*facts: Event) -> FleetState:
     """The order of this console is the robot's goal."""
     begun = [link_up(T0 - 9), reported(T0 - 1), tick(T0), *commanded(1, ORDER, Stage.SENT, Stage.ACCEPTED)]
     driving = reported(T0 + 1, goal(OrderState.IN_PROCESS), current=GOAL)
-    return told(fleet(), *begun, driving, tick(T0 + 1), *facts)
+    return reduced(fleet(), *begun, driving, tick(T0 + 1), *facts)
 
 
 def only(state: FleetState) -> CommandRecord:
@@ -151,12 +151,12 @@ def test_what_the_robot_says_of_its_end_counts_more_than_our_cancel() -> None:
 
 
 def test_an_order_that_waits_here_is_not_the_one_that_the_robot_took() -> None:
-    begun = told(fleet(), link_up(T0 - 9), reported(T0 - 1), tick(T0))
-    unseen = told(begun, *commanded(1, ORDER, Stage.SENT, Stage.NO_ANSWER))
-    late = told(unseen, reported(T0 + 1), tick(T0 + 90))
+    begun = reduced(fleet(), link_up(T0 - 9), reported(T0 - 1), tick(T0))
+    unseen = reduced(begun, *commanded(1, ORDER, Stage.SENT, Stage.NO_ANSWER))
+    late = reduced(unseen, reported(T0 + 1), tick(T0 + 90))
     assert only(late).stage is Stage.NOT_CONFIRMED
-    state = told(late, *commanded(2, ORDER, Stage.WAITING, at=T0 + 91))
-    state = told(state, reported(T0 + 92, goal(OrderState.QUEUED)), tick(T0 + 92))
+    state = reduced(late, *commanded(2, ORDER, Stage.WAITING, at=T0 + 91))
+    state = reduced(state, reported(T0 + 92, goal(OrderState.QUEUED)), tick(T0 + 92))
     assert [record.stage for record in state.commands] == [Stage.LATE, Stage.WAITING]
 
 
@@ -164,7 +164,7 @@ def test_an_id_that_a_robot_gives_again_after_it_was_started_anew_is_another_ord
     restarted = confirmed(reported(T0 + 2), tick(T0 + 2))
     assert only(restarted).stage is Stage.LOST
     again = commanded(2, ORDER, Stage.SENT, Stage.ACCEPTED, at=T0 + 3)
-    state = told(restarted, *again, reported(T0 + 4, goal(OrderState.QUEUED)), tick(T0 + 4))
+    state = reduced(restarted, *again, reported(T0 + 4, goal(OrderState.QUEUED)), tick(T0 + 4))
     assert (state.commands[1].stage, state.commands[1].order_id) == (Stage.CONFIRMED, GOAL)
 
 
@@ -179,10 +179,10 @@ def test_an_order_to_a_pose_is_done_where_the_robot_was_there() -> None:
     begun: list[Event] = [link_up(T0 - 9), reported(T0 - 1), pose(T0), tick(T0)]
     asked = commanded(1, PlaceOrder(R0, stops), Stage.SENT, Stage.ACCEPTED)
     driving = [reported(T0 + n, goal(OrderState.IN_PROCESS, stops=stops), current=GOAL) for n in (1, 2)]
-    state = told(fleet(), *begun, *asked, driving[0], tick(T0 + 1), pose(T0 + 2, 3.0), driving[1])
-    assert only(told(state, reported(T0 + 2.5, last=1), tick(T0 + 3))).stage is Stage.DONE
-    left = told(fleet(), *begun, *asked, driving[0], tick(T0 + 1), pose(T0 + 2, 30.0), driving[1])
-    assert only(told(left, reported(T0 + 2.5, last=1), tick(T0 + 3))).detail.endswith("27 m from its end")
+    state = reduced(fleet(), *begun, *asked, driving[0], tick(T0 + 1), pose(T0 + 2, 3.0), driving[1])
+    assert only(reduced(state, reported(T0 + 2.5, last=1), tick(T0 + 3))).stage is Stage.DONE
+    left = reduced(fleet(), *begun, *asked, driving[0], tick(T0 + 1), pose(T0 + 2, 30.0), driving[1])
+    assert only(reduced(left, reported(T0 + 2.5, last=1), tick(T0 + 3))).detail.endswith("27 m from its end")
 
 
 def test_no_queue_current_and_an_empty_id_is_none() -> None:
@@ -192,9 +192,9 @@ def test_no_queue_current_and_an_empty_id_is_none() -> None:
 def test_waiting_here_is_open_but_telemetry_does_not_decide_it() -> None:
     assert Stage.WAITING in OPEN and Stage.WAITING not in WAITS
     assert NEXT[Stage.WAITING] == {Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}
-    waiting = told(fleet(), link_up(T0), *commanded(1, ORDER, Stage.WAITING), tick(T0 + 900))
+    waiting = reduced(fleet(), link_up(T0), *commanded(1, ORDER, Stage.WAITING), tick(T0 + 900))
     assert only(waiting).stage is Stage.WAITING and not only(waiting).is_decided
-    cancelled = only(told(waiting, CommandAdvanced(1, Stage.CANCELLED, T0 + 901)))
+    cancelled = only(reduced(waiting, CommandAdvanced(1, Stage.CANCELLED, T0 + 901)))
     assert cancelled.is_decided and cancelled.outcome == cancelled.steps[-1]
 
 
@@ -202,10 +202,10 @@ def test_an_order_that_was_stopped_and_waits_here_is_sent_and_recognised_again()
     kept = confirmed(CommandAdvanced(1, Stage.WAITING, T0 + 2), reported(T0 + 2, goal(OrderState.CANCELLED)))
     assert not only(kept).is_decided and only(kept).outcome is None and not only(kept).has_open_order
     again = replace(goal(OrderState.IN_PROCESS), id="second", serial=2)
-    sent = told(
+    sent = reduced(
         kept, tick(T0 + 3), CommandAdvanced(1, Stage.SENT, T0 + 4), CommandAdvanced(1, Stage.ACCEPTED, T0 + 4)
     )
-    state = told(sent, reported(T0 + 5, goal(OrderState.CANCELLED), again, current="second"), tick(T0 + 5))
+    state = reduced(sent, reported(T0 + 5, goal(OrderState.CANCELLED), again, current="second"), tick(T0 + 5))
     assert (only(state).stage, only(state).order_id) == (Stage.CONFIRMED, "second")
     assert only(state).outcome == only(state).steps[-1]
 

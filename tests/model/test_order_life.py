@@ -96,7 +96,7 @@ def test_without_a_queue_for_long_it_may_have_been_completed() -> None:
 
 def test_a_robot_that_lists_ends_has_lost_what_it_lists_no_more() -> None:
     arrived = {"5": OrderTrace(DRIVEN, True, 11.9)}
-    _, (gone,) = trace_queue(arrived, queue(), 12.0, (11.0, 5), unplaced, tells_ends=True)
+    _, (gone,) = trace_queue(arrived, queue(), 12.0, (11.0, 5), unplaced, reports_ends=True)
     assert gone == GoneOrder(DRIVEN, 12.0, Stage.LOST, NOT_LISTED)
 
 

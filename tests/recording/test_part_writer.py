@@ -15,7 +15,7 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.part_files import PartLimits
 from fleet_tui.recording.part_writer import PartWriter
 from fleet_tui.recording.records import EventRecord, Keyframe, Lost, Mark, ReceivedFrame, Record, SentFrame
-from tests.support.fleets import LINK, R0, T0, WALL, commanded, fleet, told
+from tests.support.fleets import LINK, R0, T0, WALL, commanded, fleet, reduced
 from tests.support.watched_store import config_of
 
 
@@ -67,7 +67,7 @@ def test_a_frame_that_was_read_late_says_when_it_came(writer: PartWriter) -> Non
 
 def test_a_command_is_marked_at_each_step(writer: PartWriter) -> None:
     before = fleet()
-    writer.changed(T0, before, told(before, *commanded(1, PauseRobot(R0), Stage.SENT)))
+    writer.changed(T0, before, reduced(before, *commanded(1, PauseRobot(R0), Stage.SENT)))
     marks = records(writer)
     assert [mark.record.change for mark in marks if isinstance(mark, Mark)] == ["checked", "sent"]
 

@@ -12,7 +12,7 @@ from fleet_tui.errors import FleetError
 from fleet_tui.model.events import MessageArrived, TimePassed
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.records import EventRecord, Keyframe, ReceivedFrame, Record, RecordingError
-from tests.support.fleets import LINK, T0, WALL, fleet, told
+from tests.support.fleets import LINK, T0, WALL, fleet, reduced
 from tests.support.night_recordings import minutes, night, tick
 from tests.support.recordings import header, keyframe, packed, plain, written
 
@@ -25,7 +25,7 @@ def test_it_is_read_from_the_last_keyframe_before_an_instant(tmp_path: Path, at:
     recording = open_recording(night(tmp_path / "night.jsonl.gz"))
     records = list(recording.records(at))
     assert isinstance(records[0], Keyframe) and records[0].at == first
-    assert plain(recording.state(records[0])) == plain(told(fleet(), TimePassed(first, WALL)))
+    assert plain(recording.state(records[0])) == plain(reduced(fleet(), TimePassed(first, WALL)))
     assert [record.at for record in records] == sorted(record.at for record in records)
     assert records[-1].at == recording.end.at
 

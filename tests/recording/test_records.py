@@ -28,7 +28,7 @@ from fleet_tui.recording.records import (
     public,
 )
 from tests.support.any_events import ANY, FACTS
-from tests.support.fleets import battery, fleet, graph, labels, pose, tick, told
+from tests.support.fleets import battery, fleet, graph, labels, pose, reduced, tick
 from tests.support.recordings import header, keyframe, plain
 from tests.support.watched_store import config_of
 
@@ -59,7 +59,7 @@ def test_any_number_is_read_as_it_was(x: float, y: float, stamp: float | None) -
 
 @given(ANY)
 def test_every_state_is_read_as_it_was(facts: list[events.Event]) -> None:
-    state = told(fleet(2, 2), *facts)
+    state = reduced(fleet(2, 2), *facts)
     record = Keyframe.of(1.0, 2.0, state, Packer())
     read = again(record)
     assert isinstance(read, Keyframe)
@@ -68,12 +68,12 @@ def test_every_state_is_read_as_it_was(facts: list[events.Event]) -> None:
 
 def test_a_state_goes_on_after_it_was_read_as_before() -> None:
     """Alarms that are under way, clocks of robots and graphs: all of it matters for what comes next."""
-    state = told(fleet(), graph(1, 2, 3), labels({1: "Base"}), pose(1000.2, 1.0, stamp=7.0))
-    state = told(state, battery(1000.3, 5.0), *(tick(1000.0 + n) for n in range(1, 4)))
+    state = reduced(fleet(), graph(1, 2, 3), labels({1: "Base"}), pose(1000.2, 1.0, stamp=7.0))
+    state = reduced(state, battery(1000.3, 5.0), *(tick(1000.0 + n) for n in range(1, 4)))
     assert state.alarms and state.began
     read = keyframe(1000.0, state).fleet_state()
     later: list[events.Event] = [battery(1004.2, 8.0), *(tick(1004.0 + n) for n in range(1, 90))]
-    assert plain(told(read, *later)) == plain(told(state, *later))
+    assert plain(reduced(read, *later)) == plain(reduced(state, *later))
 
 
 def test_maps_are_read_with_their_pyramid() -> None:
@@ -84,7 +84,7 @@ def test_maps_are_read_with_their_pyramid() -> None:
         assert plain(again(EventRecord(1.0, 2.0, event))) == plain(EventRecord(1.0, 2.0, event))
     routes = events.FloorGraphLoaded("floor_0", graph(1, 2).graph, {"1": "Base"}, "one fault")
     assert again(EventRecord(1.0, 2.0, routes)) == EventRecord(1.0, 2.0, routes)
-    state = told(fleet(), events.FloorMapLoaded("floor_0", GRID), routes)
+    state = reduced(fleet(), events.FloorMapLoaded("floor_0", GRID), routes)
     assert plain(keyframe(1.0, state).fleet_state()) == plain(state)
 
 

@@ -2,7 +2,7 @@
 
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.fleet import FleetState
-from tests.support.fleets import LINK, R0, T0, WALL, battery, fleet, link_up, pose, queue, told
+from tests.support.fleets import LINK, R0, T0, WALL, battery, fleet, link_up, pose, queue, reduced
 
 
 def tick(at: float, behind: float = 0.0) -> TimePassed:
@@ -16,7 +16,7 @@ def driving(late: float, unread: float) -> FleetState:
         at = T0 + n * 0.1
         lag = min(late, n * 0.05)
         facts += [pose(at, stamp=50.0 + at - T0 - lag), tick(at, min(unread, lag))]
-    return told(fleet(), *facts)
+    return reduced(fleet(), *facts)
 
 
 def kinds(state: FleetState) -> set[str]:
@@ -45,8 +45,8 @@ def test_a_moment_is_no_lag() -> None:
 def test_when_it_keeps_up_again_everything_is_as_it_was() -> None:
     state = driving(late=9.0, unread=2.0)
     at = T0 + 20.0
-    state = told(state, pose(at, stamp=70.0), queue(at), battery(at), tick(at))
-    state = told(state, pose(at + 4, stamp=74.0), queue(at + 4), battery(at + 4), tick(at + 4))
+    state = reduced(state, pose(at, stamp=70.0), queue(at), battery(at), tick(at))
+    state = reduced(state, pose(at + 4, stamp=74.0), queue(at + 4), battery(at + 4), tick(at + 4))
     assert state.behind == 0.0 and kinds(state) == set()
-    gone = told(state, tick(at + 10))
+    gone = reduced(state, tick(at + 10))
     assert not gone.is_online(gone.robots[R0])

@@ -49,8 +49,8 @@ class Desk:
 
     def live(self, seconds: float) -> None:
         self.fleet.step(seconds)
-        self.desk.tell_feedback()
-        self.desk.tell_results()
+        self.desk.publish_feedback()
+        self.desk.send_results()
 
 
 @pytest.fixture
@@ -111,7 +111,7 @@ async def test_a_bridge_that_lacks_the_package_or_tells_no_failure(desk: Desk) -
     assert desk.desk.names and TO_POSE in desk.desk.names
     desk.fleet.actions[TO_POSE].die()
     assert TO_POSE not in desk.desk.names
-    desk.desk.tells_failure = False
+    desk.desk.reports_failure = False
     assert not desk.send(client).done() and client.told == []
     desk.unsourced.add("nav2_msgs")
     assert desk.send(client).done() and "nav2_msgs" in client.told[0]["values"]

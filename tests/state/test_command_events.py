@@ -15,16 +15,16 @@ from tests.support.fleets import (
     commanded,
     fleet,
     place_order,
-    told,
+    reduced,
 )
 
 
 def test_a_command_ends_exactly_once_whatever_comes() -> None:
-    state = told(fleet(), *commanded(7, PauseRobot(R0)), events.CommandAdvanced(8, Stage.SENT, T0))
+    state = reduced(fleet(), *commanded(7, PauseRobot(R0)), events.CommandAdvanced(8, Stage.SENT, T0))
     assert state.commands[0].stage is Stage.CHECKED
-    assert told(state, *commanded(7, ResumeRobot(R0))).commands == state.commands
-    state = told(state, events.CommandAdvanced(7, Stage.NOT_SENT, T0, "no link"))
-    assert told(state, events.CommandAdvanced(7, Stage.ACCEPTED, T0, "paused")) is state
+    assert reduced(state, *commanded(7, ResumeRobot(R0))).commands == state.commands
+    state = reduced(state, events.CommandAdvanced(7, Stage.NOT_SENT, T0, "no link"))
+    assert reduced(state, events.CommandAdvanced(7, Stage.ACCEPTED, T0, "paused")) is state
     assert (state.commands[0].stage, state.commands[0].detail) == (Stage.NOT_SENT, "no link")
     assert not state.robots[R0].paused_by_us
 
@@ -33,15 +33,15 @@ def test_the_newest_commands_are_kept() -> None:
     commands: list[Command] = [place_order(R0, n, n) for n in range(COMMANDS_KEPT + 5)]
     state = fleet()
     for n, command in enumerate(commands):
-        state = told(state, *commanded(n, command, Stage.SENT, Stage.REFUSED))
+        state = reduced(state, *commanded(n, command, Stage.SENT, Stage.REFUSED))
     assert [record.command for record in state.commands] == commands[-COMMANDS_KEPT:]
 
 
 def test_a_command_under_way_is_kept_until_its_end_has_come() -> None:
     many = range(2 * COMMANDS_KEPT)
-    state = told(fleet(), *(events.CommandIssued(n, PauseRobot(R0), T0, WALL) for n in many))
+    state = reduced(fleet(), *(events.CommandIssued(n, PauseRobot(R0), T0, WALL) for n in many))
     assert len(state.commands) == len(many)
-    state = told(state, events.CommandAdvanced(0, Stage.NOT_SENT, T0))
+    state = reduced(state, events.CommandAdvanced(0, Stage.NOT_SENT, T0))
     assert state.commands[0].stage is Stage.NOT_SENT
 
 
@@ -54,11 +54,11 @@ def accepted(command: Command, id_: int = 1) -> tuple[Event, ...]:
 
 
 def test_paused_by_us_until_we_resume() -> None:
-    state = told(fleet(), *accepted(PauseRobot(R0)), *accepted(ResumeRobot(R0), id_=2))
+    state = reduced(fleet(), *accepted(PauseRobot(R0)), *accepted(ResumeRobot(R0), id_=2))
     assert not state.is_paused(robot(state))
 
 
 @pytest.mark.parametrize("stage", [stage for stage in Stage if stage is not Stage.ACCEPTED])
 def test_a_pause_that_was_not_accepted_pauses_nothing(stage: Stage) -> None:
-    state = told(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT, stage))
+    state = reduced(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT, stage))
     assert not state.is_paused(robot(state))

@@ -13,7 +13,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.rules.commands.goals import LISTED_FOR
 from fleet_tui.rules.commands.local_queue import foreign
-from tests.support.fleets import R0, T0, commanded, tick, told
+from tests.support.fleets import R0, T0, commanded, reduced, tick
 from tests.support.nav2_goals import (
     DONE,
     FAILED,
@@ -40,63 +40,63 @@ def record(state: FleetState, id_: int = 7) -> CommandRecord:
 
 
 def test_goals_of_one_action_after_the_other_are_a_queue() -> None:
-    state = told(nav2(), goals(T0, goal("a")), goals(T0 + 1, goal("a", DONE), goal("b")))
+    state = reduced(nav2(), goals(T0, goal("a")), goals(T0 + 1, goal("a", DONE), goal("b")))
     assert listed(state) == [("a", DONE), ("b", ON)]
     assert robot(state).orders.current_id == "b"
 
 
 def test_what_had_ended_before_we_came_is_no_order() -> None:
-    state = told(nav2(), goals(T0, goal("a", DONE), goal("b", FAILED), goal("c")))
+    state = reduced(nav2(), goals(T0, goal("a", DONE), goal("b", FAILED), goal("c")))
     assert listed(state) == [("c", ON)]
 
 
 def test_one_that_ended_stays_a_while_whatever_comes() -> None:
-    state = told(nav2(), goals(T0, goal("a")), goals(T0 + 1, goal("a", DONE)))
-    state = told(state, tick(T0 + LISTED_FOR))
+    state = reduced(nav2(), goals(T0, goal("a")), goals(T0 + 1, goal("a", DONE)))
+    state = reduced(state, tick(T0 + LISTED_FOR))
     assert listed(state) == [("a", DONE)]
-    state = told(state, tick(T0 + LISTED_FOR + 2))
+    state = reduced(state, tick(T0 + LISTED_FOR + 2))
     assert listed(state) == [] and robot(state).gone
 
 
 def test_one_that_fails_as_a_newer_one_comes_was_replaced() -> None:
-    state = told(nav2(), goals(T0, goal("a")), goals(T0 + 1, goal("a"), goal("b")))
-    state = told(state, goals(T0 + 1.1, goal("a", FAILED), goal("b")))
+    state = reduced(nav2(), goals(T0, goal("a")), goals(T0 + 1, goal("a"), goal("b")))
+    state = reduced(state, goals(T0 + 1.1, goal("a", FAILED), goal("b")))
     assert listed(state) == [("a", OrderState.REPLACED), ("b", ON)]
-    state = told(state, goals(T0 + 2, goal("a", FAILED), goal("b", DONE)))
+    state = reduced(state, goals(T0 + 2, goal("a", FAILED), goal("b", DONE)))
     assert listed(state)[0] == ("a", OrderState.REPLACED)
 
 
 def test_one_that_failed_before_a_newer_one_came_has_failed() -> None:
-    state = told(nav2(), goals(T0, goal("a")), goals(T0 + 1, goal("a", FAILED)))
-    state = told(state, goals(T0 + 2, goal("a", FAILED), goal("b")))
+    state = reduced(nav2(), goals(T0, goal("a")), goals(T0 + 1, goal("a", FAILED)))
+    state = reduced(state, goals(T0 + 2, goal("a", FAILED), goal("b")))
     assert listed(state) == [("a", FAILED), ("b", ON)]
 
 
 class TestLegs:
     def test_goals_that_a_tour_gives_are_no_orders(self) -> None:
-        state = told(nav2(), goals(T0, goal("t", stamp=T0), action=WAYPOINTS))
-        state = told(state, goals(T0 + 0.1, goal("l", stamp=T0 + 0.1)))
+        state = reduced(nav2(), goals(T0, goal("t", stamp=T0), action=WAYPOINTS))
+        state = reduced(state, goals(T0 + 0.1, goal("l", stamp=T0 + 0.1)))
         assert listed(state) == [("t", ON)]
-        state = told(state, goals(T0 + 3, goal("l", DONE, T0 + 0.1), goal("m", stamp=T0 + 3)))
+        state = reduced(state, goals(T0 + 3, goal("l", DONE, T0 + 0.1), goal("m", stamp=T0 + 3)))
         assert listed(state) == [("t", ON)]
-        state = told(state, goals(T0 + 6, goal("t", DONE, T0), action=WAYPOINTS))
+        state = reduced(state, goals(T0 + 6, goal("t", DONE, T0), action=WAYPOINTS))
         assert listed(state) == [("t", DONE)]
 
     def test_a_leg_that_is_told_before_its_tour_was_no_order_of_ours(self) -> None:
-        state = told(nav2(), *commanded(7, A_B, *SENT))
-        state = told(state, goals(T0 + 0.1, goal("l", stamp=T0 + 0.1)), tick(T0 + 0.2))
+        state = reduced(nav2(), *commanded(7, A_B, *SENT))
+        state = reduced(state, goals(T0 + 0.1, goal("l", stamp=T0 + 0.1)), tick(T0 + 0.2))
         assert record(state).stage is Stage.SENT
-        state = told(state, goals(T0 + 0.3, goal("t", stamp=T0), action=WAYPOINTS), tick(T0 + 0.4))
+        state = reduced(state, goals(T0 + 0.3, goal("t", stamp=T0), action=WAYPOINTS), tick(T0 + 0.4))
         assert (record(state).stage, record(state).order_id) == (Stage.CONFIRMED, "t")
         assert listed(state) == [("t", ON)]
 
     def test_a_goal_that_was_there_before_the_tour_is_none(self) -> None:
-        state = told(nav2(), goals(T0, goal("a", stamp=T0 - 1)))
-        state = told(state, goals(T0 + 1, goal("t", stamp=T0), action=WAYPOINTS))
+        state = reduced(nav2(), goals(T0, goal("a", stamp=T0 - 1)))
+        state = reduced(state, goals(T0 + 1, goal("t", stamp=T0), action=WAYPOINTS))
         assert listed(state) == [("a", ON), ("t", ON)]
 
     def test_their_progress_is_that_of_the_tour(self) -> None:
-        state = told(
+        state = reduced(
             nav2(),
             goals(T0, goal("t"), action=WAYPOINTS),
             goals(T0, goal("l")),
@@ -112,95 +112,97 @@ class TestWhose:
     """The one new goal since an order was sent is that order."""
 
     def test_the_one_new_goal_is_ours(self) -> None:
-        state = told(nav2(), goals(T0, goal("old", DONE)), *commanded(7, B, *SENT, at=T0 + 1))
-        state = told(state, goals(T0 + 1.1, goal("old", DONE), goal("new")), tick(T0 + 1.2))
+        state = reduced(nav2(), goals(T0, goal("old", DONE)), *commanded(7, B, *SENT, at=T0 + 1))
+        state = reduced(state, goals(T0 + 1.1, goal("old", DONE), goal("new")), tick(T0 + 1.2))
         assert (record(state).stage, record(state).order_id) == (Stage.CONFIRMED, "new")
         assert robot(state).orders.orders[0].stops == B.stops
         assert not foreign(state, robot(state))
 
     def test_of_two_new_ones_nobody_can_tell(self) -> None:
-        state = told(nav2(), *commanded(7, B, *SENT))
-        state = told(state, goals(T0 + 0.1, goal("a"), goal("b")), tick(T0 + 0.2))
+        state = reduced(nav2(), *commanded(7, B, *SENT))
+        state = reduced(state, goals(T0 + 0.1, goal("a"), goal("b")), tick(T0 + 0.2))
         assert record(state).stage is Stage.SENT
-        state = told(state, tick(T0 + 6))
+        state = reduced(state, tick(T0 + 6))
         assert record(state).stage is Stage.NOT_CONFIRMED
         assert record(state).detail == "no answer; ambiguous: several new goals"
         assert {one.id for one in foreign(state, robot(state))} == {"a", "b"}
 
     def test_one_that_was_there_but_comes_late_is_not_ours_by_its_stamp(self) -> None:
-        state = told(nav2(), *commanded(7, B, *SENT, at=T0 + 30))
-        state = told(state, odometry(T0 + 30), goals(T0 + 30.1, goal("old", stamp=T0 + 3)), tick(T0 + 30.2))
+        state = reduced(nav2(), *commanded(7, B, *SENT, at=T0 + 30))
+        state = reduced(
+            state, odometry(T0 + 30), goals(T0 + 30.1, goal("old", stamp=T0 + 3)), tick(T0 + 30.2)
+        )
         assert record(state).stage is Stage.SENT
-        state = told(state, goals(T0 + 31, goal("old", stamp=T0 + 3), goal("new", stamp=T0 + 30)))
-        state = told(state, tick(T0 + 31.1))
+        state = reduced(state, goals(T0 + 31, goal("old", stamp=T0 + 3), goal("new", stamp=T0 + 30)))
+        state = reduced(state, tick(T0 + 31.1))
         assert record(state).order_id == "new"
 
     def test_a_robot_whose_clock_is_wrong_is_compared_by_its_own(self) -> None:
-        state = told(nav2(), OdometryReported(R0, T0 + 1, Pose(0, 0), 9e8))
-        state = told(state, *commanded(7, B, *SENT, at=T0 + 2))
-        state = told(state, OdometryReported(R0, T0 + 2, Pose(0, 0), 9e8 + 1))
-        state = told(state, goals(T0 + 2.2, goal("new", stamp=9e8 + 1.1)), tick(T0 + 2.3))
+        state = reduced(nav2(), OdometryReported(R0, T0 + 1, Pose(0, 0), 9e8))
+        state = reduced(state, *commanded(7, B, *SENT, at=T0 + 2))
+        state = reduced(state, OdometryReported(R0, T0 + 2, Pose(0, 0), 9e8 + 1))
+        state = reduced(state, goals(T0 + 2.2, goal("new", stamp=9e8 + 1.1)), tick(T0 + 2.3))
         assert record(state).order_id == "new"
 
     def test_a_goal_of_a_tour_is_no_order_to_a_place_alone(self) -> None:
-        state = told(nav2(), *commanded(7, B, *SENT))
-        state = told(state, goals(T0 + 0.1, goal("t"), action=WAYPOINTS), tick(T0 + 0.2))
+        state = reduced(nav2(), *commanded(7, B, *SENT))
+        state = reduced(state, goals(T0 + 0.1, goal("t"), action=WAYPOINTS), tick(T0 + 0.2))
         assert record(state).stage is Stage.SENT
 
 
 class TestEnds:
     def ours(self) -> FleetState:
-        state = told(nav2(), *commanded(7, B, *SENT))
-        return told(state, goals(T0 + 0.1, goal("a")), tick(T0 + 0.2))
+        state = reduced(nav2(), *commanded(7, B, *SENT))
+        return reduced(state, goals(T0 + 0.1, goal("a")), tick(T0 + 0.2))
 
     def test_status_then_result(self) -> None:
-        state = told(self.ours(), goals(T0 + 5, goal("a", FAILED)), tick(T0 + 5.1))
+        state = reduced(self.ours(), goals(T0 + 5, goal("a", FAILED)), tick(T0 + 5.1))
         assert record(state).stage is Stage.CONFIRMED
-        state = told(state, GoalAnswered(7, Stage.FAILED, T0 + 5.2, "error 208"), tick(T0 + 5.3))
+        state = reduced(state, GoalAnswered(7, Stage.FAILED, T0 + 5.2, "error 208"), tick(T0 + 5.3))
         assert (record(state).stage, record(state).detail) == (Stage.FAILED, "order a: error 208")
 
     def test_result_then_status(self) -> None:
-        state = told(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "error 208"), tick(T0 + 5.1))
+        state = reduced(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "error 208"), tick(T0 + 5.1))
         assert record(state).stage is Stage.CONFIRMED
-        state = told(state, goals(T0 + 5.2, goal("a", FAILED)), tick(T0 + 5.3))
+        state = reduced(state, goals(T0 + 5.2, goal("a", FAILED)), tick(T0 + 5.3))
         assert (record(state).stage, record(state).detail) == (Stage.FAILED, "order a: error 208")
 
     def test_without_a_result_the_status_decides_soon(self) -> None:
-        state = told(self.ours(), goals(T0 + 5, goal("a", DONE)), tick(T0 + 5.5))
+        state = reduced(self.ours(), goals(T0 + 5, goal("a", DONE)), tick(T0 + 5.5))
         assert record(state).stage is Stage.CONFIRMED
-        state = told(state, tick(T0 + 6.1))
+        state = reduced(state, tick(T0 + 6.1))
         assert (record(state).stage, record(state).detail) == (
             Stage.DONE,
             "order a: as reported by the robot",
         )
 
     def test_stops_that_were_missed_make_it_failed(self) -> None:
-        state = told(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "1 stops missed"))
-        state = told(state, goals(T0 + 5.1, goal("a", DONE)), tick(T0 + 5.2))
+        state = reduced(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "1 stops missed"))
+        state = reduced(state, goals(T0 + 5.1, goal("a", DONE)), tick(T0 + 5.2))
         assert record(state).stage is Stage.FAILED
 
     def test_one_that_is_listed_no_more_is_lost_unless_its_result_tells(self) -> None:
-        state = told(self.ours(), goals(T0 + 5), tick(T0 + 7))
+        state = reduced(self.ours(), goals(T0 + 5), tick(T0 + 7))
         assert record(state).stage is Stage.LOST
-        state = told(self.ours(), GoalAnswered(7, Stage.DONE, T0 + 5), goals(T0 + 5.1), tick(T0 + 7))
+        state = reduced(self.ours(), GoalAnswered(7, Stage.DONE, T0 + 5), goals(T0 + 5.1), tick(T0 + 7))
         assert record(state).stage is Stage.DONE
 
     def test_a_bad_entry_of_the_list_loses_no_order(self) -> None:
-        state = told(self.ours(), goals(T0 + 5, fault="status_list[0]: bad"), tick(T0 + 7))
+        state = reduced(self.ours(), goals(T0 + 5, fault="status_list[0]: bad"), tick(T0 + 7))
         assert record(state).stage is Stage.CONFIRMED and robot(state).last_fault == "status_list[0]: bad"
-        state = told(state, goals(T0 + 8, goal("a", DONE)), tick(T0 + 10))
+        state = reduced(state, goals(T0 + 8, goal("a", DONE)), tick(T0 + 10))
         assert record(state).stage is Stage.DONE
 
     def test_one_that_ends_between_two_looks_is_ours_all_the_same(self) -> None:
-        state = told(nav2(), goals(T0), *commanded(7, B, *SENT))
-        state = told(state, goals(T0 + 0.05, goal("a")), goals(T0 + 0.06, goal("a", DONE)), tick(T0 + 0.1))
-        state = told(state, tick(T0 + 2))
+        state = reduced(nav2(), goals(T0), *commanded(7, B, *SENT))
+        state = reduced(state, goals(T0 + 0.05, goal("a")), goals(T0 + 0.06, goal("a", DONE)), tick(T0 + 0.1))
+        state = reduced(state, tick(T0 + 2))
         assert record(state).stage is Stage.DONE
 
 
 def test_a_path_ends_at_the_vertex_that_is_near() -> None:
-    state = told(nav2(), localised(T0, 0.0), odometry(T0), goals(T0, goal("a")))
-    at_vertex = told(state, PlanReported(R0, T0 + 1, Pose(1.1, 0.2)))
+    state = reduced(nav2(), localised(T0, 0.0), odometry(T0), goals(T0, goal("a")))
+    at_vertex = reduced(state, PlanReported(R0, T0 + 1, Pose(1.1, 0.2)))
     assert robot(at_vertex).orders.orders[0].stops == (Stop("2"),)
-    elsewhere = told(state, PlanReported(R0, T0 + 1, Pose(1.1, 5.0)))
+    elsewhere = reduced(state, PlanReported(R0, T0 + 1, Pose(1.1, 5.0)))
     assert robot(elsewhere).orders.orders[0].stops == (Stop(pose=Pose(1.1, 5.0)),)

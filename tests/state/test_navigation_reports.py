@@ -14,7 +14,7 @@ from fleet_tui.model.navigation_events import (
     Unmeasured,
 )
 from fleet_tui.model.robot import Reading
-from tests.support.fleets import F0, R0, T0, tick, told
+from tests.support.fleets import F0, R0, T0, reduced, tick
 from tests.support.nav2_goals import (
     WAYPOINTS,
     goal,
@@ -31,11 +31,11 @@ class TestPlacing:
     """Odometry, placed on the map by the localisation."""
 
     def place(self, *facts: Event) -> Pose | None:
-        pose = robot(told(unheard(), *facts)).pose
+        pose = robot(reduced(unheard(), *facts)).pose
         return pose.value if pose else None
 
     def test_without_a_localisation_it_lives_but_nobody_knows_where(self) -> None:
-        state = told(nav2(), odometry(T0 + 1, 3.0), tick(T0 + 1))
+        state = reduced(nav2(), odometry(T0 + 1, 3.0), tick(T0 + 1))
         assert robot(state).pose is None and state.is_online(robot(state))
 
     def test_it_goes_on_by_its_wheels_from_where_it_was_found(self) -> None:
@@ -54,11 +54,11 @@ class TestPlacing:
         assert self.place(*facts, odometry(T0 + 10, 11.3)) == pytest.approx(Pose(11.0, 0.0))
 
     def test_it_is_no_sign_of_life(self) -> None:
-        state = told(nav2(), localised(T0 + 60, 1.0), tick(T0 + 60))
+        state = reduced(nav2(), localised(T0 + 60, 1.0), tick(T0 + 60))
         assert not state.is_online(robot(state))
 
     def test_without_odometry_it_is_where_it_was_found(self) -> None:
-        state = told(unheard(), localised(T0 + 1, 4.0), tick(T0 + 1))
+        state = reduced(unheard(), localised(T0 + 1, 4.0), tick(T0 + 1))
         pose = robot(state).pose
         assert pose is not None and pose.value == Pose(4.0, 0.0) and robot(state).floor == F0
 
@@ -66,28 +66,28 @@ class TestPlacing:
 class TestHeldBack:
     def test_the_same_action_goes_on_since_it_began_and_another_one_begins(self) -> None:
         facts = [BlockedReported(R0, T0 + n, "stop", "front") for n in range(3)]
-        state = told(nav2(), *facts)
+        state = reduced(nav2(), *facts)
         assert robot(state).blocked == Reading(Blocked("stop", "front", T0), T0 + 2)
-        state = told(state, BlockedReported(R0, T0 + 3, "slowdown", "side"))
+        state = reduced(state, BlockedReported(R0, T0 + 3, "slowdown", "side"))
         assert robot(state).blocked == Reading(Blocked("slowdown", "side", T0 + 3), T0 + 3)
 
 
 class TestProgress:
     def test_a_stop_is_kept_beside_the_distance_on_its_leg(self) -> None:
         tour = replace(goal("t"), is_leg=False)
-        state = told(nav2(), goals(T0, tour, action=WAYPOINTS), goals(T0, goal("l")))
+        state = reduced(nav2(), goals(T0, tour, action=WAYPOINTS), goals(T0, goal("l")))
         for progress in (Progress("l", metres=4.0), Progress("t", stop=2), Progress("l", metres=3.0)):
-            state = told(state, ProgressReported(R0, T0, progress))
+            state = reduced(state, ProgressReported(R0, T0, progress))
         found = robot(state).progress
         assert found is not None and found.value == Progress("t", metres=3.0, stop=2)
 
     def test_another_goals_progress_is_its_own(self) -> None:
         first, second = Progress("a", metres=4.0, stop=1), Progress("b", metres=9.0)
-        state = told(nav2(), *(ProgressReported(R0, T0, one) for one in (first, second)))
+        state = reduced(nav2(), *(ProgressReported(R0, T0, one) for one in (first, second)))
         found = robot(state).progress
         assert found is not None and found.value == second
 
 
 def test_what_is_not_measured_is_listed_once_and_is_a_sign_of_life() -> None:
-    state = told(unheard(), *(Unmeasured(R0, T0 + n, value) for n, value in enumerate("bcb")))
+    state = reduced(unheard(), *(Unmeasured(R0, T0 + n, value) for n, value in enumerate("bcb")))
     assert (robot(state).unmeasured, robot(state).last_received) == (("b", "c"), T0 + 2)

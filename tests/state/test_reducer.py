@@ -23,8 +23,8 @@ from tests.support.fleets import (
     link_up,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 
 FRAME = MapFrame(0.05, 2, 1, Pose(-1.0, -2.0))
@@ -34,10 +34,10 @@ GRID = grid_from_ros(FRAME, b"\x00\x64")
 def test_live_maps_of_many_robots_do_not_add_up(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("fleet_tui.state.reducer.LIVE_CELLS_KEPT", 4)
     names = ["robot_0", "robot_1", "robot_2"]
-    state = told(fleet(3, 2), *(events.GridReceived(name, F0, GRID) for name in names[:2]))
+    state = reduced(fleet(3, 2), *(events.GridReceived(name, F0, GRID) for name in names[:2]))
     held = [name for name in names if state.robots[name].maps[F0].grid]
     assert held == ["robot_0", "robot_1"]
-    state = told(state, events.GridReceived("robot_1", "floor_1", GRID))
+    state = reduced(state, events.GridReceived("robot_1", "floor_1", GRID))
     kept = {
         (name, floor)
         for name in names
@@ -48,7 +48,7 @@ def test_live_maps_of_many_robots_do_not_add_up(monkeypatch: pytest.MonkeyPatch)
 
 
 def test_every_value_lands_in_its_place_with_its_time() -> None:
-    state = told(
+    state = reduced(
         fleet(),
         pose(T0 + 1, 3.0, 4.0),
         battery(T0 + 2, 55.0),
@@ -69,16 +69,16 @@ def test_every_value_lands_in_its_place_with_its_time() -> None:
 def test_what_is_latched_is_kept_but_is_no_sign_of_life() -> None:
     """A bridge delivers latched maps again: a dead robot must not look alive."""
     maps = (graph(1), labels({1: "Base"}), events.FrameReceived(R0, F0, FRAME))
-    state = told(fleet(), *maps, events.GridReceived(R0, F0, GRID), events.MessageRejected(R0, "bad"))
+    state = reduced(fleet(), *maps, events.GridReceived(R0, F0, GRID), events.MessageRejected(R0, "bad"))
     robot_map = state.robots[R0].maps[F0]
     assert robot_map.frame == FRAME and robot_map.grid is GRID
     assert robot_map.graph is not None and robot_map.name_of("1") == "Base"
     assert state.robots[R0].last_received is None
-    assert not told(state, tick(T0 + 0.1)).is_online(state.robots[R0])
+    assert not reduced(state, tick(T0 + 0.1)).is_online(state.robots[R0])
 
 
 def test_bad_data_is_counted_on_its_robot_or_its_link() -> None:
-    state = told(
+    state = reduced(
         fleet(2), events.MessageRejected(R0, "pose: x"), events.FrameRejected(LINK, "frame of 3 bytes")
     )
     assert [(robot.faults, robot.last_fault) for robot in state.robots.values()] == [(1, "pose: x"), (0, "")]
@@ -87,13 +87,13 @@ def test_bad_data_is_counted_on_its_robot_or_its_link() -> None:
 
 def test_what_an_unknown_robot_says_changes_nothing() -> None:
     state = fleet()
-    assert told(state, pose(T0, robot="stranger"), graph(1, robot="stranger")) is state
+    assert reduced(state, pose(T0, robot="stranger"), graph(1, robot="stranger")) is state
 
 
 def test_a_floors_map_file_or_what_is_wrong_with_it() -> None:
-    state = told(fleet(1, 2), events.FloorMapLoaded(F0, GRID, tied=False))
+    state = reduced(fleet(1, 2), events.FloorMapLoaded(F0, GRID, tied=False))
     assert (state.floors[F0].grid, state.floors[F0].tied, state.floors[F0].frame_id) == (GRID, False, F0)
-    state = told(state, events.FloorMapLoaded("floor_1", None, "map a.png: no image a.png"))
+    state = reduced(state, events.FloorMapLoaded("floor_1", None, "map a.png: no image a.png"))
     assert (state.floors["floor_1"].grid, state.floors["floor_1"].problem) == (
         None,
         "map a.png: no image a.png",
@@ -102,66 +102,66 @@ def test_a_floors_map_file_or_what_is_wrong_with_it() -> None:
 
 
 def test_online_is_a_message_within_the_limit() -> None:
-    state = told(fleet(), battery(T0))
-    assert told(state, tick(T0 + 5.0)).is_online(state.robots[R0])
-    assert not told(state, tick(T0 + 5.01)).is_online(state.robots[R0])
+    state = reduced(fleet(), battery(T0))
+    assert reduced(state, tick(T0 + 5.0)).is_online(state.robots[R0])
+    assert not reduced(state, tick(T0 + 5.01)).is_online(state.robots[R0])
 
 
 def test_since_stays_the_moment_of_the_loss_while_it_is_tried_again() -> None:
-    state = told(fleet(), link_up(T0 + 1), link_lost(T0 + 10, "it closed", T0 + 11))
+    state = reduced(fleet(), link_up(T0 + 1), link_lost(T0 + 10, "it closed", T0 + 11))
     for n in range(5):
         trying = events.LinkChanged(LINK, T0 + 11 + n, Phase.CONNECTING)
-        state = told(state, trying)
+        state = reduced(state, trying)
         assert (state.links[LINK].since, bool(state.links[LINK].reason)) == (T0 + 10, True)
-        state = told(state, link_lost(T0 + 11.5 + n, "connection refused", T0 + 13 + n))
+        state = reduced(state, link_lost(T0 + 11.5 + n, "connection refused", T0 + 13 + n))
         assert (state.links[LINK].since, state.links[LINK].next_try) == (T0 + 10, T0 + 13 + n)
-    state = told(state, link_up(T0 + 30))
+    state = reduced(state, link_up(T0 + 30))
     link = state.links[LINK]
     assert (link.phase, link.since, link.reason, link.next_try) == (Phase.UP, T0 + 30, "", None)
-    assert told(state, link_up(T0 + 40)).links[LINK].since == T0 + 30
+    assert reduced(state, link_up(T0 + 40)).links[LINK].since == T0 + 30
 
 
 def test_a_link_that_is_heard_and_commands_that_are_dead() -> None:
-    state = told(fleet(), link_up(T0), events.MessageArrived(LINK, T0 + 3.0))
+    state = reduced(fleet(), link_up(T0), events.MessageArrived(LINK, T0 + 3.0))
     assert state.links[LINK].last_received == T0 + 3.0
-    state = told(state, events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master"), tick(T0 + 4))
+    state = reduced(state, events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master"), tick(T0 + 4))
     assert alarms(state)[LINK, "commands"].text == "no command path: no ROS master"
-    state = told(state, events.CommandPathChanged(LINK, CommandPath.ALIVE), tick(T0 + 5))
+    state = reduced(state, events.CommandPathChanged(LINK, CommandPath.ALIVE), tick(T0 + 5))
     assert alarms(state)[LINK, "commands"].text == "command path restored"
 
 
 def test_no_link_is_one_alarm_with_its_reason_after_the_delay() -> None:
-    state = told(fleet(3), link_up(T0), link_lost(T0 + 10), tick(T0 + 11.9))
+    state = reduced(fleet(3), link_up(T0), link_lost(T0 + 10), tick(T0 + 11.9))
     assert alarms(state) == {}
-    state = told(state, tick(T0 + 60))
+    state = reduced(state, tick(T0 + 60))
     assert list(alarms(state)) == [(LINK, "link")]
     assert alarms(state)[LINK, "link"].text == "no link: connection refused"
-    state = told(state, link_up(T0 + 61), tick(T0 + 61.1))
+    state = reduced(state, link_up(T0 + 61), tick(T0 + 61.1))
     assert alarms(state)[LINK, "link"].text == "link restored"
 
 
 def test_offline_is_an_alarm_only_while_the_link_is_up_and_had_time() -> None:
-    state = told(fleet(2), link_up(T0), battery(T0), tick(T0 + 5.0))
+    state = reduced(fleet(2), link_up(T0), battery(T0), tick(T0 + 5.0))
     assert alarms(state) == {}
-    state = told(state, tick(T0 + 12.0))
+    state = reduced(state, tick(T0 + 12.0))
     assert alarms(state)[R0, "offline"].text == "offline 12 s"
     assert alarms(state)["robot_1", "offline"].text == "never seen"
-    state = told(state, battery(T0 + 13.0), tick(T0 + 13.0))
+    state = reduced(state, battery(T0 + 13.0), tick(T0 + 13.0))
     assert alarms(state)[R0, "offline"].text == "back online"
 
 
 def test_a_new_link_gives_the_robots_time_to_speak() -> None:
-    state = told(fleet(), link_up(T0), battery(T0), link_lost(T0 + 1), tick(T0 + 100), link_up(T0 + 100))
-    assert (R0, "offline") not in alarms(told(state, tick(T0 + 104.9)))
-    assert (R0, "offline") in alarms(told(state, tick(T0 + 105.1)))
+    state = reduced(fleet(), link_up(T0), battery(T0), link_lost(T0 + 1), tick(T0 + 100), link_up(T0 + 100))
+    assert (R0, "offline") not in alarms(reduced(state, tick(T0 + 104.9)))
+    assert (R0, "offline") in alarms(reduced(state, tick(T0 + 105.1)))
 
 
 @pytest.mark.parametrize(("seconds", "alarmed"), [(0.0, False), (30.0, False), (30.1, True), (1e6, True)])
 def test_obstacle_above_the_limit(seconds: float, alarmed: bool) -> None:
-    state = told(fleet(), link_up(T0), events.ObstacleReported(R0, T0, seconds), tick(T0))
+    state = reduced(fleet(), link_up(T0), events.ObstacleReported(R0, T0, seconds), tick(T0))
     assert ((R0, "obstacle") in alarms(state)) is alarmed
     assert state.is_obstructed(state.robots[R0]) is (seconds > CONTACT)
-    free = told(state, events.ObstacleReported(R0, T0 + 1, 0.0), tick(T0 + 1))
+    free = reduced(state, events.ObstacleReported(R0, T0 + 1, 0.0), tick(T0 + 1))
     assert [alarm.text for alarm in free.alarms] == ["cleared: obstacle"] * alarmed
 
 
@@ -169,21 +169,21 @@ def test_obstacle_above_the_limit(seconds: float, alarmed: bool) -> None:
     ("percent", "priority"), [(20.0, None), (19.9, "LOW"), (10.0, "LOW"), (9.9, "MEDIUM"), (0.0, "MEDIUM")]
 )
 def test_battery_below_the_limit(percent: float, priority: str | None) -> None:
-    state = told(fleet(), battery(T0, percent), tick(T0))
+    state = reduced(fleet(), battery(T0, percent), tick(T0))
     found = [alarm.condition.priority.name for alarm in state.alarms]
     assert found == ([priority] if priority else [])
 
 
 def test_seen_alarms_are_not_counted_as_new() -> None:
-    state = told(fleet(2), battery(T0, 5.0), battery(T0, 5.0, "robot_1"), tick(T0))
+    state = reduced(fleet(2), battery(T0, 5.0), battery(T0, 5.0, "robot_1"), tick(T0))
     assert state.unacknowledged == 2
-    state = told(state, events.AlarmAcknowledged(R0, "battery"))
+    state = reduced(state, events.AlarmAcknowledged(R0, "battery"))
     assert (state.unacknowledged, len(state.alarms)) == (1, 2)
-    assert told(state, events.AlarmAcknowledged()).unacknowledged == 0
+    assert reduced(state, events.AlarmAcknowledged()).unacknowledged == 0
 
 
 def test_alarms_carry_wall_time() -> None:
-    assert told(fleet(), battery(T0, 5.0), tick(T0 + 7)).alarms[0].first_wall == WALL + T0 + 7
+    assert reduced(fleet(), battery(T0, 5.0), tick(T0 + 7)).alarms[0].first_wall == WALL + T0 + 7
 
 
 def test_robots_that_know_the_same_graph_share_one() -> None:
@@ -191,19 +191,21 @@ def test_robots_that_know_the_same_graph_share_one() -> None:
         return RouteGraph({"1": Vertex("1", x, 0.0), "2": Vertex("2", 4.0, 0.0)}, (Edge("7", "1", "2"),))
 
     told_again = events.GraphReceived(R0, F0, routes(2.0))
-    state = told(fleet(3), *(events.GraphReceived(f"robot_{n}", F0, routes(float(n // 2))) for n in range(3)))
+    state = reduced(
+        fleet(3), *(events.GraphReceived(f"robot_{n}", F0, routes(float(n // 2))) for n in range(3))
+    )
     first, second, other = (robot.maps[F0].graph for robot in state.robots.values())
     assert first is second and first == routes(0.0)
     assert other is not first and other == routes(1.0)
-    changed = told(state, told_again)
+    changed = reduced(state, told_again)
     assert changed.robots[R0].maps[F0].graph == routes(2.0)
     assert changed.robots["robot_1"].maps[F0].graph is second
 
 
 def test_a_map_that_all_robots_share_is_their_floors() -> None:
     grid = grid_from_ros(MapFrame(1.0, 2, 1), b"\0d")
-    state = told(fleet(2, 2), events.GridReceived("", F0, grid))
+    state = reduced(fleet(2, 2), events.GridReceived("", F0, grid))
     assert state.floors[F0].live is grid and state.robots[R0].maps[F0].grid is None
     other = grid_from_ros(MapFrame(1.0, 1, 1), b"\0")
-    state = told(state, events.GridReceived("", "floor_1", other), events.GridReceived("", "attic", grid))
+    state = reduced(state, events.GridReceived("", "floor_1", other), events.GridReceived("", "attic", grid))
     assert (state.floors[F0].live, state.floors["floor_1"].live) == (None, other)

@@ -18,7 +18,7 @@ from tests.support.any_events import (
     ANY,
     FACTS,
 )
-from tests.support.fleets import LINK, fleet, told
+from tests.support.fleets import LINK, fleet, reduced
 
 
 def test_every_kind_of_fact_is_tried() -> None:
@@ -43,7 +43,7 @@ def check(state: FleetState) -> None:
 
 @given(ANY)
 def test_nothing_raises_and_no_robot_is_ever_lost(facts: list[events.Event]) -> None:
-    check(told(fleet(2, 2), *facts))
+    check(reduced(fleet(2, 2), *facts))
 
 
 @given(ANY)
@@ -51,7 +51,7 @@ def test_facts_change_no_value_that_somebody_holds(facts: list[events.Event]) ->
     """The screen reads a state while the writer makes the next one."""
     state = fleet(2, 2)
     before = [(name.name, repr(getattr(state, name.name))) for name in fields(state)]
-    told(state, *facts)
+    reduced(state, *facts)
     assert [(name.name, repr(getattr(state, name.name))) for name in fields(state)] == before
 
 
@@ -60,7 +60,7 @@ def test_a_command_goes_only_along_the_table(facts: list[events.Event]) -> None:
     ended: dict[int, CommandRecord] = {}
     state = fleet()
     for fact in facts:
-        state = told(state, fact)
+        state = reduced(state, fact)
         for record in state.commands:
             stages = [step.stage for step in record.steps]
             assert stages[0] is Stage.CHECKED

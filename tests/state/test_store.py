@@ -3,7 +3,7 @@
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
-from tests.support.fleets import R0, T0, battery, commanded, fleet, link_up, tick, told
+from tests.support.fleets import R0, T0, battery, commanded, fleet, link_up, reduced, tick
 
 
 def test_a_watcher_hears_of_commands_and_alarms_and_of_nothing_else() -> None:
@@ -24,6 +24,6 @@ def test_a_watcher_hears_of_commands_and_alarms_and_of_nothing_else() -> None:
 def test_another_moment_is_put_in_its_place_unwatched() -> None:
     store, seen = Store(fleet()), list[FleetState]()
     store.watchers.append(lambda _before, after: seen.append(after))
-    other = told(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT))
+    other = reduced(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT))
     store.put(other)
     assert store.state is other and not seen

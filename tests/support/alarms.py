@@ -8,8 +8,8 @@ from tests.support.fleets import (
     battery,
     fleet,
     link_up,
+    reduced,
     tick,
-    told,
 )
 
 
@@ -24,4 +24,4 @@ def alarm(state: FleetState, kind: str, source: str = R0) -> Alarm:
 def up(robots: int = 1) -> FleetState:
     """A link that is up for long, and robots that just spoke."""
     spoke = (battery(T0, robot=f"robot_{n}") for n in range(robots))
-    return told(fleet(robots), link_up(T0 - 100), *spoke, tick(T0))
+    return reduced(fleet(robots), link_up(T0 - 100), *spoke, tick(T0))

@@ -19,8 +19,8 @@ from tests.support.fleets import (
     link_up,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 
 F1 = "floor_1"
@@ -29,7 +29,7 @@ F1 = "floor_1"
 def ready(*facts: Event, floors: int = 1) -> FleetState:
     """robot_0 online at vertex 1 of floor_0, on which 1, 2 and 3 lie in a row."""
     known = (graph(1, 2, 3), labels({1: "Base", 2: "Store"}), queue(T0), CargoReported(R0, T0, False))
-    return told(fleet(1, floors), link_up(T0), *known, pose(T0), *facts, tick(T0 + 0.5))
+    return reduced(fleet(1, floors), link_up(T0), *known, pose(T0), *facts, tick(T0 + 0.5))
 
 
 def found(state: FleetState, *commands: Command, **floors: str) -> list[tuple[str, bool]]:

@@ -25,8 +25,8 @@ from tests.support.fleets import (
     link_up,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 
 
@@ -126,4 +126,4 @@ def ready() -> FleetState:
         CargoReported(R0, T0, False),
     )
     alive = CommandPathChanged(LINK, CommandPath.ALIVE, connected=True)
-    return told(fleet(1), link_up(T0), alive, *known, pose(T0), tick(T0 + 0.5))
+    return reduced(fleet(1), link_up(T0), alive, *known, pose(T0), tick(T0 + 0.5))

@@ -4,7 +4,7 @@ from fleet_tui.model.counters import LinkCounter, TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.tables.links import Links
 from fleet_tui.view.tables.table import Table
-from tests.support.fleets import LINK, R0, T0, fleet, link_up, tick, told
+from tests.support.fleets import LINK, R0, T0, fleet, link_up, reduced, tick
 
 POSE, GRAPH, MAP, BATTERY = "/robot_0/pose", "/robot_0/f/graph", "/robot_0/f/map", "/robot_0/battery"
 
@@ -25,7 +25,7 @@ def counter() -> LinkCounter:
 
 
 def seen(link: LinkCounter, state: FleetState | None = None) -> tuple[FleetState, Links]:
-    state = told(state or told(fleet(2), link_up(T0)), tick(NOW))
+    state = reduced(state or reduced(fleet(2), link_up(T0)), tick(NOW))
     return state, [(state.links[LINK], link)]
 
 

@@ -49,7 +49,7 @@ def fleet(robots: int = 1, floors: int = 1) -> FleetState:
     return initial_state(msgspec.structs.replace(config, profile=Profile()), T0)
 
 
-def told(state: FleetState, *facts: Event) -> FleetState:
+def reduced(state: FleetState, *facts: Event) -> FleetState:
     """The state after these facts."""
     return reduce(apply, facts, state)
 

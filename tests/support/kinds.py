@@ -14,8 +14,8 @@ from tests.support.fleets import (
     link_up,
     of_kinds,
     pose,
+    reduced,
     tick,
-    told,
 )
 
 MUTE = Kind("mute", ("pose",))
@@ -31,11 +31,11 @@ def received(*kinds: Kind) -> FleetState:
     """Robots of these kinds, of which the first one alone knows a graph."""
     state = of_kinds(fleet(len(kinds)), *kinds)
     poses = [pose(T0, robot=name) for name in state.robots]
-    return told(state, link_up(T0), *poses, graph(1, 2), labels({1: "Base"}), tick(T0))
+    return reduced(state, link_up(T0), *poses, graph(1, 2), labels({1: "Base"}), tick(T0))
 
 
 def moved(*kinds: Kind, at: float = T0 + 1.0) -> FleetState:
     """Robots of these kinds, all of which know a graph and were just heard."""
     state = of_kinds(fleet(len(kinds)), *kinds)
     known = [fact for name in state.robots for fact in (graph(1, 2, robot=name), pose(at, robot=name))]
-    return told(state, link_up(T0), *known, tick(at))
+    return reduced(state, link_up(T0), *known, tick(at))

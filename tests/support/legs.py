@@ -17,7 +17,7 @@ from fleet_tui.model.navigation_events import (
     OdometryReported,
 )
 from fleet_tui.model.order import OrderState, at_vertices
-from tests.support.fleets import R0, T0, fleet, graph, link_up, tick, told
+from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick
 
 KIND = MoveBase(Profile(kind="move_base"), Site()).kind
 
@@ -40,7 +40,7 @@ def site() -> FleetState:
     state = replace(state, robots={R0: replace(state.robots[R0], kind=KIND)})
     pose = OdometryReported(R0, T0, Pose(0.0, 0.0), T0)
     placed = LocalisationReported(R0, T0, Pose(0.0, 0.0), "map", T0, 0.01)
-    return told(state, link_up(T0), graph(1, 2, 3), pose, placed, goals(T0), tick(T0))
+    return reduced(state, link_up(T0), graph(1, 2, 3), pose, placed, goals(T0), tick(T0))
 
 
 def goal(name: str, state: OrderState = ON, said: str = "") -> Goal:
@@ -54,11 +54,11 @@ def goals(at: float, *listed: Goal) -> GoalsReported:
 def sent(state: FleetState, at: float, name: str, command: PlaceOrder = A_B, id_: int = 7) -> FleetState:
     known = any(one.id == id_ for one in state.commands)
     issued = () if known else (CommandIssued(id_, command, at, at),)
-    return told(state, *issued, CommandAdvanced(id_, Stage.SENT, at, "", name))
+    return reduced(state, *issued, CommandAdvanced(id_, Stage.SENT, at, "", name))
 
 
 def lived(state: FleetState, at: float, *listed: Goal) -> FleetState:
-    return told(state, goals(at, *listed), Alive(R0, at), tick(at))
+    return reduced(state, goals(at, *listed), Alive(R0, at), tick(at))
 
 
 def record(state: FleetState, id_: int = 7) -> CommandRecord:

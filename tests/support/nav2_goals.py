@@ -15,7 +15,7 @@ from fleet_tui.model.navigation_events import (
 )
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.robot import Robot
-from tests.support.fleets import R0, T0, fleet, graph, link_up, tick, told
+from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick
 
 NAV2 = Nav2(Profile(kind="nav2"), Site()).kind
 TO_POSE, WAYPOINTS = "navigate_to_pose", "follow_waypoints"
@@ -30,12 +30,12 @@ ON, DONE, FAILED, OFF = (
 def unheard() -> FleetState:
     """A robot with Nav2 of which nothing has come."""
     state = fleet()
-    return told(replace(state, robots={R0: replace(state.robots[R0], kind=NAV2)}), link_up(T0))
+    return reduced(replace(state, robots={R0: replace(state.robots[R0], kind=NAV2)}), link_up(T0))
 
 
 def nav2() -> FleetState:
     """A robot with Nav2 in the middle of its life, at T0."""
-    return told(unheard(), graph(1, 2, 3), odometry(T0), tick(T0))
+    return reduced(unheard(), graph(1, 2, 3), odometry(T0), tick(T0))
 
 
 def odometry(at: float, x: float = 0.0, y: float = 0.0, yaw: float = 0.0) -> OdometryReported:

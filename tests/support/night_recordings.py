@@ -6,7 +6,7 @@ from pathlib import Path
 from fleet_tui.audit.entries import Origin
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording.records import EventRecord, Mark, Record
-from tests.support.fleets import T0, WALL, fleet, told
+from tests.support.fleets import T0, WALL, fleet, reduced
 from tests.support.recordings import header, keyframe, written
 
 ENTRY = Origin("ana", "here:1", "r").record(WALL, kind="alarm", what="offline", change="raised")
@@ -20,7 +20,7 @@ def minutes(count: int, start: float = T0) -> Iterator[list[Record]]:
     """A keyframe, ticks and an alarm for each minute."""
     for n in range(count):
         at = start + 60.0 * n
-        state = told(fleet(), TimePassed(at, WALL))
+        state = reduced(fleet(), TimePassed(at, WALL))
         yield [
             keyframe(at, state),
             *(tick(at + second) for second in range(60)),

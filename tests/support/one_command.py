@@ -13,8 +13,8 @@ from tests.support.fleets import (
     link_up,
     place_order,
     queue,
+    reduced,
     tick,
-    told,
 )
 
 ORDER = place_order(R0, 1, 2)
@@ -28,7 +28,7 @@ PATIENCE = fleet().limits.confirm_after
 
 def up(*facts: Event) -> FleetState:
     """A fleet with a link, and a queue in which order 4 is the last."""
-    return told(fleet(), link_up(T0 - 100), queue(T0 - 1, (4, 8, 9, "W"), current=4), tick(T0), *facts)
+    return reduced(fleet(), link_up(T0 - 100), queue(T0 - 1, (4, 8, 9, "W"), current=4), tick(T0), *facts)
 
 
 def only(state: FleetState) -> CommandRecord:

@@ -24,7 +24,7 @@ from tests.support.fleets import (
     link_up,
     place_order,
     pose,
-    told,
+    reduced,
 )
 
 ANA = Origin("ana", "host:1", "run1")
@@ -37,7 +37,7 @@ def record(detail: str = "", **more: object) -> AuditRecord:
 
 def known_fleet() -> FleetState:
     """A robot with two labelled vertices and one without."""
-    return told(fleet(), link_up(T0), graph(1, 2, 3), labels({1: "Base", 3: "Store"}), pose(T0))
+    return reduced(fleet(), link_up(T0), graph(1, 2, 3), labels({1: "Base", 3: "Store"}), pose(T0))
 
 
 def watched(folder: Path, origin: Origin = ANA) -> tuple[Store, Audit]:

@@ -10,7 +10,7 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.terminal.annunciator import Annunciator, notification
 from fleet_tui.terminal.lean_app import LeanApp
-from tests.support.fleets import R0, T0, battery, fleet, link_up, tick, told
+from tests.support.fleets import R0, T0, battery, fleet, link_up, reduced, tick
 from tests.support.terminal import PlayedDriver, paint, shown, terminal_of
 
 ALL = ["high", "medium", "low"]
@@ -49,7 +49,7 @@ def in_the_way() -> FleetState:
     """One alarm; the other robots' silence is none."""
     state = fleet(20)
     state = replace(state, limits=replace(state.limits, offline_after=1e6))
-    return told(state, link_up(T0), contact(T0), tick(T0))
+    return reduced(state, link_up(T0), contact(T0), tick(T0))
 
 
 def test_by_default_it_is_calm() -> None:
@@ -59,21 +59,21 @@ def test_by_default_it_is_calm() -> None:
 
 def test_the_bell_rings_once_for_each_alarm_raised() -> None:
     wire, state = Wire(["high"], []), in_the_way()
-    assert wire.look(fleet(20), state, state, told(state, tick(T0 + 20))) == ["\x07"]
-    state = told(state, events.AlarmAcknowledged(), tick(T0 + 21), contact(T0 + 22, 0.0), tick(T0 + 30))
+    assert wire.look(fleet(20), state, state, reduced(state, tick(T0 + 20))) == ["\x07"]
+    state = reduced(state, events.AlarmAcknowledged(), tick(T0 + 21), contact(T0 + 22, 0.0), tick(T0 + 30))
     assert wire.look(state) == ["\x07"]
-    state = told(state, contact(T0 + 31), tick(T0 + 31))
+    state = reduced(state, contact(T0 + 31), tick(T0 + 31))
     assert wire.look(state, state) == ["\x07", "\x07"]
 
 
 def test_other_priorities_are_quiet() -> None:
-    low = told(fleet(), battery(T0, 15.0), tick(T0))
+    low = reduced(fleet(), battery(T0, 15.0), tick(T0))
     assert Wire(["high", "medium"], ["high"]).look(low) == []
     assert Wire(["low"], []).look(low) == ["\x07"]
 
 
 def test_the_notification_names_the_worst() -> None:
-    state = told(in_the_way(), battery(T0, 15.0, "robot_1"), tick(T0 + 0.1))
+    state = reduced(in_the_way(), battery(T0, 15.0, "robot_1"), tick(T0 + 0.1))
     text = "\x1b]9;fleet-tui: robot_0 obstacle 44.2 s and 1 more\x1b\\"
     assert Wire(["low"], ALL).look(state) == ["\x07" + text]
 
@@ -83,26 +83,26 @@ def test_a_flood_is_one_call_and_what_follows_soon_another() -> None:
     wire = Wire(ALL, [])
     wire.look(state)
     for n in range(1, 19):
-        state = told(state, battery(T0, 15.0, f"robot_{n}"), tick(T0 + n / 5))
+        state = reduced(state, battery(T0, 15.0, f"robot_{n}"), tick(T0 + n / 5))
         wire.look(state)
     assert wire.sent == ["\x07"]
-    assert wire.look(told(state, tick(T0 + 5))) == ["\x07", "\x07"]
+    assert wire.look(reduced(state, tick(T0 + 5))) == ["\x07", "\x07"]
 
 
 def test_what_was_acknowledged_meanwhile_calls_nobody() -> None:
     state = in_the_way()
     wire = Wire(ALL, [])
-    wire.look(state, told(state, battery(T0, 15.0, "robot_1"), tick(T0 + 1)))
-    wire.look(told(state, battery(T0, 15.0, "robot_1"), tick(T0 + 1), events.AlarmAcknowledged()))
-    assert wire.look(told(state, events.AlarmAcknowledged(), tick(T0 + 9))) == ["\x07"]
+    wire.look(state, reduced(state, battery(T0, 15.0, "robot_1"), tick(T0 + 1)))
+    wire.look(reduced(state, battery(T0, 15.0, "robot_1"), tick(T0 + 1), events.AlarmAcknowledged()))
+    assert wire.look(reduced(state, events.AlarmAcknowledged(), tick(T0 + 9))) == ["\x07"]
 
 
 def test_a_terminal_that_does_not_read_is_called_when_it_does() -> None:
     wire, state = Wire(ALL, []), in_the_way()
     wire.takes = False
-    assert wire.look(state, told(state, tick(T0 + 0.1))) == []
+    assert wire.look(state, reduced(state, tick(T0 + 0.1))) == []
     wire.takes = True
-    assert wire.look(told(state, tick(T0 + 0.2)), told(state, tick(T0 + 0.3))) == ["\x07"]
+    assert wire.look(reduced(state, tick(T0 + 0.2)), reduced(state, tick(T0 + 0.3))) == ["\x07"]
 
 
 @pytest.mark.parametrize("text", ["\x07\x1b]0;x\x07", "a\x1b\\b\x9cc\x9d9;d", "\x1bPtmux;\x1b", "x" * 9999])

@@ -107,17 +107,19 @@ def read_feedback() -> Read:
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         message = read(msg)
-        told, goal = message.feedback, short_id(message.goal_id.uuid)
-        left, elapsed = told.estimated_time_remaining, told.navigation_time
-        metres = told.distance_remaining
+        feedback, goal = message.feedback, short_id(message.goal_id.uuid)
+        left, elapsed = feedback.estimated_time_remaining, feedback.navigation_time
+        metres = feedback.distance_remaining
         progress = Progress(
             goal,
             # 0 means "unknown": before the first plan, and while the robot does not move.
             metres if metres and 0.0 < metres <= FARTHEST else None,
             left.seconds if left and left.seconds > 0.0 else None,
             elapsed.seconds if elapsed else None,
-            told.number_of_recoveries if 0 <= (told.number_of_recoveries or 0) <= MOST_COUNTED else None,
-            told.current_waypoint,
+            feedback.number_of_recoveries
+            if 0 <= (feedback.number_of_recoveries or 0) <= MOST_COUNTED
+            else None,
+            feedback.current_waypoint,
         )
         yield navigation_events.ProgressReported(robot, at, progress)
 

@@ -80,10 +80,12 @@ def find_floors(found: Discovery, spaces: Sequence[str], listed: Listed) -> None
 
 def _floor_topic(found: Discovery, spaces: Sequence[str], listed: Listed) -> None:
     there = sorted(_templates(spaces, _of_type(listed, TEXT)))
-    told = [one for one in there if any(word in one.rpartition("/")[2] for word in ("floor", "level"))]
-    if len(found.floors) > 1 and told:
-        found.topics["floor"] = told[0]
-    elif told:
-        found.note("topics", f'floor = "{told[0]}"   # if its names match [[floors]]')
+    floor_topics = [
+        one for one in there if any(word in one.rpartition("/")[2] for word in ("floor", "level"))
+    ]
+    if len(found.floors) > 1 and floor_topics:
+        found.topics["floor"] = floor_topics[0]
+    elif floor_topics:
+        found.note("topics", f'floor = "{floor_topics[0]}"   # if its names match [[floors]]')
     elif len(found.floors) > 1:
         found.note("topics", 'floor = "..."   # or set the floor of each robot: no topic reports it')

@@ -37,7 +37,7 @@ def kind_of_goals(
         {**usual, **names.profile.silence},
         pauses.unset,
         frames_are_floors=False,
-        tells_ends=True,
+        reports_ends=True,
         keeps_goals=True,
         holds=pauses.holds,
         takes_stops=True,

@@ -8,7 +8,7 @@ from contextlib import ExitStack, contextmanager, suppress
 import click
 
 from fleet_tui.audit.log import auditing
-from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, tell
+from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, print_outcome
 from fleet_tui.cli.orders.sending import LINK_WITHIN, How, Sending, reaches, unreported
 from fleet_tui.cli.session import session
 from fleet_tui.config.schema import Config
@@ -128,7 +128,8 @@ def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
     comes(lambda state, robot: reaches(state, robot) and _is_received(robot), LINK_WITHIN)
     if all(reaches(given.state, given.state.robots[name]) for name in robots):
         comes(
-            lambda _, robot: _has_labels(robot) and _tells_pause(robot) and _tells_goals(robot), LABELS_WITHIN
+            lambda _, robot: _has_labels(robot) and _reports_pause(robot) and _reports_goals(robot),
+            LABELS_WITHIN,
         )
 
 
@@ -148,11 +149,11 @@ def _has_labels(robot: Robot) -> bool:
     return not robot.kind.expects("labels") or all(robot_map.labels for robot_map in robot.maps.values())
 
 
-def _tells_pause(robot: Robot) -> bool:
+def _reports_pause(robot: Robot) -> bool:
     return robot.paused is not None or not robot.says_paused
 
 
-def _tells_goals(robot: Robot) -> bool:
+def _reports_goals(robot: Robot) -> bool:
     """Tell whether the robot's goals are known: its action servers are silent before their first goal."""
     return not robot.kind.keeps_goals or bool(robot.goals)
 
@@ -203,7 +204,7 @@ def said(outcomes: Iterable[Outcome], as_json: bool, say: Say, given: Sending | 
     """Print each outcome as it arrives, and the total of robots; return the exit code of all."""
     codes, before = list[int](), len(given.records) if given else 0
     for outcome in outcomes:
-        tell(outcome, as_json, say)
+        print_outcome(outcome, as_json, say)
         codes.append(outcome.code)
     # Slower bridges got it later: all of it is one request.
     batch = given.records[before:] if given and not as_json else []

@@ -69,7 +69,7 @@ def _outcome(
     return Outcome(command.robot, typed, text, outcome, words, code, order_id, seconds)
 
 
-def tell(outcome: Outcome, as_json: bool, say: Callable[..., None]) -> None:
+def print_outcome(outcome: Outcome, as_json: bool, say: Callable[..., None]) -> None:
     """Print an outcome: JSON to stdout, a line to stdout or, for a failure, to stderr."""
     if as_json:
         values = {"version": VERSION, **asdict(outcome), "done": outcome.code == DONE}

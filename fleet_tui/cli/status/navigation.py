@@ -36,11 +36,11 @@ def _kept(robot: Robot, id_: str, stops: Any) -> dict[str, Any]:
 def _progress(state: FleetState, robot: Robot) -> dict[str, Any] | None:
     if robot.progress is None or robot.orders.current is None or not state.is_fresh(robot, "progress"):
         return None
-    told = robot.progress.value
+    reported = robot.progress.value
     return {
-        "metres": told.metres,
-        "seconds": told.seconds,
-        "elapsed_s": told.elapsed,
-        "recoveries": told.recoveries,
-        "stop": told.stop,
+        "metres": reported.metres,
+        "seconds": reported.seconds,
+        "elapsed_s": reported.elapsed,
+        "recoveries": reported.recoveries,
+        "stop": reported.stop,
     }

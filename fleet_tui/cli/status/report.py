@@ -92,12 +92,12 @@ def _robot(state: FleetState, robot: Robot) -> Values:
             "frame_id": robot.frame_id or None,
             "pose": _pose(robot, state),
         }
-    told = {
+    optional = {
         "battery": ("battery_percent", _value(robot.battery)),
         "cargo": ("cargo", _value(robot.cargo)),
         "obstacle": ("obstacle_s", _value(robot.obstacle)),
     }
-    values |= {name: value for reported, (name, value) in told.items() if reported in kind.reports}
+    values |= {name: value for reported, (name, value) in optional.items() if reported in kind.reports}
     if "paused" in kind.reports or kind.can(PAUSE):
         values["paused"] = state.pause(robot)
     if kind.lists_orders:

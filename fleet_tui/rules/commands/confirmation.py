@@ -32,7 +32,7 @@ CLOCKS_AGREE = 1.0
 def before(robot: Robot, now: float) -> Baseline:
     """Return the robot's reports up to `now`, when a command is given."""
     queue = robot.orders
-    known = robot.queue is not None or robot.kind.tells_ends
+    known = robot.queue is not None or robot.kind.reports_ends
     last = max([queue.last_serial, *(order.serial for order in queue.orders)]) if known else None
     standing = robot.standing
     moving = standing is not None and now - standing.at < STANDS_AFTER
@@ -41,7 +41,7 @@ def before(robot: Robot, now: float) -> Baseline:
 
 def _queue_since(robot: Robot, record: CommandRecord) -> OrderQueue | None:
     """Return the queue, if it was reported after the command had been sent."""
-    if robot.kind.tells_ends:
+    if robot.kind.reports_ends:
         # It is sent on change: the last one is valid, however old, and a missing one means empty.
         return robot.orders
     sent = record.time_of(Stage.SENT)
@@ -202,7 +202,7 @@ def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
             return instead_of_pause(state, robot, record)
         case PlaceOrder() | CancelOrder() | ClearOrders() if offline:
             return "no queue received since"
-        case PlaceOrder() if robot.kind.tells_ends:
+        case PlaceOrder() if robot.kind.reports_ends:
             new = [one for one in robot.orders.orders if one.serial > (record.before.last_serial or 0)]
             several = len(new) > 1 and not record.name
             return "ambiguous: several new goals" if several else "no new goal seen"

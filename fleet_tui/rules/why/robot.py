@@ -11,6 +11,7 @@ from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import Reason, Strength, name_of, stationary_since
 from fleet_tui.rules.why.traffic import graph_here, vertex_here
 from fleet_tui.text.durations import age
+from fleet_tui.text.units import ago
 
 JUMPS = 2
 """This many jumps within JUMPS_WITHIN seconds are more than corrections."""
@@ -32,7 +33,7 @@ def moves(state: FleetState, robot: Robot) -> Reason | None:
         return None
     if state.now - since >= STANDS_AFTER:
         return None
-    evidence = f"pose changed {max(0.0, state.now - since):.1f} s ago"
+    evidence = f"pose changed {ago(since, state.now)}"
     return Reason(f"{robot.name} is moving", evidence, seen=robot.pose.at)
 
 

@@ -38,13 +38,13 @@ def foreign_cancel(server: "RosbridgeServer", robot_name: str) -> None:
 
     def step(dt: float) -> None:
         nonlocal ages
-        told = [order for order in robot.ended if ages[order.id] < FOREIGN + server.report_period]
-        ages = {order.id: ages.get(order.id, 0.0) + dt / server.speed for order in (*told, *robot.orders)}
+        listed = [order for order in robot.ended if ages[order.id] < FOREIGN + server.report_period]
+        ages = {order.id: ages.get(order.id, 0.0) + dt / server.speed for order in (*listed, *robot.orders)}
         cancelled = [order for order in robot.orders if ages[order.id] >= FOREIGN]
         robot.drop({order.id for order in cancelled})
         for order in cancelled:
             order.status = "C"
-        robot.ended = told + cancelled
+        robot.ended = listed + cancelled
 
     server.world.troubles.append(step)
 

@@ -29,7 +29,7 @@ def _no_plan(navigation: "SimMoveBase") -> None:
 
 
 def _no_feedback(navigation: "SimMoveBase") -> None:
-    navigation.tells = False
+    navigation.publishes = False
 
 
 def _aborts(navigation: "SimMoveBase", age: float) -> float:

@@ -39,7 +39,7 @@ class SimMoveBase:
         self.server = SimpleActionServer(f"/{robot.name}/move_base", clock)
         self.alive = True
         """False: its node is not running."""
-        self.tells = True
+        self.publishes = True
         """False: no feedback is sent."""
         self.rejects = False
         """True: every goal is rejected."""

@@ -45,7 +45,7 @@ def steady_topics(navigation: SimMoveBase, dialect: Dialect) -> Iterator[Topic]:
         *(FEEDBACK, TYPES[FEEDBACK]),
         partial(_feedback, navigation, headers(dialect, ""), headers(dialect)),
         fast=True,
-        due=lambda: navigation.tells and _under_way(navigation),
+        due=lambda: navigation.publishes and _under_way(navigation),
     )
 
 
@@ -57,7 +57,7 @@ def _under_way(navigation: SimMoveBase) -> bool:
 def _feedback(navigation: SimMoveBase, header: Header, at: Header, now: float) -> Message:
     goal = navigation.server.current
     assert goal is not None
-    return messages.feedback(goal.told, navigation.robot, header(now), at(now))
+    return messages.feedback(goal.report, navigation.robot, header(now), at(now))
 
 
 class MoveBaseNews(News[SimMoveBase]):
@@ -89,9 +89,9 @@ class MoveBaseNews(News[SimMoveBase]):
             self._beat[name] = (now if late else self._beat[name]) + BEAT
             said.append(navigation.server.listed())
         while said:
-            yield self._told(name, said.popleft(), dialect, now)
+            yield self._of_report(name, said.popleft(), dialect, now)
 
-    def _told(
+    def _of_report(
         self, name: str, said: GoalReport | list[GoalReport], dialect: Dialect, now: float
     ) -> tuple[str, Payload]:
         part = STATUS if isinstance(said, list) else RESULT

@@ -61,7 +61,7 @@ def _dead_server(server: "RosbridgeServer", robot: str) -> None:
 
 
 def _no_feedback(navigation: "SimNavigation") -> None:
-    navigation.tells = False
+    navigation.publishes = False
 
 
 def _unsourced(server: "RosbridgeServer", _robot: str) -> None:
@@ -69,7 +69,7 @@ def _unsourced(server: "RosbridgeServer", _robot: str) -> None:
 
 
 def _mute_rejection(server: "RosbridgeServer", _robot: str) -> None:
-    server.bridge.services.actions.tells_failure = False
+    server.bridge.services.actions.reports_failure = False
 
 
 def _humble(server: "RosbridgeServer", robot: str) -> None:

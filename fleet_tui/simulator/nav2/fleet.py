@@ -92,7 +92,7 @@ class Nav2Fleet(Nav2World):
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
         """Return the feedback on a goal, None if the action sends none."""
         navigation = self.navigation[_robot_of(server)]
-        if navigation.robot.silence or not navigation.tells:
+        if navigation.robot.silence or not navigation.publishes:
             return None
         header = dialect.header(0, time.time(), FRAME)
         return messages.feedback(navigation, server.verb, goal, header)

@@ -43,14 +43,14 @@ def feedback(navigation: SimNavigation, verb: str, goal: ServedGoal, header: Mes
         return {"current_waypoint": navigation.waypoint()}
     if verb == DOCK:
         return {"state": 1, "docking_time": _duration(goal.age), "num_retries": 0}
-    told = {
+    values = {
         "current_pose": {"header": header, "pose": solid(robot.pose)},
         "navigation_time": _duration(goal.age),
         "estimated_time_remaining": _duration(robot.time_remaining),
         "number_of_recoveries": robot.recoveries,
         "distance_remaining": float32(robot.distance_remaining),
     }
-    return told | {"number_of_poses_remaining": robot.stops} if verb == THROUGH else told
+    return values | {"number_of_poses_remaining": robot.stops} if verb == THROUGH else values
 
 
 def result(goal: ServedGoal, distro: str) -> Message:

@@ -51,7 +51,7 @@ class SimNavigation:
         """The number of goals that are rejected from now on."""
         self.received: list[Message] = []
         """Every goal that reached a server, legs of tours too; the newest last."""
-        self.tells = True
+        self.publishes = True
         """False: no feedback is sent."""
         self.distro = "jazzy"
         """Goals whose results have been sent."""
@@ -151,7 +151,7 @@ class SimNavigation:
     def _replace(self, verb: str, tour: _Tour) -> None:
         before = self._tours.get(verb)
         if before is not None:
-            self.servers[verb].advance(before.goal, ABORTED, self._told(verb, before))
+            self.servers[verb].advance(before.goal, ABORTED, self._result_of(verb, before))
         self._tours[verb] = tour
 
     def _advance_tour(self, verb: str, tour: _Tour) -> None:
@@ -182,9 +182,9 @@ class SimNavigation:
         del self._tours[verb]
         if verb == DOCK:
             self.robot.docked = status == SUCCEEDED
-        self.servers[verb].advance(tour.goal, status, self._told(verb, tour))
+        self.servers[verb].advance(tour.goal, status, self._result_of(verb, tour))
 
-    def _told(self, verb: str, tour: _Tour) -> Message:
+    def _result_of(self, verb: str, tour: _Tour) -> Message:
         if verb == DOCK:
             code = NOT_STAGED if tour.missed else 0
             return {"success": not tour.missed, "error_code": code, "num_retries": 0}

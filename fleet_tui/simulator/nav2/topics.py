@@ -35,13 +35,13 @@ def steady_topics(navigation: SimNavigation, dialect: Dialect) -> Iterator[Topic
 
 
 def _on_the_way(navigation: SimNavigation, server: ActionServer) -> bool:
-    return navigation.tells and bool(server.running)
+    return navigation.publishes and bool(server.running)
 
 
 def _feedback(navigation: SimNavigation, server: ActionServer, header: Header, now: float) -> Message:
     goal = server.running[-1]
-    told = messages.feedback(navigation, server.verb, goal, header(now))
-    return {"goal_id": {"uuid": uuid_of(goal.id)}, "feedback": told}
+    values = messages.feedback(navigation, server.verb, goal, header(now))
+    return {"goal_id": {"uuid": uuid_of(goal.id)}, "feedback": values}
 
 
 class Nav2News(News[SimNavigation]):

@@ -50,7 +50,7 @@ class ActionlibGoal:
         return self.status in ENDED
 
     @property
-    def told(self) -> GoalReport:
+    def report(self) -> GoalReport:
         """Return the goal with its current status."""
         return GoalReport(self.id, self.stamp, self.status, self.text)
 
@@ -83,7 +83,7 @@ class SimpleActionServer:
 
     def listed(self) -> list[GoalReport]:
         """Return the goals with their current status."""
-        return [goal.told for goal in self.goals.values()]
+        return [goal.report for goal in self.goals.values()]
 
     def take(self, id_: str, stamp: int, request: Message, rejected: bool = False) -> None:
         """Receive a goal: one that is known is ignored. `rejected`: refuse it."""
@@ -134,7 +134,7 @@ class SimpleActionServer:
     def end(self, goal: ActionlibGoal, status: int, text: str) -> None:
         """End a goal that has not ended, and publish its result."""
         goal.status, goal.text = status, text
-        self.said += [goal.told, self.listed()]
+        self.said += [goal.report, self.listed()]
 
     def age(self, dt: float) -> None:
         """Advance the time by dt seconds."""

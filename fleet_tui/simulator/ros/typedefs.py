@@ -34,9 +34,9 @@ def message_typedefs(dialect: Dialect, type_: str) -> list[Message]:
 def service_typedefs(dialect: Dialect, type_: str, response: bool) -> list[Message]:
     """The request or the response of a service type and every type in it."""
     for name, both in SERVICES.items():
-        told = dialect.service_type(name)
-        if type_ in (told, dialect.short(told)):
-            part = dialect.part(told, "Response" if response else "Request")
+        full_name = dialect.service_type(name)
+        if type_ in (full_name, dialect.short(full_name)):
+            part = dialect.part(full_name, "Response" if response else "Request")
             return _with_parts(dialect, part, both[response], set())
     return []
 

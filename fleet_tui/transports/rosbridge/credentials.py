@@ -19,7 +19,7 @@ class Credentials:
         self._bridge = bridge
         self._rosauth = ""
         self.headers: dict[str, str] = {}
-        self._told: list[bytes] = []
+        self._secrets: list[bytes] = []
 
     def read(self) -> None:
         """Read them again: they may have been renewed. Raises ConfigError."""
@@ -27,7 +27,7 @@ class Credentials:
         self.headers = {"Authorization": authorization} if authorization else {}
         self._rosauth = secret(self._bridge, "rosauth")
         words = [*authorization.split(), self._rosauth]
-        self._told = [word.encode() for word in words if len(word) >= SHORTEST]
+        self._secrets = [word.encode() for word in words if len(word) >= SHORTEST]
 
     def frame(self, host: str) -> bytes:
         """Return the first frame of a connection, empty if the bridge needs none."""
@@ -38,6 +38,6 @@ class Credentials:
 
     def hidden(self, said: bytes) -> bytes:
         """Return a server's text, which may repeat secrets, with those masked, at the same length."""
-        for word in self._told:
+        for word in self._secrets:
             said = said.replace(word, b"*" * len(word))
         return said

@@ -115,7 +115,7 @@ def passed(moment: ReplayPosition) -> TimeMark | None:
     return recent[-1] if recent else None
 
 
-def told(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> tuple[Run, ...]:
+def position_runs(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> tuple[Run, ...]:
     """Return the line below: the play state, and the latest mark."""
     sign = "‖" if moment.paused else "▸"
     runs: list[Run] = [
@@ -133,4 +133,4 @@ def told(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> t
 
 def time_line(moment: ReplayPosition, clock: Callable[[float], str], width: int) -> list[tuple[Run, ...]]:
     """Return both lines, each exactly `width` cells."""
-    return [bar(moment, width), cut(told(moment, clock, width), width)]
+    return [bar(moment, width), cut(position_runs(moment, clock, width), width)]

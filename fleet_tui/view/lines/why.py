@@ -11,6 +11,7 @@ from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import ago
 from fleet_tui.view.lines.hints import hidden_keys
 
 SHOWN = 5
@@ -47,7 +48,7 @@ def _age(state: FleetState, reason: Reason) -> str:
     if reason.since is not None:
         parts.append(f"for {age(state.now - reason.since)}")
     if reason.seen is not None:
-        parts.append(f"reported {max(0.0, state.now - reason.seen):.1f} s ago")
+        parts.append(f"reported {ago(reason.seen, state.now)}")
     return ", ".join(parts)
 
 

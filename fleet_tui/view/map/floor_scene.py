@@ -86,8 +86,8 @@ def _with_map(floor: Floor, robot_map: RobotMap, scene: Scene) -> Scene:
     if grid is not None and frame is not None:
         if (frame.width, frame.height) == (grid.frame.width, grid.frame.height):
             return replace(scene, grid=grid, frame=frame)
-        image, told = grid.frame, f"{frame.width} x {frame.height}"
-        return replace(scene, note=f"map image {image.width} x {image.height} px, map_metadata {told}")
+        image, size = grid.frame, f"{frame.width} x {frame.height}"
+        return replace(scene, note=f"map image {image.width} x {image.height} px, map_metadata {size}")
     if floor.problem:
         return replace(scene, note=floor.problem)
     if grid is not None:

@@ -166,21 +166,21 @@ def _without_order(state: FleetState, robot: Robot) -> str:
 
 def _row(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
-    told: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
+    runs: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
     current, order = robot.orders.current, ""
     if current is None:
-        told = told or [(_without_order(state, robot), StyleRole.DIM)]
+        runs = runs or [(_without_order(state, robot), StyleRole.DIM)]
     else:
         order = whose_mission(state, robot, current)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
         return Row(
-            robot.name, (*_head(state, robot, selected, columns), *told, (f"{order}  {progress}", role))
+            robot.name, (*_head(state, robot, selected, columns), *runs, (f"{order}  {progress}", role))
         )
-    if current is not None and not told:
-        told = [(progress or _movement(state, robot), StyleRole.DIM)]
+    if current is not None and not runs:
+        runs = [(progress or _movement(state, robot), StyleRole.DIM)]
     placed = fit(order, columns.order - 1) + " "
-    return Row(robot.name, (*_head(state, robot, selected, columns), (placed, role), *told))
+    return Row(robot.name, (*_head(state, robot, selected, columns), (placed, role), *runs))
 
 
 def in_trouble_first(state: FleetState) -> list[Robot]:

@@ -10,7 +10,7 @@ from fleet_tui.rules.commands.confirmation import could_be
 NEVER_THERE = frozenset({Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT, Stage.REFUSED})
 
 
-def _told(record: CommandRecord) -> str:
+def _outcome(record: CommandRecord) -> str:
     """Return the stages of a command."""
     stages = [step.stage.value for step in record.steps if step.stage not in (Stage.CHECKED, Stage.SENT)]
     return ", ".join(stages or ["sent"])
@@ -31,8 +31,8 @@ def origin(state: FleetState, robot: str, order: Order, clock: Callable[[float],
     ours = [record for record in state.commands if record.command.robot == robot]
     for record in ours:
         if record.order_id == order.id and isinstance(record.command, PlaceOrder):
-            return f"sent here at {clock(record.wall)}, {_told(record)}"
+            return f"sent here at {clock(record.wall)}, {_outcome(record)}"
     for record in ours:
         if _may_be(record, order):
-            return f"possibly sent here at {clock(record.wall)}, {_told(record)}"
+            return f"possibly sent here at {clock(record.wall)}, {_outcome(record)}"
     return "not sent by this console"

@@ -11,14 +11,14 @@ def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
     fresh data."""
     if robot.progress is None or not robot.orders.is_current(order) or not state.is_fresh(robot, "progress"):
         return ""
-    told = robot.progress.value
+    reported = robot.progress.value
     parts = []
-    if told.metres is not None:
-        parts.append(f"{told.metres:.1f} m" if told.metres < 100 else f"{told.metres:.0f} m")
-    if told.seconds is not None:
-        parts.append(age(told.seconds))
-    if told.stop is not None and len(order.stops) > 1:
-        parts.append(f"stop {min(told.stop + 1, len(order.stops))} of {len(order.stops)}")
-    if told.recoveries:
-        parts.append(f"{told.recoveries} recover{'ies' if told.recoveries > 1 else 'y'}")
+    if reported.metres is not None:
+        parts.append(f"{reported.metres:.1f} m" if reported.metres < 100 else f"{reported.metres:.0f} m")
+    if reported.seconds is not None:
+        parts.append(age(reported.seconds))
+    if reported.stop is not None and len(order.stops) > 1:
+        parts.append(f"stop {min(reported.stop + 1, len(order.stops))} of {len(order.stops)}")
+    if reported.recoveries:
+        parts.append(f"{reported.recoveries} recover{'ies' if reported.recoveries > 1 else 'y'}")
     return ", ".join(parts)

@@ -16,7 +16,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.state.reducer import apply
 from tests.support.any_frames import assert_each_order_once, facts
-from tests.support.fleets import R0, T0, fleet, graph, link_up, tick, told
+from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick
 
 ADAPTER = MoveBase(Profile(kind="move_base", topics={"floor": "/{robot}/floor"}), Site())
 FEEDS = {feed.key: feed for feed in ADAPTER.feeds(R0, ["floor_0"]) if not feed.large}
@@ -61,9 +61,9 @@ def begun(*vertices: str) -> FleetState:
     """An order to these vertices has just been sent."""
     state = fleet()
     robots = {R0: msgspec.structs.replace(state.robots[R0], kind=ADAPTER.kind)}
-    state = told(msgspec.structs.replace(state, robots=robots), link_up(T0), graph(1, 2, 3), tick(T0))
+    state = reduced(msgspec.structs.replace(state, robots=robots), link_up(T0), graph(1, 2, 3), tick(T0))
     order = PlaceOrder(R0, at_vertices(*vertices))
-    return told(state, CommandIssued(7, order, T0, T0), CommandAdvanced(7, Stage.SENT, T0, "", OURS))
+    return reduced(state, CommandIssued(7, order, T0, T0), CommandAdvanced(7, Stage.SENT, T0, "", OURS))
 
 
 @given(st.lists(FRAMES | st.none(), max_size=14))

@@ -16,7 +16,7 @@ from fleet_tui.model.navigation_events import GoalAnswered
 from fleet_tui.model.order import at_vertices
 from fleet_tui.state.reducer import apply
 from tests.support.any_frames import assert_each_order_once, facts
-from tests.support.fleets import R0, T0, commanded, fleet, graph, link_up, tick, told
+from tests.support.fleets import R0, T0, commanded, fleet, graph, link_up, reduced, tick
 
 ADAPTER = Nav2(Profile(kind="nav2", topics={"floor": "/{robot}/floor"}), Site())
 FEEDS = {feed.key: feed for feed in ADAPTER.feeds(R0, ["floor_0"]) if not feed.large}
@@ -90,13 +90,13 @@ FRAMES = st.sampled_from(sorted(FEEDS)).flatmap(lambda key: st.tuples(st.just(FE
 def begun() -> FleetState:
     state = fleet()
     robots = {R0: msgspec.structs.replace(state.robots[R0], kind=ADAPTER.kind)}
-    return told(msgspec.structs.replace(state, robots=robots), link_up(T0), graph(1, 2, 3), tick(T0))
+    return reduced(msgspec.structs.replace(state, robots=robots), link_up(T0), graph(1, 2, 3), tick(T0))
 
 
 @given(st.lists(FRAMES | st.none(), max_size=14))
 def test_any_frames_in_any_order(frames: list[tuple[Feed, object] | None]) -> None:
     assert_each_order_once(
-        ADAPTER, told(begun(), *commanded(7, PLACES["navigate_to_pose"], Stage.SENT)), frames
+        ADAPTER, reduced(begun(), *commanded(7, PLACES["navigate_to_pose"], Stage.SENT)), frames
     )
 
 
@@ -121,7 +121,7 @@ def test_done_is_only_what_ended_with_4_and_of_two_new_ones_none_is_ours(
     steps: list[list[tuple[int, int]] | None], failed: bool
 ) -> None:
     feed, at = FEEDS["navigate_to_pose"], T0
-    state = told(begun(), *commanded(7, PLACES["navigate_to_pose"], Stage.SENT))
+    state = reduced(begun(), *commanded(7, PLACES["navigate_to_pose"], Stage.SENT))
     if failed:
         state = apply(state, GoalAnswered(7, Stage.FAILED, T0, "missed"))
     succeeded, recognised = set[str](), ""

@@ -23,7 +23,7 @@ from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
 from tests.support.adapters import adapter_of, event_of
-from tests.support.fleets import F0, LINK, R0, T0, fleet, link_lost, link_up, pose, tick, told
+from tests.support.fleets import F0, LINK, R0, T0, fleet, link_lost, link_up, pose, reduced, tick
 from tests.support.watched_store import config_of
 
 MEGABYTE = "x\x1b[2J" * 200_000
@@ -79,7 +79,7 @@ def test_a_hundred_thousand_labels() -> None:
     assert isinstance(event, events.LabelsReceived)
     assert (len(event.labels), event.faults) == (bounds.MOST_LABELS, 1)
     assert event.fault == "labels of floor_0: 100,000 labels: only the first 20,000 used"
-    state = told(fleet(), link_up(T0), pose(T0), event, tick(T0), tick(T0 + 5))
+    state = reduced(fleet(), link_up(T0), pose(T0), event, tick(T0), tick(T0 + 5))
     assert any("100,000 labels: only the first" in row for row in shown(state))
 
 
@@ -95,7 +95,7 @@ def test_a_queue_of_a_hundred_thousand_orders_keeps_the_current_one_wherever_it_
     assert len(event.queue.orders) == bounds.MOST_ORDERS + 1
     assert event.queue.current is not None and event.queue.current.id == "77777"
     assert (event.queue.last_serial, event.queue.orders[0].id) == (100_000, "1")
-    state = told(
+    state = reduced(
         fleet(2), link_up(T0), pose(T0), received("graph", graph(20_000)), event, tick(T0), tick(T0 + 5)
     )
     rows = shown(state)
@@ -113,7 +113,7 @@ def test_a_graph_beyond_the_bound() -> None:
     assert isinstance(event, events.GraphReceived)
     assert len(event.graph.vertices) == bounds.MOST_VERTICES
     assert event.fault == "graph of floor_0: 60,000 vertices: only the first 20,000 used"
-    shown(told(fleet(), link_up(T0), event, received("labels", labels(20_000)), pose(T0), tick(T0)))
+    shown(reduced(fleet(), link_up(T0), event, received("labels", labels(20_000)), pose(T0), tick(T0)))
 
 
 def test_a_million_vertices_are_more_than_is_read_at_all() -> None:
@@ -125,7 +125,7 @@ def test_a_status_and_a_frame_id_of_a_megabyte() -> None:
     event = received("queue", {**orders(0), "orders": [{"id": 1, "start": 1, "end": 1, "status": MEGABYTE}]})
     assert isinstance(event, events.QueueReported)
     assert len(event.queue.orders[0].word) < bounds.LONGEST_NAME + 30
-    state = told(fleet(), link_up(T0), event, pose(T0, frame=MEGABYTE), tick(T0))
+    state = reduced(fleet(), link_up(T0), event, pose(T0, frame=MEGABYTE), tick(T0))
     assert len(state.robots[R0].frame_id) < bounds.LONGEST_NAME + 30 and state.robots[R0].floor is None
     shown(state)
 
@@ -145,7 +145,7 @@ def longest(value: object) -> int:
 
 def test_no_text_from_outside_is_kept_longer_than_its_bound() -> None:
     command = events.CommandIssued(1, PauseRobot(R0), T0, T0)
-    state = told(
+    state = reduced(
         fleet(),
         link_up(T0),
         events.MessageRejected(R0, MEGABYTE),

@@ -15,7 +15,7 @@ def test_they_report_what_their_site_has_a_topic_for() -> None:
 def test_they_take_orders_to_places_and_keep_one_goal_at_a_time() -> None:
     its = adapter().kind
     assert all(its.can(asked) for asked in (kind.ORDER, kind.ORDER_TO, kind.CANCEL, kind.CLEAR))
-    assert its.keeps_goals and its.takes_stops and its.tells_ends and not its.changes_floors
+    assert its.keeps_goals and its.takes_stops and its.reports_ends and not its.changes_floors
 
 
 def test_a_value_is_old_after_its_own_time_which_the_profile_may_change() -> None:

@@ -12,7 +12,7 @@ from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, Outcome
 from fleet_tui.config.schema import Operator
 from fleet_tui.model.problem import Permissions
 from tests.support.desk import ready
-from tests.support.fleets import R0, T0, fleet, link_lost, told
+from tests.support.fleets import R0, T0, fleet, link_lost, reduced
 from tests.support.watched_store import config_of
 
 CONFIG = config_of("ws://site:9090", 3)
@@ -51,7 +51,7 @@ def test_a_word_means_one_robot_or_all() -> None:
 
 def test_the_first_robot_out_of_reach_is_the_reason() -> None:
     assert unreachable(ready(), [R0]) == ""
-    assert "connection refused" in unreachable(told(ready(), link_lost(T0)), [R0])
+    assert "connection refused" in unreachable(reduced(ready(), link_lost(T0)), [R0])
     assert unreachable(fleet(2), ["robot_1", R0])
 
 

@@ -28,7 +28,7 @@ from tests.support.fleets import (
     of_kinds,
     place_order,
     pose,
-    told,
+    reduced,
 )
 
 
@@ -83,8 +83,8 @@ def test_a_warning_holds_it_back_unless_it_is_overridden() -> None:
     ("state", "request_", "code"),
     [
         (ready(), Request((place_order(R0, 1, 77),)), USAGE),
-        (told(ready(), link_lost(T0)), Request((ResumeRobot(R0),)), NO_LINK),
-        (told(fleet(), graph(1, 2)), A_B_A, NO_LINK),
+        (reduced(ready(), link_lost(T0)), Request((ResumeRobot(R0),)), NO_LINK),
+        (reduced(fleet(), graph(1, 2)), A_B_A, NO_LINK),
     ],
 )
 def test_an_error_is_never_sent_and_has_its_exit_code(
@@ -105,7 +105,7 @@ def test_a_command_that_never_ends_is_unknown_and_under_way() -> None:
 def test_a_pause_goes_where_there_is_a_connection_and_to_the_others_after_the_limit() -> None:
     it, link = sending(ready(), GOOD)
     assert [one.code for one in it.pause([R0])] == [DONE]
-    it, link = sending(told(ready(), CommandPathChanged(LINK, CommandPath.DEAD)), (Stage.NOT_SENT,))
+    it, link = sending(reduced(ready(), CommandPathChanged(LINK, CommandPath.DEAD)), (Stage.NOT_SENT,))
     (found,) = it.pause([R0])
     assert found.code == NO_LINK and link.submitted == [PauseRobot(R0)]
 
@@ -125,12 +125,12 @@ def test_reports_that_have_not_come_are_named() -> None:
     goals = of_kinds(
         fleet(), Kind("goals", ("queue", "pose"), silence={"queue": float("inf")}, keeps_goals=True)
     )
-    assert unreported(goals.robots[R0]) == ["pose"] and unreported(told(goals, pose(T0)).robots[R0]) == []
+    assert unreported(goals.robots[R0]) == ["pose"] and unreported(reduced(goals, pose(T0)).robots[R0]) == []
 
 
 def test_a_robot_is_reached_while_its_link_and_the_path_of_commands_are_up() -> None:
     state = ready()
     assert reaches(state, state.robots[R0])
     for path, reached in ((CommandPath.UNREGISTERED, True), (CommandPath.DEAD, False)):
-        assert reaches(told(state, CommandPathChanged(LINK, path)), state.robots[R0]) is reached
-    assert not reaches(told(state, link_lost(T0)), state.robots[R0])
+        assert reaches(reduced(state, CommandPathChanged(LINK, path)), state.robots[R0]) is reached
+    assert not reaches(reduced(state, link_lost(T0)), state.robots[R0])

@@ -20,8 +20,8 @@ from tests.support.fleets import (
     of_kinds,
     place_order,
     queue,
+    reduced,
     tick,
-    told,
 )
 
 KIND = Kind("nav", ("pose", "queue", "progress", "blocked", "odometry"), keeps_goals=True)
@@ -32,7 +32,7 @@ def values(state: FleetState, **robot: Any) -> dict[str, Any]:
 
 
 def site(kind: Kind = KIND) -> FleetState:
-    return told(of_kinds(fleet(), kind), graph(1, 2), labels({2: "Store"}), tick(T0))
+    return reduced(of_kinds(fleet(), kind), graph(1, 2), labels({2: "Store"}), tick(T0))
 
 
 def test_a_kind_without_such_values_has_no_keys_and_one_not_heard_has_null() -> None:
@@ -49,7 +49,7 @@ def test_what_holds_it_back_and_how_sure_it_is() -> None:
 
 
 def test_orders_that_wait_here_and_orders_of_others() -> None:
-    state = told(
+    state = reduced(
         site(), *commanded(1, place_order(R0, 1, 2), Stage.WAITING), queue(T0, (7, 1, 2, "W"), current=7)
     )
     found = values(state, held="previous order: failed")
@@ -58,7 +58,7 @@ def test_orders_that_wait_here_and_orders_of_others() -> None:
 
 
 def test_progress_is_that_of_an_order_and_fresh() -> None:
-    driving = told(site(), queue(T0, (7, 1, 2, "W"), current=7))
+    driving = reduced(site(), queue(T0, (7, 1, 2, "W"), current=7))
     progress = Progress("7", 4.0, 9.0, 12.0, 1, 2)
     found = values(driving, progress=Reading(progress, T0), last_received=T0)["progress"]
     assert found == {"metres": 4.0, "seconds": 9.0, "elapsed_s": 12.0, "recoveries": 1, "stop": 2}

@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from fleet_tui.cli.status.report import attention, changes, report
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import config_file, run, started
-from tests.support.fleets import LINK, T0, fleet, link_up, tick, told
+from tests.support.fleets import LINK, T0, fleet, link_up, reduced, tick
 
 
 async def test_all_well_is_0_and_the_whole_fleet(server: RosbridgeServer, tmp_path: Path) -> None:
@@ -134,7 +134,7 @@ async def test_watch_says_what_changes_as_json_lines(server: RosbridgeServer, tm
 
 
 def test_a_console_that_is_behind_and_a_bridge_that_is_late_need_attention_at_once() -> None:
-    up = told(fleet(), link_up(T0), tick(T0))
+    up = reduced(fleet(), link_up(T0), tick(T0))
     assert not any("behind" in line or "late" in line for line in attention(up))
     state = replace(up, behind=2.4)
     assert "console: this console is 2.4 s behind" in attention(state) and report(state)["behind_s"] == 2.4

@@ -13,8 +13,8 @@ from tests.support.fleets import (
     battery,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 
 ORDER = (12, 1, 2, "W")
@@ -28,55 +28,55 @@ def contact(at: float, seconds: float) -> events.ObstacleReported:
 
 
 def test_a_contact_that_comes_and_goes_is_one_alarm_with_a_count() -> None:
-    state = told(up(), contact(T0, 33.2), tick(T0), events.AlarmAcknowledged(R0, "obstacle"))
+    state = reduced(up(), contact(T0, 33.2), tick(T0), events.AlarmAcknowledged(R0, "obstacle"))
     for n in range(1, 101):
-        state = told(state, contact(T0 + n / 10, 0.0 if n % 2 else 33.2), tick(T0 + n / 10))
+        state = reduced(state, contact(T0 + n / 10, 0.0 if n % 2 else 33.2), tick(T0 + n / 10))
         assert list(alarms(state)) == [(R0, "obstacle")]
         assert state.unacknowledged == 0
     assert alarm(state, "obstacle").count == 51
 
 
 def test_its_word_goes_at_once_though_the_alarm_stays() -> None:
-    state = told(up(), contact(T0, 34.2), tick(T0))
+    state = reduced(up(), contact(T0, 34.2), tick(T0))
     assert alarm(state, "obstacle").text == "obstacle 34.2 s"
-    state = told(state, contact(T0 + 0.1, 0.0), tick(T0 + 0.1))
+    state = reduced(state, contact(T0 + 0.1, 0.0), tick(T0 + 0.1))
     assert (alarm(state, "obstacle").text, alarm(state, "obstacle").stage) == (
         "cleared: obstacle",
         AlarmStage.UNACKNOWLEDGED,
     )
-    assert alarm(told(state, tick(T0 + 2.9)), "obstacle").stage is AlarmStage.UNACKNOWLEDGED
-    assert alarms(told(state, tick(T0 + 3.1))) == {}
+    assert alarm(reduced(state, tick(T0 + 2.9)), "obstacle").stage is AlarmStage.UNACKNOWLEDGED
+    assert alarms(reduced(state, tick(T0 + 3.1))) == {}
 
 
 def test_a_battery_around_its_limit_is_one_alarm_that_never_ends_in_the_band() -> None:
     state = up()
     for n in range(100):
         at = T0 + n * 4.0
-        state = told(state, battery(at, 19.9 if n % 2 else 21.9), tick(at))
+        state = reduced(state, battery(at, 19.9 if n % 2 else 21.9), tick(at))
     assert [(one.key, one.count) for one in state.alarms] == [((R0, "battery"), 1)]
     assert alarm(state, "battery").text == "battery 19 %"
-    state = told(state, battery(T0 + 397, 22.0), tick(T0 + 397))
+    state = reduced(state, battery(T0 + 397, 22.0), tick(T0 + 397))
     assert alarm(state, "battery").text == "battery recovered"
     # Left once, the band is no reason to come back.
-    state = told(state, battery(T0 + 398, 21.0), tick(T0 + 398), tick(T0 + 401))
+    state = reduced(state, battery(T0 + 398, 21.0), tick(T0 + 398), tick(T0 + 401))
     assert (R0, "battery") not in alarms(state)
 
 
 def test_a_battery_that_gets_critical_needs_another_look_once() -> None:
-    state = told(up(), battery(T0, 15.0), tick(T0), events.AlarmAcknowledged(R0, "battery"))
+    state = reduced(up(), battery(T0, 15.0), tick(T0), events.AlarmAcknowledged(R0, "battery"))
     assert state.unacknowledged == 0
-    state = told(state, battery(T0, 9.9), tick(T0 + 1))
+    state = reduced(state, battery(T0, 9.9), tick(T0 + 1))
     assert (alarm(state, "battery").condition.priority.name, state.unacknowledged) == ("MEDIUM", 1)
-    state = told(state, events.AlarmAcknowledged())
+    state = reduced(state, events.AlarmAcknowledged())
     for n, percent in enumerate((10.5, 9.5, 11.9, 9.9)):
-        state = told(state, battery(T0 + n, percent), tick(T0 + n))
+        state = reduced(state, battery(T0 + n, percent), tick(T0 + n))
         assert (alarm(state, "battery").condition.priority.name, state.unacknowledged) == ("MEDIUM", 0)
-    state = told(state, battery(T0 + 9, 12.0), tick(T0 + 9))
+    state = reduced(state, battery(T0 + 9, 12.0), tick(T0 + 9))
     assert alarm(state, "battery").condition.priority.name == "LOW"
 
 
 def test_an_old_battery_value_says_how_old() -> None:
-    state = told(up(), battery(T0, 15.0), tick(T0 + 41))
+    state = reduced(up(), battery(T0, 15.0), tick(T0 + 41))
     assert alarm(state, "battery").text == "battery 15 %, 41 s ago"
 
 
@@ -89,7 +89,7 @@ def driving(at: float, x: float = 0.0) -> tuple[events.Event, ...]:
 
 def stood(state: FleetState, seconds: int, start: float = T0) -> FleetState:
     for n in range(seconds + 1):
-        state = told(state, *driving(start + n))
+        state = reduced(state, *driving(start + n))
     return state
 
 
@@ -98,51 +98,51 @@ def test_an_order_without_movement_is_an_alarm_after_its_delay() -> None:
     assert (R0, "stuck") not in alarms(state)
     state = stood(state, 3, T0 + 59)
     assert alarm(state, "stuck").text == "order 12: no movement for 62 s"
-    state = told(state, *driving(T0 + 63, x=0.5))
+    state = reduced(state, *driving(T0 + 63, x=0.5))
     assert alarm(state, "stuck").text == "no longer stuck"
 
 
 def test_idle_before_an_order_does_not_count() -> None:
-    state = told(up(), pose(T0))
-    state = told(state, pose(T0 + 500), tick(T0 + 500))
+    state = reduced(up(), pose(T0))
+    state = reduced(state, pose(T0 + 500), tick(T0 + 500))
     assert (R0, "stuck") not in alarms(stood(state, 50, T0 + 500))
 
 
 def test_a_pause_or_an_obstacle_explains_why_it_stands() -> None:
-    paused = stood(told(up(), events.PausedReported(R0, T0 + 1000, True)), 100)
+    paused = stood(reduced(up(), events.PausedReported(R0, T0 + 1000, True)), 100)
     assert (R0, "stuck") not in alarms(paused)
     state = up()
     for n in range(100):
-        state = told(state, contact(T0 + n, 34.0), *driving(T0 + n))
+        state = reduced(state, contact(T0 + n, 34.0), *driving(T0 + n))
     assert list(alarms(state)) == [(R0, "obstacle")]
 
 
 def test_contact_that_comes_and_goes_hides_no_robot_that_stands() -> None:
     state = up()
     for n in range(100):
-        state = told(state, contact(T0 + n, float(n % 25)), *driving(T0 + n))
+        state = reduced(state, contact(T0 + n, float(n % 25)), *driving(T0 + n))
     assert list(alarms(state)) == [(R0, "stuck")]
 
 
 def test_once_stuck_an_obstacle_or_silence_does_not_end_it() -> None:
     state = stood(up(), 70)
-    state = told(state, contact(T0 + 71, 9.0), *driving(T0 + 71))
+    state = reduced(state, contact(T0 + 71, 9.0), *driving(T0 + 71))
     assert alarm(state, "stuck").holds
-    state = told(state, tick(T0 + 100))
+    state = reduced(state, tick(T0 + 100))
     assert alarm(state, "stuck").text == "order 12: not moving at last report"
 
 
 def test_who_wanders_by_less_than_a_step_stands() -> None:
     state = up()
     for n in range(70):
-        state = told(state, *driving(T0 + n, x=0.1 * (n % 2)))
+        state = reduced(state, *driving(T0 + n, x=0.1 * (n % 2)))
     assert (R0, "stuck") in alarms(state)
 
 
 def test_slow_is_not_stuck() -> None:
     state = up()
     for n in range(200):
-        state = told(state, *driving(T0 + n, x=0.05 * n))
+        state = reduced(state, *driving(T0 + n, x=0.05 * n))
     assert alarms(state) == {}
 
 
@@ -150,26 +150,26 @@ def test_slow_is_not_stuck() -> None:
 
 
 def test_a_pause_is_an_alarm_when_it_lasts() -> None:
-    state = told(up(), events.PausedReported(R0, T0, True), tick(T0))
+    state = reduced(up(), events.PausedReported(R0, T0, True), tick(T0))
     for n in range(1, 310):
-        state = told(state, events.PausedReported(R0, T0 + n, True), tick(T0 + n))
+        state = reduced(state, events.PausedReported(R0, T0 + n, True), tick(T0 + n))
         assert ((R0, "pause") in alarms(state)) is (n > 300)
     assert alarm(state, "pause").text == "paused for 5 min"
-    state = told(state, events.PausedReported(R0, T0 + 310, False), tick(T0 + 310))
+    state = reduced(state, events.PausedReported(R0, T0 + 310, False), tick(T0 + 310))
     assert alarm(state, "pause").text == "pause ended"
 
 
 def test_a_short_resume_begins_the_delay_anew() -> None:
-    state = told(up(), events.PausedReported(R0, T0, True), tick(T0))
-    state = told(state, events.PausedReported(R0, T0 + 200, False), tick(T0 + 200))
-    state = told(state, events.PausedReported(R0, T0 + 201, True), tick(T0 + 201))
-    state = told(state, events.PausedReported(R0, T0 + 400, True), tick(T0 + 400))
+    state = reduced(up(), events.PausedReported(R0, T0, True), tick(T0))
+    state = reduced(state, events.PausedReported(R0, T0 + 200, False), tick(T0 + 200))
+    state = reduced(state, events.PausedReported(R0, T0 + 201, True), tick(T0 + 201))
+    state = reduced(state, events.PausedReported(R0, T0 + 400, True), tick(T0 + 400))
     assert (R0, "pause") not in alarms(state)
 
 
 def test_a_silent_robot_is_not_said_to_be_paused() -> None:
-    state = told(up(), events.PausedReported(R0, T0, True), tick(T0))
-    state = told(state, events.PausedReported(R0, T0 + 301, True), tick(T0 + 301), tick(T0 + 331))
+    state = reduced(up(), events.PausedReported(R0, T0, True), tick(T0))
+    state = reduced(state, events.PausedReported(R0, T0 + 301, True), tick(T0 + 301), tick(T0 + 331))
     assert alarm(state, "pause").text == "pause last reported 30 s ago"
 
 
@@ -177,27 +177,27 @@ def test_a_silent_robot_is_not_said_to_be_paused() -> None:
 
 
 def test_bad_data_is_an_alarm_while_it_comes() -> None:
-    state = told(up(), events.MessageRejected(R0, "pose: no x"), tick(T0), tick(T0 + 1.1))
+    state = reduced(up(), events.MessageRejected(R0, "pose: no x"), tick(T0), tick(T0 + 1.1))
     assert alarm(state, "data").text == "bad data x1: pose: no x"
     for n in range(2, 31):
-        state = told(state, events.MessageRejected(R0, "pose: no y"), battery(T0 + n), tick(T0 + n))
+        state = reduced(state, events.MessageRejected(R0, "pose: no y"), battery(T0 + n), tick(T0 + n))
     assert (alarm(state, "data").text, alarm(state, "data").count) == ("bad data x30: pose: no y", 1)
-    state = told(state, battery(T0 + 38.9), tick(T0 + 38.9), battery(T0 + 41), tick(T0 + 41))
+    state = reduced(state, battery(T0 + 38.9), tick(T0 + 38.9), battery(T0 + 41), tick(T0 + 41))
     assert alarm(state, "data").text == "no new bad data"
 
 
 def test_a_bad_frame_is_an_alarm_of_its_link() -> None:
-    state = told(up(), events.FrameRejected(LINK, "frame of 3 bytes"), tick(T0), tick(T0 + 1.1))
+    state = reduced(up(), events.FrameRejected(LINK, "frame of 3 bytes"), tick(T0), tick(T0 + 1.1))
     assert alarm(state, "frames", LINK).text == "bad data x1: frame of 3 bytes"
 
 
 def test_a_shelf_is_for_as_long_as_was_said() -> None:
-    state = told(up(), battery(T0, 15.0), tick(T0), events.AlarmShelved(R0, "battery", T0 + 60))
+    state = reduced(up(), battery(T0, 15.0), tick(T0), events.AlarmShelved(R0, "battery", T0 + 60))
     assert (state.unacknowledged, state.shelved) == (0, 1)
-    assert told(state, tick(T0 + 59)).shelved == 1
-    back = told(state, battery(T0 + 60, 15.0), tick(T0 + 60))
+    assert reduced(state, tick(T0 + 59)).shelved == 1
+    back = reduced(state, battery(T0 + 60, 15.0), tick(T0 + 60))
     assert (back.unacknowledged, back.shelved) == (1, 0)
-    off = told(state, events.AlarmUnshelved(R0, "battery"))
+    off = reduced(state, events.AlarmUnshelved(R0, "battery"))
     assert (off.unacknowledged, off.shelved) == (1, 0)
 
 
@@ -206,5 +206,5 @@ def test_limits_are_the_operators() -> None:
     state = replace(state, limits=replace(state.limits, stuck_after=5.0, clear_after=0.0, battery_band=0.0))
     state = stood(state, 6)
     assert (R0, "stuck") in alarms(state)
-    state = told(state, events.AlarmAcknowledged(), *driving(T0 + 7, x=1.0))
+    state = reduced(state, events.AlarmAcknowledged(), *driving(T0 + 7, x=1.0))
     assert alarms(state) == {}

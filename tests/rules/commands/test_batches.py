@@ -3,7 +3,7 @@
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.batches import TOGETHER, batches, pauses, summary
-from tests.support.fleets import T0, commanded, fleet, told
+from tests.support.fleets import T0, commanded, fleet, reduced
 
 
 def paused(*stages: Stage, detail: str = "") -> FleetState:
@@ -13,7 +13,7 @@ def paused(*stages: Stage, detail: str = "") -> FleetState:
         for n, stage in enumerate(stages)
         for fact in commanded(n, PauseRobot(f"robot_{n}"), Stage.SENT, stage, detail=detail)
     ]
-    return told(fleet(len(stages)), *facts)
+    return reduced(fleet(len(stages)), *facts)
 
 
 def ids(found: list[list[CommandRecord]]) -> list[list[int]]:
@@ -21,7 +21,7 @@ def ids(found: list[list[CommandRecord]]) -> list[list[int]]:
 
 
 def test_what_is_given_at_once_to_different_robots_is_one_wish() -> None:
-    state = told(
+    state = reduced(
         fleet(2),
         *commanded(1, PauseRobot("robot_0")),
         *commanded(2, PauseRobot("robot_1")),

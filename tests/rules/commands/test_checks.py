@@ -26,8 +26,8 @@ from tests.support.fleets import (
     place_order,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 
 ORDER = place_order(R0, 1, 2)
@@ -65,7 +65,7 @@ def test_nothing_speaks_against_what_is_all_right() -> None:
 )
 def test_each_check_by_name(facts: tuple[Event, ...], command: Command, problem: tuple[str, bool]) -> None:
     late = any(getattr(fact, "at", T0) > T0 + 1 for fact in facts)
-    state = told(ready(*facts), *([tick(T0 + 60)] if late else []))
+    state = reduced(ready(*facts), *([tick(T0 + 60)] if late else []))
     assert found(state, command) == [problem]
 
 
@@ -76,12 +76,12 @@ def texts(state: FleetState, *commands: Command) -> str:
 def test_problems_name_the_thing_and_the_nearest_right_one() -> None:
     assert texts(ready(), PauseRobot("robot_O"), ORDER) == "unknown robot robot_O, did you mean robot_0?"
     assert texts(ready(), place_order(R0, 1, 22)) == "robot_0 has no vertex 22, did you mean 2?"
-    assert texts(told(ready(), tick(T0 + 41)), ORDER) == "robot_0 is offline 41 s"
+    assert texts(reduced(ready(), tick(T0 + 41)), ORDER) == "robot_0 is offline 41 s"
     assert texts(ready(), place_order(R0, 1, 1)) == "From and To are the same place: Base"
 
 
 def test_a_robot_never_seen_and_a_graph_that_has_not_come_are_warned_of() -> None:
-    state = told(fleet(), link_up(T0), tick(T0))
+    state = reduced(fleet(), link_up(T0), tick(T0))
     assert found(state, ORDER) == [
         ("unknown vertex", False),
         ("unknown vertex", False),
@@ -96,7 +96,7 @@ def test_of_a_chain_each_order_is_looked_at_but_what_comes_before_it_is_its_own(
     loaded = ready(CargoReported(R0, T0, True))
     assert found(loaded, *chain(R0, ["1", "2", "3"], with_cargo=True)) == []
     assert found(ready(), *chain(R0, ["1", "2", "77"])) == [("unknown vertex", True)]
-    assert found(told(ready(), tick(T0 + 60)), *chain(R0, ["1", "2", "3"])) == [("offline", False)]
+    assert found(reduced(ready(), tick(T0 + 60)), *chain(R0, ["1", "2", "3"])) == [("offline", False)]
 
 
 def test_a_pause_is_never_held_back() -> None:

@@ -23,8 +23,8 @@ from tests.support.fleets import (
     place_order,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 from tests.support.kinds import FULL, GOALS, MUTE, moved
 
@@ -83,9 +83,9 @@ def test_where_none_can_nothing_is_left_out_and_the_checks_say_it() -> None:
 
 
 def test_an_order_to_one_place_needs_no_cargo_where_none_is_told_of() -> None:
-    state = told(moved(GOALS), queue(T0 + 1.0))
+    state = reduced(moved(GOALS), queue(T0 + 1.0))
     assert found(state, place_order(R0, 2)) == []
-    carries = told(moved(FULL), queue(T0 + 1.0), events.CargoReported(R0, T0 + 1.0, False))
+    carries = reduced(moved(FULL), queue(T0 + 1.0), events.CargoReported(R0, T0 + 1.0, False))
     assert [check for check, _, _ in found(carries, place_order(R0, 2))] == ["no cargo"]
 
 
@@ -103,7 +103,9 @@ def test_a_robot_without_a_queue_is_not_said_to_have_no_orders() -> None:
 
 
 def test_a_floor_without_a_graph_has_no_vertex_and_none_will_come() -> None:
-    state = told(of_kinds(fleet(), Kind("drives", ("pose",), (ORDER_TO,))), link_up(T0), pose(T0), tick(T0))
+    state = reduced(
+        of_kinds(fleet(), Kind("drives", ("pose",), (ORDER_TO,))), link_up(T0), pose(T0), tick(T0)
+    )
     (problem,) = found(state, place_order(R0, 7))
     assert problem == ("unknown vertex", "robot_0 has no vertex 7: no graph of floor_0", True)
 

@@ -23,8 +23,8 @@ from tests.support.fleets import (
     link_up,
     place_order,
     queue,
+    reduced,
     tick,
-    told,
 )
 from tests.support.one_command import ACCEPTED, NO_ANSWER, ORDER, PATIENCE, SENT, UNKNOWN, only, up
 
@@ -33,7 +33,7 @@ from tests.support.one_command import ACCEPTED, NO_ANSWER, ORDER, PATIENCE, SENT
 def test_an_order_that_appears_in_the_queue_is_confirmed_whatever_was_answered(answer: Stage) -> None:
     state = up(*commanded(1, ORDER, SENT, answer), tick(T0 + 1))
     assert only(state).stage is answer
-    state = told(state, queue(T0 + 2, (4, 8, 9, "W"), (5, 1, 2, "Q"), current=4), tick(T0 + 2))
+    state = reduced(state, queue(T0 + 2, (4, 8, 9, "W"), (5, 1, 2, "Q"), current=4), tick(T0 + 2))
     assert (only(state).stage, only(state).order_id) == (Stage.CONFIRMED, "5")
     assert only(state).detail == "seen in the queue as order 5"
 
@@ -50,50 +50,50 @@ def test_what_is_not_seen_is_not_confirmed_and_says_what_is(
     orders: tuple[tuple[int, int, int, str], ...], instead: str
 ) -> None:
     state = up(*commanded(1, ORDER, SENT, ACCEPTED), *([queue(T0 + 1, *orders)] if orders else []))
-    waiting = told(state, tick(T0 + PATIENCE - 0.1))
+    waiting = reduced(state, tick(T0 + PATIENCE - 0.1))
     assert only(waiting).stage is ACCEPTED
-    ended = told(waiting, tick(T0 + PATIENCE + 0.1))
+    ended = reduced(waiting, tick(T0 + PATIENCE + 0.1))
     assert only(ended).stage is Stage.NOT_CONFIRMED
     assert only(ended).detail.startswith("accepted; ") and instead in only(ended).detail
 
 
 def test_a_queue_older_than_the_command_proves_nothing() -> None:
-    state = told(fleet(), link_up(T0 - 9), *commanded(1, ORDER, SENT, ACCEPTED))
-    assert only(told(state, queue(T0, (9, 1, 2, "Q")), tick(T0 + 1))).stage is ACCEPTED
+    state = reduced(fleet(), link_up(T0 - 9), *commanded(1, ORDER, SENT, ACCEPTED))
+    assert only(reduced(state, queue(T0, (9, 1, 2, "Q")), tick(T0 + 1))).stage is ACCEPTED
 
 
 def test_an_order_of_a_robot_whose_queue_was_never_seen_is_not_known() -> None:
-    state = told(
+    state = reduced(
         fleet(), link_up(T0 - 9), *commanded(1, ORDER, SENT, ACCEPTED), queue(T0 + 1, (9, 1, 2, "Q"))
     )
-    record = only(told(state, tick(T0 + PATIENCE + 1)))
+    record = only(reduced(state, tick(T0 + PATIENCE + 1)))
     assert record.stage is Stage.NOT_CONFIRMED and "queue unknown before" in record.detail
 
 
 def test_two_same_orders_are_two_in_the_queue() -> None:
     state = up(*commanded(1, ORDER, SENT, ACCEPTED), *commanded(2, ORDER, SENT, ACCEPTED))
-    one = told(state, queue(T0 + 1, (5, 1, 2, "W")), tick(T0 + 1))
+    one = reduced(state, queue(T0 + 1, (5, 1, 2, "W")), tick(T0 + 1))
     assert [record.stage for record in one.commands] == [Stage.CONFIRMED, ACCEPTED]
-    two = told(one, queue(T0 + 2, (5, 1, 2, "W"), (6, 1, 2, "Q")), tick(T0 + 2))
+    two = reduced(one, queue(T0 + 2, (5, 1, 2, "W"), (6, 1, 2, "Q")), tick(T0 + 2))
     assert [record.order_id for record in two.commands] == ["5", "6"]
 
 
 def test_with_cargo_only_the_destination_counts() -> None:
     state = up(*commanded(1, place_order(R0, 2), SENT, ACCEPTED))
-    assert only(told(state, queue(T0 + 1, (5, 77, 2, "W")), tick(T0 + 1))).stage is Stage.CONFIRMED
+    assert only(reduced(state, queue(T0 + 1, (5, 77, 2, "W")), tick(T0 + 1))).stage is Stage.CONFIRMED
 
 
 def test_without_a_link_nothing_is_decided_and_after_it_the_queue_decides() -> None:
     state = up(
         *commanded(1, ORDER, SENT), link_lost(T0 + 1), CommandAdvanced(1, UNKNOWN, T0 + 1, "link lost")
     )
-    dark = told(state, tick(T0 + 500))
+    dark = reduced(state, tick(T0 + 500))
     assert only(dark).stage is UNKNOWN
-    back = told(dark, link_up(T0 + 500), tick(T0 + 500 + PATIENCE - 0.1))
+    back = reduced(dark, link_up(T0 + 500), tick(T0 + 500 + PATIENCE - 0.1))
     assert only(back).stage is UNKNOWN
-    placed = told(back, queue(T0 + 504, (5, 1, 2, "Q")), tick(T0 + 504.9))
+    placed = reduced(back, queue(T0 + 504, (5, 1, 2, "Q")), tick(T0 + 504.9))
     assert only(placed).stage is Stage.CONFIRMED
-    restarted = told(back, queue(T0 + 504), tick(T0 + 500 + PATIENCE))
+    restarted = reduced(back, queue(T0 + 504), tick(T0 + 500 + PATIENCE))
     assert only(restarted).stage is Stage.NOT_CONFIRMED
     assert only(restarted).detail == "outcome unknown: link lost; order not in the queue"
 
@@ -143,7 +143,7 @@ class Life(RuleBasedStateMachine):
         self.seen: dict[int, CommandRecord] = {}
 
     def tell(self, *facts: Event) -> None:
-        self.state = told(self.state, *facts)
+        self.state = reduced(self.state, *facts)
 
     @rule(command=st.sampled_from(COMMANDS), sent=st.booleans())
     def give(self, command: Command, sent: bool) -> None:

@@ -26,8 +26,8 @@ from tests.support.fleets import (
     place_order,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 
 END = 7  # three metres from where the robot is at first
@@ -48,9 +48,9 @@ def driving(at: float) -> QueueReported:
 
 def given(*facts: Event) -> FleetState:
     """A robot whose queue shows the order that was given at T0."""
-    state = told(fleet(), link_up(T0 - 9), graph(0, 1, 2, END), pose(T0 - 1), gone(T0 - 1, 4), tick(T0))
-    state = told(state, *commanded(1, ORDER, SENT, ACCEPTED), queue(T0 + 1, QUEUED), tick(T0 + 1))
-    return told(state, *facts)
+    state = reduced(fleet(), link_up(T0 - 9), graph(0, 1, 2, END), pose(T0 - 1), gone(T0 - 1, 4), tick(T0))
+    state = reduced(state, *commanded(1, ORDER, SENT, ACCEPTED), queue(T0 + 1, QUEUED), tick(T0 + 1))
+    return reduced(state, *facts)
 
 
 def first(state: FleetState) -> CommandRecord:
@@ -126,34 +126,34 @@ def test_a_robot_that_waits_at_the_end_for_long_has_driven_there() -> None:
 
 @pytest.mark.parametrize(("letter", "stage"), [("D", Stage.DONE), ("C", Stage.CANCELLED_ELSEWHERE)])
 def test_an_order_that_was_over_when_it_was_first_seen_has_ended(letter: str, stage: Stage) -> None:
-    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
-    state = told(state, queue(T0 + 9, (5, 0, END, letter)), tick(T0 + 9), tick(T0 + 9.1))
+    state = reduced(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
+    state = reduced(state, queue(T0 + 9, (5, 0, END, letter)), tick(T0 + 9), tick(T0 + 9.1))
     assert (first(state).stage, first(state).order_id) == (stage, "5")
 
 
 def test_a_queue_that_came_before_the_tick_that_confirmed_and_was_read_after_it_ends_the_order() -> None:
-    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
-    state = told(state, driving(T0 + 1), tick(T0 + 2))
+    state = reduced(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
+    state = reduced(state, driving(T0 + 1), tick(T0 + 2))
     assert first(state).stage is Stage.CONFIRMED
-    assert first(told(state, gone(T0 + 1.9), tick(T0 + 2.1))).stage is Stage.DONE
+    assert first(reduced(state, gone(T0 + 1.9), tick(T0 + 2.1))).stage is Stage.DONE
 
 
 def test_orders_of_queues_that_can_never_be_read_whole_are_not_kept_for_ever() -> None:
     state = fleet()
     for n in range(9):
         orders = [(1000 * n + i, 0, END, "Q") for i in range(500)]
-        state = told(state, replace(queue(T0 + n, *orders), fault="bad"))
+        state = reduced(state, replace(queue(T0 + n, *orders), fault="bad"))
     kept = state.robots[R0].traces
     assert 500 <= len(kept) <= 1000 and "8499" in kept
     for n in range(9):
-        state = told(state, queue(T0 + 10 + n, *((1000 * n + i, 0, END, "Q") for i in range(500))))
+        state = reduced(state, queue(T0 + 10 + n, *((1000 * n + i, 0, END, "Q") for i in range(500))))
     assert len(state.robots[R0].gone) <= 1000
 
 
 def test_a_robot_that_is_not_known_to_be_elsewhere_has_driven_what_it_began() -> None:
-    unplaced = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
-    state = told(unplaced, *commanded(1, ORDER, SENT, ACCEPTED), driving(T0 + 1), tick(T0 + 1))
-    assert first(told(state, gone(T0 + 2), tick(T0 + 2))).stage is Stage.DONE
+    unplaced = reduced(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
+    state = reduced(unplaced, *commanded(1, ORDER, SENT, ACCEPTED), driving(T0 + 1), tick(T0 + 1))
+    assert first(reduced(state, gone(T0 + 2), tick(T0 + 2))).stage is Stage.DONE
 
 
 def test_a_queue_that_was_cut_short_ends_no_order() -> None:
@@ -183,50 +183,50 @@ def test_an_order_that_is_done_while_its_cancel_is_refused_is_done() -> None:
 
 def not_confirmed(command: Command, *facts: Event) -> FleetState:
     """A command that the robot accepted, and of which nothing was seen."""
-    state = told(fleet(), link_up(T0 - 9), *facts, tick(T0), *commanded(1, command, SENT, ACCEPTED))
-    state = told(state, *facts, tick(T0 + PATIENCE + 0.1))
+    state = reduced(fleet(), link_up(T0 - 9), *facts, tick(T0), *commanded(1, command, SENT, ACCEPTED))
+    state = reduced(state, *facts, tick(T0 + PATIENCE + 0.1))
     assert first(state).stage is Stage.NOT_CONFIRMED and "not confirmed" in alarm_texts(state)[0]
     return state
 
 
 @pytest.mark.parametrize("seconds", [12, 38, 500])
 def test_an_order_that_is_taken_late_is_told_and_the_failure_is_cleared(seconds: int) -> None:
-    state = told(not_confirmed(ORDER, gone(T0 - 1, 4)), driving(T0 + seconds), tick(T0 + seconds))
+    state = reduced(not_confirmed(ORDER, gone(T0 - 1, 4)), driving(T0 + seconds), tick(T0 + seconds))
     record = first(state)
     assert (record.stage, record.order_id) == (Stage.LATE, "5")
     (alarm,) = (alarm for alarm in state.alarms if alarm.condition.kind == "command")
     assert alarm.needs_acknowledgement and alarm.text.startswith("carried out late: order 0 -> 7 (order 5, ")
-    assert first(told(state, gone(T0 + seconds + 1), tick(T0 + seconds + 1))).stage is Stage.DONE
+    assert first(reduced(state, gone(T0 + seconds + 1), tick(T0 + seconds + 1))).stage is Stage.DONE
 
 
 def test_an_order_that_is_given_again_and_taken_is_the_second_one() -> None:
-    state = told(not_confirmed(ORDER, gone(T0 - 1, 4)), gone(T0 + 9, 4), tick(T0 + 10))
-    state = told(state, *commanded(2, ORDER, SENT, ACCEPTED, at=T0 + 10), driving(T0 + 11), tick(T0 + 11))
+    state = reduced(not_confirmed(ORDER, gone(T0 - 1, 4)), gone(T0 + 9, 4), tick(T0 + 10))
+    state = reduced(state, *commanded(2, ORDER, SENT, ACCEPTED, at=T0 + 10), driving(T0 + 11), tick(T0 + 11))
     assert [(one.stage, one.order_id) for one in state.commands] == [
         (Stage.NOT_CONFIRMED, None),
         (Stage.CONFIRMED, "5"),
     ]
-    both = told(state, queue(T0 + 12, DRIVEN, (6, 0, END, "Q"), current=5), tick(T0 + 12))
+    both = reduced(state, queue(T0 + 12, DRIVEN, (6, 0, END, "Q"), current=5), tick(T0 + 12))
     assert [(one.stage, one.order_id) for one in both.commands] == [(Stage.LATE, "6"), (Stage.CONFIRMED, "5")]
 
 
 def test_an_order_of_the_same_ends_long_after_is_another_one() -> None:
-    state = told(not_confirmed(ORDER, gone(T0 - 1, 4)), driving(T0 + 700), tick(T0 + 700))
+    state = reduced(not_confirmed(ORDER, gone(T0 - 1, 4)), driving(T0 + 700), tick(T0 + 700))
     assert first(state).stage is Stage.NOT_CONFIRMED
 
 
 def test_a_cancel_that_is_obeyed_late_is_told_and_an_order_that_is_driven_is_no_cancel() -> None:
     waiting = not_confirmed(CancelOrder(R0, "5"), graph(0, 1, 2, END), pose(T0), queue(T0 - 1, QUEUED))
-    assert first(told(waiting, gone(T0 + 12), tick(T0 + 12))).stage is Stage.LATE
+    assert first(reduced(waiting, gone(T0 + 12), tick(T0 + 12))).stage is Stage.LATE
     driven: list[Event] = [driving(T0 + 8), pose(T0 + 9, 3.0), gone(T0 + 12), tick(T0 + 12)]
-    assert first(told(waiting, *driven)).stage is Stage.NOT_CONFIRMED
+    assert first(reduced(waiting, *driven)).stage is Stage.NOT_CONFIRMED
     restarted: list[Event] = [gone(T0 + 12, 0), tick(T0 + 12)]
-    assert first(told(waiting, *restarted)).stage is Stage.NOT_CONFIRMED
+    assert first(reduced(waiting, *restarted)).stage is Stage.NOT_CONFIRMED
 
 
 def test_a_pause_that_is_obeyed_late_is_told() -> None:
     waiting = not_confirmed(PauseRobot(R0), PausedReported(R0, T0, False))
-    state = told(waiting, PausedReported(R0, T0 + 12, True), tick(T0 + 12))
+    state = reduced(waiting, PausedReported(R0, T0 + 12, True), tick(T0 + 12))
     assert first(state).stage is Stage.LATE
     assert alarm_texts(state)[0].startswith("carried out late: pause (reported by the robot, 12 s after")
 
@@ -234,37 +234,37 @@ def test_a_pause_that_is_obeyed_late_is_told() -> None:
 def test_a_pause_that_was_given_again_and_worked_is_not_carried_out_late() -> None:
     waiting = not_confirmed(PauseRobot(R0), PausedReported(R0, T0, False))
     again = commanded(2, PauseRobot(R0), SENT, ACCEPTED, at=T0 + 10)
-    state = told(waiting, *again, PausedReported(R0, T0 + 11, True), tick(T0 + 11), tick(T0 + 12))
+    state = reduced(waiting, *again, PausedReported(R0, T0 + 11, True), tick(T0 + 11), tick(T0 + 12))
     assert [one.stage for one in state.commands] == [Stage.NOT_CONFIRMED, Stage.CONFIRMED]
     refused = commanded(2, PauseRobot(R0), SENT, Stage.REFUSED, at=T0 + 10)
-    state = told(waiting, *refused, PausedReported(R0, T0 + 11, True), tick(T0 + 11))
+    state = reduced(waiting, *refused, PausedReported(R0, T0 + 11, True), tick(T0 + 11))
     assert first(state).stage is Stage.LATE
 
 
 @pytest.mark.parametrize("again", [CancelOrder(R0, "5"), ClearOrders(R0)])
 def test_a_cancel_that_another_one_did_is_not_carried_out_late(again: Command) -> None:
     waiting = not_confirmed(CancelOrder(R0, "5"), graph(0, 1, 2, END), pose(T0), queue(T0 - 1, QUEUED))
-    state = told(waiting, queue(T0 + 9, QUEUED), *commanded(2, again, SENT, ACCEPTED, at=T0 + 10))
-    state = told(state, gone(T0 + 11), tick(T0 + 11), tick(T0 + 12))
+    state = reduced(waiting, queue(T0 + 9, QUEUED), *commanded(2, again, SENT, ACCEPTED, at=T0 + 10))
+    state = reduced(state, gone(T0 + 11), tick(T0 + 11), tick(T0 + 12))
     assert [one.stage for one in state.commands] == [Stage.NOT_CONFIRMED, Stage.CONFIRMED]
 
 
 def test_where_no_topic_tells_a_pause_its_late_answer_does() -> None:
-    state = told(fleet(), link_up(T0 - 9), tick(T0), *commanded(1, PauseRobot(R0), SENT, Stage.NO_ANSWER))
-    state = told(state, tick(T0 + PATIENCE + 0.1))
+    state = reduced(fleet(), link_up(T0 - 9), tick(T0), *commanded(1, PauseRobot(R0), SENT, Stage.NO_ANSWER))
+    state = reduced(state, tick(T0 + PATIENCE + 0.1))
     assert first(state).stage is Stage.NOT_CONFIRMED and not state.robots[R0].paused_by_us
-    state = told(state, CommandAdvanced(1, ACCEPTED, T0 + 12, "paused"))
+    state = reduced(state, CommandAdvanced(1, ACCEPTED, T0 + 12, "paused"))
     assert first(state).stage is Stage.LATE and state.robots[R0].paused_by_us
 
 
 def test_a_pause_that_was_only_seen_to_work_is_ours_too() -> None:
     moving = [pose(T0 - 0.2, 1.0), pose(T0 - 0.1, 1.2)]
-    state = told(
+    state = reduced(
         fleet(), link_up(T0 - 9), *moving, tick(T0), *commanded(1, PauseRobot(R0), SENT, Stage.NO_ANSWER)
     )
-    state = told(state, pose(T0 + 1, 1.3), pose(T0 + 2.5, 1.3), tick(T0 + 2.6))
+    state = reduced(state, pose(T0 + 1, 1.3), pose(T0 + 2.5, 1.3), tick(T0 + 2.6))
     assert first(state).stage is Stage.CONFIRMED and state.robots[R0].paused_by_us
-    assert not told(state, pose(T0 + 4, 3.0)).robots[R0].paused_by_us
+    assert not reduced(state, pose(T0 + 4, 3.0)).robots[R0].paused_by_us
 
 
 def echoed(at: float, request: int, *ids: int) -> QueueReported:
@@ -273,41 +273,43 @@ def echoed(at: float, request: int, *ids: int) -> QueueReported:
 
 
 def test_two_consoles_that_give_the_same_order_in_one_instant_claim_one_each() -> None:
-    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
-    consoles = {id_: told(state, *commanded(id_, ORDER, SENT, ACCEPTED)) for id_ in (111, 222)}
+    state = reduced(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
+    consoles = {id_: reduced(state, *commanded(id_, ORDER, SENT, ACCEPTED)) for id_ in (111, 222)}
     for reports in ([echoed(T0 + 1, 222, 5, 6)], [echoed(T0 + 1, 111, 5), echoed(T0 + 2, 222, 5, 6)]):
         ids = {}
         for id_, console in consoles.items():
             for report in reports:
-                console = told(console, report, tick(report.at))
+                console = reduced(console, report, tick(report.at))
             ids[id_] = first(console).order_id
         assert ids == {111: "5", 222: "6"}
 
 
 def test_an_order_of_another_console_is_not_ours_carried_out_late_once_it_is_no_longer_the_newest() -> None:
-    state = told(not_confirmed(ORDER, gone(T0 - 1, 4)), echoed(T0 + 100, 777, 5), tick(T0 + 100))
+    state = reduced(not_confirmed(ORDER, gone(T0 - 1, 4)), echoed(T0 + 100, 777, 5), tick(T0 + 100))
     further = order_queue(6, -1, order(5, 0, END, "Q"), order(6, 1, 2, "Q"), request_id=888)
-    state = told(state, QueueReported(R0, T0 + 110, further), tick(T0 + 110))
+    state = reduced(state, QueueReported(R0, T0 + 110, further), tick(T0 + 110))
     assert first(state).stage is Stage.NOT_CONFIRMED
     ours = order_queue(7, -1, *further.orders, order(7, 0, END, "Q"), request_id=1)
-    state = told(state, QueueReported(R0, T0 + 120, ours), tick(T0 + 120))
+    state = reduced(state, QueueReported(R0, T0 + 120, ours), tick(T0 + 120))
     assert (first(state).stage, first(state).order_id) == (Stage.LATE, "7")
 
 
 def test_a_robot_that_echoes_nothing_of_ours_is_believed_in_the_end() -> None:
-    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(111, ORDER, SENT, ACCEPTED))
-    state = told(state, echoed(T0 + 1, 77, 5), tick(T0 + 1))
+    state = reduced(
+        fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(111, ORDER, SENT, ACCEPTED)
+    )
+    state = reduced(state, echoed(T0 + 1, 77, 5), tick(T0 + 1))
     assert first(state).stage is ACCEPTED
-    assert first(told(state, tick(T0 + PATIENCE + 0.1))).order_id == "5"
+    assert first(reduced(state, tick(T0 + PATIENCE + 0.1))).order_id == "5"
 
 
 @pytest.mark.parametrize("says", [True, False])
 def test_a_pause_that_a_restart_of_the_robot_ended_is_told(says: bool) -> None:
     told_by_topic: list[Event] = [PausedReported(R0, T0 + 1, True)] if says else []
-    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
-    state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), *told_by_topic, tick(T0 + 1))
+    state = reduced(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
+    state = reduced(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), *told_by_topic, tick(T0 + 1))
     assert first(state).stage is (Stage.CONFIRMED if says else Stage.UNVERIFIABLE)
-    state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
+    state = reduced(state, gone(T0 + 2, 0), tick(T0 + 2))
     record = first(state)
     assert record.stage is Stage.LOST and record.detail.endswith("no longer paused")
     assert alarm_texts(state)[0].startswith("lost: pause (the robot's order ids started over")
@@ -315,10 +317,10 @@ def test_a_pause_that_a_restart_of_the_robot_ended_is_told(says: bool) -> None:
 
 
 def test_a_pause_that_was_resumed_before_the_restart_is_not_lost() -> None:
-    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
-    state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0 + 1))
-    state = told(state, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 1.5), tick(T0 + 2))
-    state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
+    state = reduced(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0))
+    state = reduced(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0 + 1))
+    state = reduced(state, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 1.5), tick(T0 + 2))
+    state = reduced(state, gone(T0 + 2, 0), tick(T0 + 2))
     assert first(state).stage is Stage.UNVERIFIABLE and not alarm_texts(state)
 
 
@@ -327,13 +329,13 @@ def test_a_robot_that_does_not_count_its_orders_has_not_started_over() -> None:
         replace(one, queue=replace(one.queue, last_serial=0))
         for one in (queue(T0 + 2, QUEUED), driving(T0 + 3))
     ]
-    begun = told(fleet(), link_up(T0 - 9), graph(0, 1, 2, END), pose(T0 - 1), gone(T0 - 1, 0), tick(T0))
-    state = told(begun, *commanded(1, ORDER, SENT, ACCEPTED), *uncounted, tick(T0 + 3))
-    state = told(state, pose(T0 + 4, 3.0), gone(T0 + 5, 0), tick(T0 + 5))
+    begun = reduced(fleet(), link_up(T0 - 9), graph(0, 1, 2, END), pose(T0 - 1), gone(T0 - 1, 0), tick(T0))
+    state = reduced(begun, *commanded(1, ORDER, SENT, ACCEPTED), *uncounted, tick(T0 + 3))
+    state = reduced(state, pose(T0 + 4, 3.0), gone(T0 + 5, 0), tick(T0 + 5))
     assert first(state).stage is Stage.DONE
 
 
 def test_an_order_that_a_robot_takes_after_it_was_started_anew_is_found() -> None:
-    state = told(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
-    state = told(state, queue(T0 + 1, (1, 0, END, "W"), current=1), tick(T0 + 1))
+    state = reduced(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
+    state = reduced(state, queue(T0 + 1, (1, 0, END, "W"), current=1), tick(T0 + 1))
     assert (first(state).stage, first(state).order_id) == (Stage.CONFIRMED, "1")

@@ -16,8 +16,8 @@ from tests.support.fleets import (
     graph,
     labels,
     place_order,
+    reduced,
     tick,
-    told,
 )
 
 
@@ -31,11 +31,11 @@ def ended(id_: int, at: float, *stages: Stage, detail: str = "") -> list[events.
 def failed(state: FleetState, id_: int, at: float, *stages: Stage, detail: str = "queue full") -> FleetState:
     issued = events.CommandIssued(id_, place_order(R0, 1, 2), at, WALL)
     ends = ended(id_, at, *(stages or (Stage.REFUSED,)), detail=detail)
-    return told(state, battery(at), tick(at), issued, *ends, tick(at))
+    return reduced(state, battery(at), tick(at), issued, *ends, tick(at))
 
 
 def test_a_refused_command_is_an_alarm_in_the_robots_words() -> None:
-    state = told(up(), graph(1, 2), labels({1: "Base", 2: "Store"}))
+    state = reduced(up(), graph(1, 2), labels({1: "Base", 2: "Store"}))
     state = failed(state, 7, T0)
     assert alarm(state, "command").text == "refused: order Base -> Store (queue full)"
     assert alarm(state, "command").condition.priority.name == "MEDIUM"
@@ -44,20 +44,20 @@ def test_a_refused_command_is_an_alarm_in_the_robots_words() -> None:
 def test_not_confirmed_is_an_alarm_that_returns_after_a_while_and_stays_until_it_is_seen() -> None:
     state = failed(up(), 7, T0, Stage.ACCEPTED, detail="")
     assert alarms(state) == {}
-    state = told(state, battery(T0 + 6), tick(T0 + 6))
+    state = reduced(state, battery(T0 + 6), tick(T0 + 6))
     text = "not confirmed: order 1 -> 2 (accepted; no queue received since)"
     assert alarm(state, "command").text == text
-    assert alarm(told(state, battery(T0 + 35), tick(T0 + 35)), "command").text == text
-    state = told(state, battery(T0 + 40), tick(T0 + 40))
+    assert alarm(reduced(state, battery(T0 + 35), tick(T0 + 35)), "command").text == text
+    state = reduced(state, battery(T0 + 40), tick(T0 + 40))
     assert (alarm(state, "command").stage, alarm(state, "command").text) == (
         AlarmStage.RETURNED,
         "failed: order 1 -> 2",
     )
-    assert alarms(told(state, events.AlarmAcknowledged())) == {}
+    assert alarms(reduced(state, events.AlarmAcknowledged())) == {}
 
 
 def test_further_failures_of_a_robot_count_and_need_another_look() -> None:
-    state = told(failed(failed(up(), 7, T0), 8, T0 + 1), events.AlarmAcknowledged())
+    state = reduced(failed(failed(up(), 7, T0), 8, T0 + 1), events.AlarmAcknowledged())
     assert (alarm(state, "command").count, state.unacknowledged) == (2, 0)
     state = failed(state, 9, T0 + 2)
     assert (alarm(state, "command").count, state.unacknowledged) == (3, 1)
@@ -71,12 +71,12 @@ def test_what_is_not_over_or_never_left_is_no_alarm(stage: Stage) -> None:
 
 def test_a_pause_that_failed_is_urgent_and_for_many_robots_one_alarm() -> None:
     state = up(100)
-    state = told(
+    state = reduced(
         state, *(events.CommandIssued(n, PauseRobot(f"robot_{n}"), T0 + n / 1000, WALL) for n in range(100))
     )
     for n in range(100):
-        state = told(state, *ended(n, T0, Stage.REFUSED), *[tick(T0 + n / 100)] * (n % 20 == 0))
-    state = told(state, tick(T0 + 1))
+        state = reduced(state, *ended(n, T0, Stage.REFUSED), *[tick(T0 + n / 100)] * (n % 20 == 0))
+    state = reduced(state, tick(T0 + 1))
     assert [one.key for one in state.alarms] == [(LINK, "many commands")]
     assert state.alarms[0].text == "refused: pause of 100 robots"
     assert (state.alarms[0].condition.priority.name, state.alarms[0].count) == ("HIGH", 100)

@@ -11,7 +11,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.request import given_now
 from fleet_tui.rules.commands.local_queue import foreign, next_to_send, orders_to_save
-from tests.support.fleets import F0, R0, T0, told
+from tests.support.fleets import F0, R0, T0, reduced
 from tests.support.legs import (
     A_B,
     DONE,
@@ -81,7 +81,9 @@ def test_an_order_that_fails_at_its_first_stop_goes_to_no_other() -> None:
 def test_what_is_cancelled_on_its_first_leg_goes_no_further() -> None:
     for command in (CancelOrder(R0, "goal---1"), ClearOrders(R0)):
         state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
-        state = told(state, CommandIssued(8, command, T0 + 1.5, T0), CommandAdvanced(8, Stage.SENT, T0 + 1.5))
+        state = reduced(
+            state, CommandIssued(8, command, T0 + 1.5, T0), CommandAdvanced(8, Stage.SENT, T0 + 1.5)
+        )
         state = lived(state, T0 + 2, goal("goal---1", OFF))
         assert record(state).stage is Stage.CANCELLED and not list(orders_to_save(state, state.robots[R0]))
 
@@ -91,8 +93,8 @@ def test_a_pause_keeps_the_leg() -> None:
     state = lived(state, T0 + 2, goal("goal---1", DONE))
     state = lived(sent(state, T0 + 2.1, "goal---2"), T0 + 2.3, goal("goal---2"))
     pause = PauseRobot(R0)
-    state = told(state, CommandIssued(8, pause, T0 + 3, T0), CommandAdvanced(8, Stage.SENT, T0 + 3))
-    state = told(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3, "no reply expected"))
+    state = reduced(state, CommandIssued(8, pause, T0 + 3, T0), CommandAdvanced(8, Stage.SENT, T0 + 3))
+    state = reduced(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3, "no reply expected"))
     state = lived(state, T0 + 3.2, goal("goal---2", OFF))
     assert (record(state).stage, record(state).leg) == (Stage.WAITING, 1)
     assert next_to_send(state, state.robots[R0]) is None
@@ -102,10 +104,10 @@ def test_a_pause_keeps_the_leg() -> None:
 def test_a_paused_robot_that_is_pushed_is_still_paused() -> None:
     state = lived(sent(site(), T0 + 1, "goal---1"), T0 + 1.2, goal("goal---1"))
     pause = PauseRobot(R0)
-    state = told(state, CommandIssued(8, pause, T0 + 3, T0), CommandAdvanced(8, Stage.SENT, T0 + 3))
-    state = lived(told(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3)), T0 + 3.2, goal("goal---1", OFF))
+    state = reduced(state, CommandIssued(8, pause, T0 + 3, T0), CommandAdvanced(8, Stage.SENT, T0 + 3))
+    state = lived(reduced(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3)), T0 + 3.2, goal("goal---1", OFF))
     for n in range(1, 6):
-        state = lived(told(state, OdometryReported(R0, T0 + 3 + n, Pose(2.0 * n, 0.0), T0)), T0 + 3 + n)
+        state = lived(reduced(state, OdometryReported(R0, T0 + 3 + n, Pose(2.0 * n, 0.0), T0)), T0 + 3 + n)
     assert state.is_paused(state.robots[R0]) and next_to_send(state, state.robots[R0]) is None
 
 
@@ -125,8 +127,8 @@ def test_a_goal_that_is_no_longer_listed_is_lost() -> None:
 
 def test_a_target_is_that_of_the_goal_that_begins() -> None:
     pose, at = Pose(10.0, 0.0), T0 + 1.05
-    before = told(site(), goals(T0 + 1), TargetReported(R0, at, pose), goals(T0 + 1.3, goal("another1")))
-    after = told(site(), goals(T0 + 1, goal("another1")), TargetReported(R0, at, pose))
+    before = reduced(site(), goals(T0 + 1), TargetReported(R0, at, pose), goals(T0 + 1.3, goal("another1")))
+    after = reduced(site(), goals(T0 + 1, goal("another1")), TargetReported(R0, at, pose))
     for state in (before, after):
         (order,) = state.robots[R0].orders.open
         assert order.stops and order.stops == _near(state, pose)
@@ -140,8 +142,8 @@ def _near(state: FleetState, pose: Pose) -> tuple[Stop, ...]:
 
 
 def test_a_target_of_long_ago_is_nobodys() -> None:
-    state = told(site(), TargetReported(R0, T0 + 0.5, Pose(1.0, 1.0)), goals(T0 + 1), goals(T0 + 2))
-    state = told(state, goals(T0 + 3, goal("another1")))
+    state = reduced(site(), TargetReported(R0, T0 + 0.5, Pose(1.0, 1.0)), goals(T0 + 1), goals(T0 + 2))
+    state = reduced(state, goals(T0 + 3, goal("another1")))
     assert state.robots[R0].orders.open[0].stops == ()
-    running = told(site(), goals(T0 + 1, goal("another1")), TargetReported(R0, T0 + 5, Pose(1.0, 1.0)))
+    running = reduced(site(), goals(T0 + 1, goal("another1")), TargetReported(R0, T0 + 5, Pose(1.0, 1.0)))
     assert running.robots[R0].orders.open[0].stops == ()

@@ -41,13 +41,13 @@ from tests.support.fleets import (
     text_of,
     tick,
 )
-from tests.support.fleets import told as after
+from tests.support.fleets import reduced as after
 
 KIND = Kind(
     "goals",
     ("pose", "queue"),
     (ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME),
-    tells_ends=True,
+    reports_ends=True,
     keeps_goals=True,
     holds=True,
 )

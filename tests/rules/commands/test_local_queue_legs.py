@@ -16,7 +16,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.rules.commands.local_queue import all_orders, hold_all, next_to_send
 from fleet_tui.rules.commands.pauses import FOREIGN_STOPPED
-from tests.support.fleets import R0, T0, link_lost, link_up, tick, told
+from tests.support.fleets import R0, T0, link_lost, link_up, reduced, tick
 from tests.support.legs import DONE, OFF, goal, lived, record, sent, site
 
 FIRST = "goal---1"
@@ -30,7 +30,7 @@ def asked(state: FleetState, at: float, command: Command) -> FleetState:
     """After a command that was published, to which nothing answers."""
     issued = CommandIssued(8, command, at, T0)
     steps = [CommandAdvanced(8, stage, at) for stage in (Stage.SENT, Stage.ACCEPTED)]
-    return told(state, issued, *steps)
+    return reduced(state, issued, *steps)
 
 
 def leaves(state: FleetState) -> bool:
@@ -54,8 +54,8 @@ def test_a_clear_takes_back_a_goal_that_is_not_listed_yet() -> None:
 
 
 def test_a_link_that_was_lost_on_the_way_holds_the_next_stop() -> None:
-    state = told(on_its_first_leg(), link_lost(T0 + 2))
-    state = told(state, tick(T0 + 2.1), link_up(T0 + 3))
+    state = reduced(on_its_first_leg(), link_lost(T0 + 2))
+    state = reduced(state, tick(T0 + 2.1), link_up(T0 + 3))
     state = lived(state, T0 + 3.2, goal(FIRST, DONE))
     assert record(state).stage is Stage.WAITING
     assert state.robots[R0].held == "the link was lost" and not leaves(state)
@@ -63,7 +63,7 @@ def test_a_link_that_was_lost_on_the_way_holds_the_next_stop() -> None:
 
 def test_a_console_that_is_disarmed_on_the_way_holds_the_next_stop() -> None:
     state = on_its_first_leg()
-    state = told(state, *hold_all(state, "this console is not armed"))
+    state = reduced(state, *hold_all(state, "this console is not armed"))
     state = lived(lived(state, T0 + 1.5, goal(FIRST)), T0 + 2, goal(FIRST, DONE))
     assert record(state).stage is Stage.WAITING
     assert state.robots[R0].held == "this console is not armed" and not leaves(state)
@@ -87,8 +87,8 @@ def test_a_clear_is_not_confirmed_while_a_goal_that_it_takes_back_may_still_appe
 
 
 def test_a_pause_that_stops_a_goal_of_others_says_so_though_orders_wait_here() -> None:
-    state = told(site(), CommandIssued(7, PlaceOrder(R0, at_vertices("2")), T0 + 1, T0))
-    state = told(lived(state, T0 + 1.1, goal("another1")), CommandAdvanced(7, Stage.WAITING, T0 + 1.2))
+    state = reduced(site(), CommandIssued(7, PlaceOrder(R0, at_vertices("2")), T0 + 1, T0))
+    state = reduced(lived(state, T0 + 1.1, goal("another1")), CommandAdvanced(7, Stage.WAITING, T0 + 1.2))
     state = asked(lived(state, T0 + 1.3, goal("another1")), T0 + 2, PauseRobot(R0))
     state = lived(lived(state, T0 + 2.2, goal("another1", OFF)), T0 + 2.4, goal("another1", OFF))
     assert (record(state, 8).stage, record(state, 8).detail) == (Stage.CONFIRMED, FOREIGN_STOPPED)
@@ -99,6 +99,6 @@ def test_a_resume_after_which_an_order_left_says_so() -> None:
     state = lived(lived(state, T0 + 2.2, goal(FIRST, OFF)), T0 + 4, goal(FIRST, OFF))
     assert (record(state, 8).detail, record(state).stage) == ("stopped, goal kept here", Stage.WAITING)
     resume = [CommandAdvanced(9, stage, T0 + 5) for stage in (Stage.SENT, Stage.ACCEPTED)]
-    state = sent(told(state, CommandIssued(9, ResumeRobot(R0), T0 + 5, T0), *resume), T0 + 5, "goal---2")
+    state = sent(reduced(state, CommandIssued(9, ResumeRobot(R0), T0 + 5, T0), *resume), T0 + 5, "goal---2")
     state = lived(state, T0 + 5.1, goal(FIRST, OFF))
     assert record(state, 9).detail == "waiting orders continue"

@@ -15,8 +15,8 @@ from tests.support.fleets import (
     T0,
     commanded,
     pose,
+    reduced,
     tick,
-    told,
 )
 from tests.support.one_command import ACCEPTED, NO_ANSWER, PATIENCE, SENT, only, up
 
@@ -24,9 +24,9 @@ from tests.support.one_command import ACCEPTED, NO_ANSWER, PATIENCE, SENT, only,
 @pytest.mark.parametrize(("command", "says"), [(PauseRobot(R0), True), (ResumeRobot(R0), False)])
 def test_the_robots_own_word_confirms_a_pause(command: Command, says: bool) -> None:
     state = up(PausedReported(R0, T0, not says), *commanded(1, command, SENT, ACCEPTED))
-    assert only(told(state, tick(T0 + 1))).stage is ACCEPTED
-    assert only(told(state, PausedReported(R0, T0 + 1, says), tick(T0 + 1))).stage is Stage.CONFIRMED
-    against = told(state, PausedReported(R0, T0 + 1, not says), tick(T0 + PATIENCE))
+    assert only(reduced(state, tick(T0 + 1))).stage is ACCEPTED
+    assert only(reduced(state, PausedReported(R0, T0 + 1, says), tick(T0 + 1))).stage is Stage.CONFIRMED
+    against = reduced(state, PausedReported(R0, T0 + 1, not says), tick(T0 + PATIENCE))
     assert only(against).stage is Stage.NOT_CONFIRMED and "reported" in only(against).detail
 
 
@@ -41,10 +41,10 @@ def test_a_pause_that_a_topic_is_to_show_waits_for_it() -> None:
     """A pause given before anything was heard, as from a shell, is not taken for one that nothing shows."""
     state = up()
     state = replace(state, robots={R0: replace(state.robots[R0], says_paused=True)})
-    state = told(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0))
+    state = reduced(state, *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0))
     assert only(state).stage is ACCEPTED
-    assert only(told(state, PausedReported(R0, T0 + 1, True), tick(T0 + 1))).stage is Stage.CONFIRMED
-    silent = only(told(state, tick(T0 + PATIENCE)))
+    assert only(reduced(state, PausedReported(R0, T0 + 1, True), tick(T0 + 1))).stage is Stage.CONFIRMED
+    silent = only(reduced(state, tick(T0 + PATIENCE)))
     assert (silent.stage, silent.detail) == (
         Stage.NOT_CONFIRMED,
         "accepted; no message on the pause topic",
@@ -54,35 +54,39 @@ def test_a_pause_that_a_topic_is_to_show_waits_for_it() -> None:
 def test_a_robot_that_was_driving_and_stands_still_is_seen_to_have_paused() -> None:
     driving = up(pose(T0 - 0.1), pose(T0, 0.2), *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0))
     assert only(driving).stage is ACCEPTED
-    stopped = told(driving, pose(T0 + 0.1, 0.3), pose(T0 + 1.2, 0.31), tick(T0 + 1.2))
+    stopped = reduced(driving, pose(T0 + 0.1, 0.3), pose(T0 + 1.2, 0.31), tick(T0 + 1.2))
     assert (only(stopped).stage, only(stopped).detail) == (Stage.CONFIRMED, "the robot stopped")
     rolling = [pose(T0 + n / 2, 0.2 + n) for n in range(1, 12)]
-    on = told(driving, *rolling, tick(T0 + PATIENCE))
+    on = reduced(driving, *rolling, tick(T0 + PATIENCE))
     assert only(on).stage is Stage.NOT_CONFIRMED and "kept moving" in only(on).detail
 
 
 def test_a_robot_that_stops_at_once_and_reports_no_further_place_has_paused() -> None:
     driving = up(pose(T0 - 0.1), pose(T0 - 0.05, 0.2), *commanded(1, PauseRobot(R0), SENT, ACCEPTED))
-    assert only(told(driving, pose(T0 + 0.5, 0.2), tick(T0 + 3))).stage is ACCEPTED  # silence is no standing
-    stopped = told(driving, pose(T0 + 0.5, 0.2), pose(T0 + 1.1, 0.2), tick(T0 + 1.2))
+    assert (
+        only(reduced(driving, pose(T0 + 0.5, 0.2), tick(T0 + 3))).stage is ACCEPTED
+    )  # silence is no standing
+    stopped = reduced(driving, pose(T0 + 0.5, 0.2), pose(T0 + 1.1, 0.2), tick(T0 + 1.2))
     assert (only(stopped).stage, only(stopped).detail) == (Stage.CONFIRMED, "the robot stopped")
 
 
 def test_what_is_seen_after_the_opposite_took_effect_is_not_the_doing_of_a_pause() -> None:
     driving = up(pose(T0 - 0.1), pose(T0, 0.2), *commanded(1, PauseRobot(R0), SENT, ACCEPTED))
-    refused = told(driving, *commanded(2, ResumeRobot(R0), SENT, Stage.REFUSED, at=T0 + 0.2), tick(T0 + 0.3))
+    refused = reduced(
+        driving, *commanded(2, ResumeRobot(R0), SENT, Stage.REFUSED, at=T0 + 0.2), tick(T0 + 0.3)
+    )
     assert refused.commands[0].stage is ACCEPTED
-    resumed = told(driving, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 0.2), tick(T0 + 0.3))
+    resumed = reduced(driving, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 0.2), tick(T0 + 0.3))
     assert resumed.commands[0].stage is Stage.UNVERIFIABLE
     quick = up(PausedReported(R0, T0, False), *commanded(1, PauseRobot(R0), SENT, ACCEPTED))
-    quick = told(quick, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 0.2))
-    quick = told(quick, PausedReported(R0, T0 + 0.5, False), tick(T0 + PATIENCE))
+    quick = reduced(quick, *commanded(2, ResumeRobot(R0), SENT, ACCEPTED, at=T0 + 0.2))
+    quick = reduced(quick, PausedReported(R0, T0 + 0.5, False), tick(T0 + PATIENCE))
     assert [one.stage for one in quick.commands] == [Stage.UNVERIFIABLE, Stage.CONFIRMED]
 
 
 def test_a_robot_that_stood_all_the_time_is_not_said_to_move() -> None:
     parked = up(pose(T0 - 50), pose(T0), *commanded(1, PauseRobot(R0), SENT, NO_ANSWER), pose(T0 + 4))
-    end = only(told(parked, tick(T0 + PATIENCE)))
+    end = only(reduced(parked, tick(T0 + PATIENCE)))
     assert (end.stage, end.detail.rpartition("; ")[2]) == (Stage.NOT_CONFIRMED, "no evidence in telemetry")
 
 
@@ -90,5 +94,5 @@ def test_a_robot_that_stood_all_the_time_is_not_said_to_move() -> None:
 @pytest.mark.parametrize("says", [True, False])
 def test_the_end_of_a_pause_does_not_read_as_if_it_were_paused(command: Command, says: bool) -> None:
     asked = up(PausedReported(R0, T0, not says), *commanded(1, command, SENT, ACCEPTED))
-    end = only(told(asked, PausedReported(R0, T0 + 1, says), tick(T0 + PATIENCE)))
+    end = only(reduced(asked, PausedReported(R0, T0 + 1, says), tick(T0 + PATIENCE)))
     assert end.is_decided and "paused" not in end.detail

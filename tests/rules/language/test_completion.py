@@ -7,19 +7,19 @@ from fleet_tui.rules.language.completion import complete
 from tests.support.fleets import (
     R0,
     labels,
-    told,
+    reduced,
 )
 from tests.support.kinds import FULL, MUTE, moved
 from tests.support.typed import known
 
 
 def test_only_accepted_verbs_and_robots_complete_a_line() -> None:
-    state = told(moved(MUTE, Kind("p", accepts=(PAUSE,))), labels({1: "Base"}))
+    state = reduced(moved(MUTE, Kind("p", accepts=(PAUSE,))), labels({1: "Base"}))
     assert complete("p", state) == ["pause "]
     assert complete("cl", state) == []
     assert complete("pause ", state) == ["pause all", "pause robot_1"]
     assert complete("robot_0 ", state) == []
-    assert complete("robot_0 ", told(moved(FULL), labels({1: "Base"}))) == ["robot_0 Base "]
+    assert complete("robot_0 ", reduced(moved(FULL), labels({1: "Base"}))) == ["robot_0 Base "]
 
 
 @pytest.mark.parametrize(

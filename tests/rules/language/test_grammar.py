@@ -18,7 +18,7 @@ from fleet_tui.model.kind import ORDER_TO, Kind
 from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
 from fleet_tui.rules.language.completion import complete, is_command
 from fleet_tui.rules.language.grammar import parse, parse_words, written
-from tests.support.fleets import R0, commanded, fleet, graph, labels, of_kinds, place_order, told
+from tests.support.fleets import R0, commanded, fleet, graph, labels, of_kinds, place_order, reduced
 from tests.support.typed import R1, known
 
 ASKED: list[tuple[str, tuple[Command, ...]]] = [
@@ -142,7 +142,7 @@ def test_a_command_with_ids_of_text_is_read_back(ids: list[str], names: list[str
     named = dict(zip(ids, names, strict=False))
     orders = [Order(id_, at_vertices(*ids[:2]), None, "", n) for n, id_ in enumerate(ids)]
     reported = QueueReported(R0, 1000.0, OrderQueue(9, ids[0], tuple(orders)))
-    state = told(fleet(), graph(*ids), labels(named), reported)
+    state = reduced(fleet(), graph(*ids), labels(named), reported)
     for command in (place_order(R0, *ids[:2]), place_order(R0, ids[0]), CancelOrder(R0, ids[-1])):
         assert parse(written(command, state), state).commands == (command,)
 
@@ -150,7 +150,7 @@ def test_a_command_with_ids_of_text_is_read_back(ids: list[str], names: list[str
 def test_ids_of_text_are_typed_like_numbers() -> None:
     orders = (Order("3f2a-77", at_vertices("dock A"), OrderState.IN_PROCESS, "2", 1),)
     reported = QueueReported(R0, 1000.0, OrderQueue(1, "3f2a-77", orders))
-    state = told(fleet(), graph("dock A", "b2", "b10"), labels({"b2": "Store", "b10": "Store"}), reported)
+    state = reduced(fleet(), graph("dock A", "b2", "b10"), labels({"b2": "Store", "b10": "Store"}), reported)
     assert parse("cancel 3f2a-77", state, R0).commands == (CancelOrder(R0, "3f2a-77"),)
     assert parse("robot_0 dock A > b10", state).commands == (place_order(R0, "dock A", "b10"),)
     assert complete("cancel ", state, R0)[0] == "cancel 3f2a-77"
@@ -163,7 +163,7 @@ def test_ids_of_text_are_typed_like_numbers() -> None:
 def test_a_number_with_zeros_before_it_is_that_number_unless_an_id_is_written_so() -> None:
     assert parse("cancel 012", known(), R0).commands == (CancelOrder(R0, "12"),)
     assert parse("robot_0 01 > 002", known()).commands == (place_order(R0, 1, 2),)
-    both = told(fleet(), graph("7", "007"))
+    both = reduced(fleet(), graph("7", "007"))
     assert parse("robot_0 007 > 7", both).commands == (place_order(R0, "007", "7"),)
 
 
@@ -197,5 +197,5 @@ def test_a_line_begins_as_a_command_or_is_a_search() -> None:
 
 def test_an_order_that_waits_here_is_cancelled_by_its_id() -> None:
     state = of_kinds(fleet(), Kind("goals", keeps_goals=True))
-    state = told(state, graph(1, 2), *commanded(7, place_order(R0, 1, 2), Stage.WAITING))
+    state = reduced(state, graph(1, 2), *commanded(7, place_order(R0, 1, 2), Stage.WAITING))
     assert parse("cancel robot_0 k1", state).commands == (CancelOrder(R0, "k1"),)

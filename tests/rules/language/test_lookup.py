@@ -17,7 +17,7 @@ from tests.support.fleets import (
     labels,
     pose,
     queue,
-    told,
+    reduced,
 )
 from tests.support.kinds import FULL, GOALS, moved
 
@@ -31,7 +31,7 @@ def known() -> Robot:
         graph(20, floor="floor_1"),
         labels({20: "Attic"}, "floor_1"),
     )
-    return told(fleet(1, 2), *facts, pose(T0)).robots[R0]
+    return reduced(fleet(1, 2), *facts, pose(T0)).robots[R0]
 
 
 def names(robot: Robot, typed: str) -> list[str]:
@@ -64,15 +64,15 @@ def test_nothing_typed_is_every_label_this_floor_first_by_name() -> None:
 
 def test_the_floor_a_robot_is_on_comes_first() -> None:
     facts = (graph(1), labels({1: "Zebra"}), graph(2, floor="floor_1"), labels({2: "Alpha"}, "floor_1"))
-    state = told(fleet(1, 2), *facts, pose(T0))
+    state = reduced(fleet(1, 2), *facts, pose(T0))
     assert [place.name for place in places(state.robots[R0])] == ["Zebra", "Alpha"]
-    upstairs = told(state, pose(T0, frame="floor_1"))
+    upstairs = reduced(state, pose(T0, frame="floor_1"))
     assert [place.name for place in places(upstairs.robots[R0])] == ["Alpha", "Zebra"]
 
 
 def test_a_label_of_a_vertex_that_the_graph_has_not_is_no_place() -> None:
-    assert places(told(fleet(), labels({5: "Ghost"}), graph(1)).robots[R0]) == []
-    assert places(told(fleet(), labels({5: "Soon"})).robots[R0]) == [Place("5", "Soon", F0)]
+    assert places(reduced(fleet(), labels({5: "Ghost"}), graph(1)).robots[R0]) == []
+    assert places(reduced(fleet(), labels({5: "Soon"})).robots[R0]) == [Place("5", "Soon", F0)]
 
 
 @given(st.text(max_size=8))
@@ -87,14 +87,14 @@ def test_whatever_is_typed_finds_only_places_of_the_robots_graphs(typed: str) ->
 def test_an_order_needs_no_start_with_cargo_and_nothing_to_do() -> None:
     state = fleet()
     assert not destination_only(state.robots[R0])
-    loaded = told(state, CargoReported(R0, T0, True))
+    loaded = reduced(state, CargoReported(R0, T0, True))
     assert destination_only(loaded.robots[R0])
-    assert not destination_only(told(loaded, queue(T0, (1, 1, 2, "Q"))).robots[R0])
-    assert not destination_only(told(loaded, CargoReported(R0, T0, False)).robots[R0])
+    assert not destination_only(reduced(loaded, queue(T0, (1, 1, 2, "Q"))).robots[R0])
+    assert not destination_only(reduced(loaded, CargoReported(R0, T0, False)).robots[R0])
 
 
 def test_a_label_that_is_a_number_comes_before_the_id() -> None:
-    state = told(fleet(), graph(1, 7), labels({1: "7", 7: "Base"}))
+    state = reduced(fleet(), graph(1, 7), labels({1: "7", 7: "Base"}))
     assert names(state.robots[R0], "7") == ["7", "Base"]
 
 

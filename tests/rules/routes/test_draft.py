@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.draft import SPEED, Draft, draft_route
-from tests.support.fleets import F0, R0, T0, fleet, graph, pose, told
+from tests.support.fleets import F0, R0, T0, fleet, graph, pose, reduced
 
 F1 = "floor_1"
 
@@ -26,7 +26,7 @@ def with_lift(floor: str, *ids: int) -> GraphReceived:
 
 
 def state() -> FleetState:
-    return told(fleet(1, 2), pose(T0, 0.4), with_lift(F0, 1, 2, 3, 4), with_lift(F1, 11, 12, 13))
+    return reduced(fleet(1, 2), pose(T0, 0.4), with_lift(F0, 1, 2, 3, 4), with_lift(F1, 11, 12, 13))
 
 
 def draft(*places: Place, starts_here: bool = False) -> Draft:
@@ -67,7 +67,7 @@ def test_a_place_that_no_way_leads_to_is_said() -> None:
     apart = RouteGraph(
         {"1": Vertex("1", 0, 0), "2": Vertex("2", 1, 0), "9": Vertex("9", 5, 5)}, (Edge("0", "1", "2"),)
     )
-    robot = told(fleet(), pose(T0), GraphReceived(R0, F0, apart)).robots[R0]
+    robot = reduced(fleet(), pose(T0), GraphReceived(R0, F0, apart)).robots[R0]
     route = draft_route(robot, draft(place(1), place(9)))
     assert route is not None
     assert route.metres is None

@@ -11,11 +11,11 @@ from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.why.navigation import another_client, blocked, held, not_sure_where, recovering
 from fleet_tui.rules.why.reason import Strength
-from tests.support.fleets import R0, T0, commanded, fleet, of_kinds, place_order, queue, tick, told
+from tests.support.fleets import R0, T0, commanded, fleet, of_kinds, place_order, queue, reduced, tick
 
 
 def known(state: FleetState | None = None, **values: object) -> tuple[FleetState, Robot]:
-    state = state or told(fleet(), tick(T0))
+    state = state or reduced(fleet(), tick(T0))
     return state, replace(state.robots[R0], **values)
 
 
@@ -48,7 +48,7 @@ def test_an_uncertain_localisation_is_given_in_metres() -> None:
 
 
 def test_recoveries_are_counted_while_an_order_is_driven() -> None:
-    driving = told(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
+    driving = reduced(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
     for count, detail in ((1, "1 recovery during order 7"), (3, "3 recoveries during order 7")):
         found = recovering(*known(driving, progress=Reading(Progress("7", recoveries=count), T0)))
         assert found is not None and found.evidence.startswith(detail)
@@ -57,7 +57,7 @@ def test_recoveries_are_counted_while_an_order_is_driven() -> None:
 
 
 def test_orders_held_here_are_released_by_resume() -> None:
-    state = told(fleet(), *commanded(1, place_order(R0, 1), Stage.WAITING))
+    state = reduced(fleet(), *commanded(1, place_order(R0, 1), Stage.WAITING))
     found = held(*known(state, held="floor changed"))
     assert found is not None and (found.name, found.keys) == ("held: floor changed", ("resume",))
     assert found.evidence == "1 order waiting here: resume to continue"
@@ -65,7 +65,7 @@ def test_orders_held_here_are_released_by_resume() -> None:
 
 
 def test_a_goal_of_another_client_is_named_for_robots_without_a_queue_of_their_own() -> None:
-    state = told(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
+    state = reduced(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
     goals = of_kinds(state, Kind("goals", ("queue",), keeps_goals=True))
     found = another_client(*known(goals))
     assert found is not None and found.evidence == "order 7, 1? -> 2? was not sent by this console"

@@ -9,8 +9,8 @@ from tests.support.fleets import (
     T0,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 from tests.support.kinds import FULL, GOALS, moved
 from tests.support.situations import driving, first, names
@@ -31,7 +31,7 @@ def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:
 def test_a_robot_without_cargo_does_not_load() -> None:
     order = (1, 1, 2, "W")
     for kind, name in ((GOALS, "cause unknown"), (FULL, "loading at 1")):
-        driving = told(
+        driving = reduced(
             moved(kind), queue(T0 + 1, order, current=1), pose(T0 + 9), queue(T0 + 9, order, current=1)
         )
-        assert name in names(told(driving, tick(T0 + 9)))
+        assert name in names(reduced(driving, tick(T0 + 9)))

@@ -22,8 +22,8 @@ from tests.support.fleets import (
     link_up,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 from tests.support.situations import driving, first
 
@@ -43,7 +43,7 @@ def test_a_pause_names_where_it_came_from_and_the_key() -> None:
 
 def test_a_refused_resume_is_named_beside_the_pause() -> None:
     facts = commanded(1, ResumeRobot(R0), Stage.SENT, Stage.REFUSED, detail="key switch is off")
-    state = told(fleet(), link_up(T0), PausedReported(R0, T0, True), pose(T0), *facts, tick(T0 + 2))
+    state = reduced(fleet(), link_up(T0), PausedReported(R0, T0, True), pose(T0), *facts, tick(T0 + 2))
     found = reasons(state, state.robots[R0])
     assert [reason.name for reason in found][:2] == ["paused", "resume: refused"]
     assert found[1].evidence == "key switch is off"
@@ -53,26 +53,26 @@ def test_poses_that_come_late_are_told_from_poses_that_stay_away() -> None:
     """A clogged way: each pose is ten seconds old when it arrives, everything else is fresh."""
     fresh = [pose(T0 + n / 10, stamp=n / 10) for n in range(20)]
     late = [pose(T0 + 12 + n / 10, stamp=2 + n / 10) for n in range(20)]
-    state = told(fleet(), link_up(T0), *fresh, *late, battery(T0 + 14), queue(T0 + 14), tick(T0 + 14))
+    state = reduced(fleet(), link_up(T0), *fresh, *late, battery(T0 + 14), queue(T0 + 14), tick(T0 + 14))
     found = reasons(state, state.robots[R0])[0]
     assert (found.name, found.evidence) == ("pose 10 s old", "poses arrive late: their time stamps lag")
 
 
 def test_one_correction_of_the_pose_is_no_jumping() -> None:
-    state = told(fleet(), link_up(T0), pose(T0), pose(T0 + 0.1, x=30.0), queue(T0), tick(T0 + 2))
+    state = reduced(fleet(), link_up(T0), pose(T0), pose(T0 + 0.1, x=30.0), queue(T0), tick(T0 + 2))
     assert [reason.name for reason in reasons(state, state.robots[R0])] == ["no orders"]
     assert len(state.robots[R0].jumps) == 1
 
 
 def test_a_fast_robot_and_a_long_silence_are_no_jumps() -> None:
-    state = told(fleet(), *(pose(T0 + n / 10, x=0.4 * n) for n in range(50)), pose(T0 + 60, x=90.0))
+    state = reduced(fleet(), *(pose(T0 + n / 10, x=0.4 * n) for n in range(50)), pose(T0 + 60, x=90.0))
     assert state.robots[R0].jumps == ()
 
 
 def test_leaps_of_long_ago_are_forgotten() -> None:
     leaps = [pose(T0 + n, x=20.0 * (n % 2)) for n in range(5)]
     still = [pose(T0 + 5 + n) for n in range(12)]
-    state = told(fleet(), link_up(T0), *leaps, *still, queue(T0 + 16), tick(T0 + 16.5))
+    state = reduced(fleet(), link_up(T0), *leaps, *still, queue(T0 + 16), tick(T0 + 16.5))
     assert [reason.name for reason in reasons(state, state.robots[R0])] == ["no orders"]
 
 
@@ -87,15 +87,17 @@ def test_leaps_of_long_ago_are_forgotten() -> None:
 def test_a_pause_from_here_that_may_hold_it_is_named_with_the_key(stages: list[Stage], name: str) -> None:
     facts = commanded(1, PauseRobot(R0), *stages)
     still: list[Event] = [pose(T0 - 9), pose(T0 + 1), queue(T0 + 1, (1, 1, 2, "W"), current=1)]
-    state = told(fleet(), link_up(T0 - 9), *facts, *still, tick(T0 + 2))
+    state = reduced(fleet(), link_up(T0 - 9), *facts, *still, tick(T0 + 2))
     found = reasons(state, state.robots[R0])
     assert found[0].name == name and found[0].keys == ("resume",)
 
 
 def test_a_pause_that_was_obeyed_late_is_named() -> None:
     facts = commanded(1, PauseRobot(R0), Stage.SENT, Stage.NO_ANSWER)
-    state = told(fleet(), link_up(T0 - 9), pose(T0 - 9), *facts, pose(T0 + 6), tick(T0 + 6))
+    state = reduced(fleet(), link_up(T0 - 9), pose(T0 - 9), *facts, pose(T0 + 6), tick(T0 + 6))
     assert state.commands[0].stage is Stage.NOT_CONFIRMED
     assert "pause from this console: not confirmed" in [one.name for one in reasons(state, state.robots[R0])]
-    state = told(state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, "paused"), pose(T0 + 12), tick(T0 + 12))
+    state = reduced(
+        state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, "paused"), pose(T0 + 12), tick(T0 + 12)
+    )
     assert reasons(state, state.robots[R0])[0].name == "paused (by us)"

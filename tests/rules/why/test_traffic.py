@@ -18,8 +18,8 @@ from tests.support.fleets import (
     link_up,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 from tests.support.situations import BASE, CONSUMIDORES, behind_another, first
 
@@ -49,6 +49,8 @@ def test_robots_in_different_frames_are_not_compared() -> None:
 def test_a_robot_beside_or_behind_is_not_in_the_way() -> None:
     here: list[Event] = [link_up(T0), graph(1, 2, 3), pose(T0, x=0.2), queue(T0, (1, 3, 1, "W"), current=1)]
     for x, y, waits in [(1.5, 0.0, True), (1.5, 1.2, False), (-0.5, 0.0, False), (1.5, 0.5, True)]:
-        state = told(fleet(2), *here, PoseReported("robot_1", T0, Pose(x, y), "floor_0", None), tick(T0 + 2))
+        state = reduced(
+            fleet(2), *here, PoseReported("robot_1", T0, Pose(x, y), "floor_0", None), tick(T0 + 2)
+        )
         names = [reason.name for reason in reasons(state, state.robots[R0])]
         assert ("waiting behind robot_1" in names) is waits, (x, y)

@@ -36,8 +36,8 @@ from tests.support.fleets import (
     place_order,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 from tests.support.kinds import FULL, MUTE, moved
 from tests.support.planted_fleet import Planted
@@ -175,7 +175,7 @@ FACTS = st.one_of(
 @given(st.lists(FACTS, max_size=25), st.floats(0, 20))
 def test_whatever_was_heard_there_is_a_reason_and_every_key_exists(facts: list[Event], later: float) -> None:
     given = [CommandIssued(n, one, T0, 0.0) for n, one in enumerate(GIVEN, 1)]
-    state = told(fleet(2), *given, *facts, tick(T0 + later))
+    state = reduced(fleet(2), *given, *facts, tick(T0 + later))
     found = reasons(state, state.robots[R0])
     assert found
     strengths = [reason.strength for reason in found]
@@ -191,7 +191,7 @@ def test_whatever_was_heard_there_is_a_reason_and_every_key_exists(facts: list[E
 
 
 def test_no_reason_is_made_of_what_is_never_reported() -> None:
-    still = told(moved(MUTE), pose(T0 + 9), tick(T0 + 9))
+    still = reduced(moved(MUTE), pose(T0 + 9), tick(T0 + 9))
     assert names(still) == ["cause unknown"]
-    assert names(told(moved(Kind("silent")), battery(T0 + 9), tick(T0 + 9))) == ["cause unknown"]
-    assert "queue unknown" in names(told(moved(FULL), pose(T0 + 9), tick(T0 + 9)))
+    assert names(reduced(moved(Kind("silent")), battery(T0 + 9), tick(T0 + 9))) == ["cause unknown"]
+    assert "queue unknown" in names(reduced(moved(FULL), pose(T0 + 9), tick(T0 + 9)))

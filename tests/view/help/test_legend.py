@@ -9,7 +9,7 @@ from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
 from fleet_tui.view.tables.fleet import fleet_table
-from tests.support.fleets import R0, T0, fleet, text_of, tick, told
+from tests.support.fleets import R0, T0, fleet, reduced, text_of, tick
 from tests.support.kinds import FULL, received
 
 
@@ -64,6 +64,6 @@ def test_the_tables_signs_are_those_of_the_tables() -> None:
     found = signs(Drawing.BRAILLE)
     assert {sign.strip() for sign in SIGNS.values()} <= set(found.values())
     online = text_of(fleet_table(received(FULL), R0, 60).rows[0].runs)
-    offline = text_of(fleet_table(told(fleet(), tick(T0)), R0, 60).rows[0].runs)
+    offline = text_of(fleet_table(reduced(fleet(), tick(T0)), R0, 60).rows[0].runs)
     assert found["online; in the status line: the link is up"] in online
     assert found["offline, or no link"] in offline

@@ -22,9 +22,9 @@ from tests.support.fleets import (
     graph,
     labels,
     place_order,
+    reduced,
     text_of,
     tick,
-    told,
 )
 from tests.support.kinds import BARE, FULL, received
 
@@ -43,7 +43,7 @@ COMMANDS: list[tuple[Command, str]] = [
 
 @pytest.mark.parametrize(("command", "text"), COMMANDS, ids=[text for _, text in COMMANDS])
 def test_commands_in_the_operators_words(command: Command, text: str) -> None:
-    assert command_text(told(fleet(), graph(1, 2), labels({1: "Base"})), command) == text
+    assert command_text(reduced(fleet(), graph(1, 2), labels({1: "Base"})), command) == text
 
 
 @pytest.mark.parametrize(
@@ -60,7 +60,7 @@ def test_commands_in_the_operators_words(command: Command, text: str) -> None:
 )
 def test_where_a_command_stands(stages: list[Stage], detail: str, said: str, role: StyleRole) -> None:
     order = place_order(R0, 1, 2)
-    state = told(fleet(), *commanded(1, order, *stages, detail=detail), tick(T0 + 3))
+    state = reduced(fleet(), *commanded(1, order, *stages, detail=detail), tick(T0 + 3))
     runs = message_line(state, "", 0.0, WIDE)
     assert text_of(runs) == f" robot_0 order 1? -> 2?{said}"
     assert {found for text, found in runs if text.startswith(said.partition(" (")[0])} == {role}
@@ -75,14 +75,14 @@ def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -
     assert text_of(message_line(fleet(), "no order here", T0, WIDE)) == " no order here"
     together = [pause(2 + n, T0 + 10, Stage.NOT_SENT, robot=f"robot_{n}") for n in range(2)]
     bad = pause(4, T0 + 10, Stage.SENT, Stage.REFUSED, robot="robot_2", detail="no")
-    state = told(fleet(3), *together[0], *together[1], *bad, tick(T0 + 10))
+    state = reduced(fleet(3), *together[0], *together[1], *bad, tick(T0 + 10))
     text = text_of(message_line(state, "older", T0 + 9, WIDE))
     assert text == " pause all: 1 refused (robot_2): no, 2 not sent (robot_0, robot_1)"
     assert text.index("robot_2") < text.index("robot_0")  # what went wrong must not be cut off
     # A command that ended badly stays in view, whatever is said or given after it.
-    newer = text_of(message_line(told(state, *pause(9, T0 + 12)), "newer", T0 + 11, WIDE))
+    newer = text_of(message_line(reduced(state, *pause(9, T0 + 12)), "newer", T0 + 11, WIDE))
     assert "1 refused (robot_2): no" in newer and "newer" not in newer
-    later = told(state, *pause(9, T0 + 12), tick(T0 + 41))
+    later = reduced(state, *pause(9, T0 + 12), tick(T0 + 41))
     assert "refused" not in text_of(message_line(later, "", 0.0, WIDE))
 
 
@@ -90,7 +90,7 @@ def test_pause_all_of_a_large_fleet_is_one_word() -> None:
     facts = [
         fact for n in range(9) for fact in pause(n, T0, Stage.NOT_SENT, robot=f"robot_{n}", detail="no link")
     ]
-    text = text_of(message_line(told(fleet(9), *facts), "", 0.0, WIDE))
+    text = text_of(message_line(reduced(fleet(9), *facts), "", 0.0, WIDE))
     assert text == " pause all: 9 not sent (robot_0, robot_1, robot_2, …): no link"
 
 
@@ -102,7 +102,7 @@ def test_how_each_command_stands_is_never_cut(width: int, said: str) -> None:
         *commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.NO_ANSWER, detail="from a service " * 9),
         *commanded(2, place_order("robot_1", 1, 2), Stage.SENT, Stage.REFUSED, detail="no " * 40),
     ]
-    state = told(fleet(3), graph(1, 2), labels(names), *facts, tick(T0 + 1))
+    state = reduced(fleet(3), graph(1, 2), labels(names), *facts, tick(T0 + 1))
     text = text_of(message_line(state, said, T0 + 1, width))
     assert cell_width(text) <= width
     assert "no answer" in text and "refused" in text and said in text
@@ -112,7 +112,7 @@ def test_what_went_wrong_stays_where_there_is_no_room_for_all() -> None:
     facts = [fact for n in range(6) for fact in pause(n, T0, Stage.SENT, robot=f"robot_{n % 3}")]
     facts += commanded(8, ClearOrders("robot_1"), Stage.SENT, Stage.REFUSED, detail="no " * 40)
     facts += commanded(9, CancelOrder("robot_2", "3"), Stage.SENT, Stage.ACCEPTED)
-    text = text_of(message_line(told(fleet(3), *facts, tick(T0 + 1)), "", 0.0, 60))
+    text = text_of(message_line(reduced(fleet(3), *facts, tick(T0 + 1)), "", 0.0, 60))
     assert text.startswith(" robot_1 clear all orders: refused") and cell_width(text) <= 60
 
 

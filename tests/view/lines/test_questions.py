@@ -6,9 +6,9 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRob
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request, chain
 from fleet_tui.view.lines.questions import losses, question, request_text
-from tests.support.fleets import R0, T0, fleet, graph, labels, place_order, queue, told
+from tests.support.fleets import R0, T0, fleet, graph, labels, place_order, queue, reduced
 
-STATE = told(
+STATE = reduced(
     fleet(2), graph(1, 2, 3), labels({1: "Base", 2: "Store"}), queue(T0, (4, 1, 2, "W"), (5, 2, 1, "Q"))
 )
 
@@ -36,7 +36,7 @@ def test_warnings_stand_in_the_question() -> None:
 
 
 def test_a_long_queue_is_cut_in_the_question_with_how_much_more_there_is() -> None:
-    state = told(STATE, queue(T0, *((n, 1, 2, "Q") for n in range(1, 10))))
+    state = reduced(STATE, queue(T0, *((n, 1, 2, "Q") for n in range(1, 10))))
     lines = list(losses(state, Request((ClearOrders(R0),))))
     assert len(lines) == 8 and lines[-1] == "  and 3 more"
 

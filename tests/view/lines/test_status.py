@@ -18,9 +18,9 @@ from tests.support.fleets import (
     fleet,
     link_lost,
     link_up,
+    reduced,
     text_of,
     tick,
-    told,
 )
 from tests.support.watched_store import config_of
 
@@ -30,53 +30,55 @@ def line(state: FleetState, *notes: str) -> str:
 
 
 def test_no_link_says_why_since_when_and_when_it_is_tried_next() -> None:
-    state = told(fleet(), link_up(T0), link_lost(T0 + 10, "connection refused", T0 + 14), tick(T0 + 12))
+    state = reduced(fleet(), link_up(T0), link_lost(T0 + 10, "connection refused", T0 + 14), tick(T0 + 12))
     assert "○ no link for 2 s: connection refused, retry in 2 s ws://site:9090" in line(state)
     assert {role for text, role in status_line(state, R0) if "no link" in text} == {StyleRole.ALARM}
-    assert "retry in 0 s" in line(told(state, tick(T0 + 20)))
-    trying = told(state, events.LinkChanged(LINK, T0 + 14, Phase.CONNECTING), tick(T0 + 15))
+    assert "retry in 0 s" in line(reduced(state, tick(T0 + 20)))
+    trying = reduced(state, events.LinkChanged(LINK, T0 + 14, Phase.CONNECTING), tick(T0 + 15))
     assert "no link for 5 s: connection refused, connecting" in line(trying)
 
 
 def test_before_the_first_connection() -> None:
-    assert "no link for 3 s: connecting ws://site:9090" in line(told(fleet(), tick(T0 + 3)))
-    refused = told(fleet(), link_lost(T0 + 0.1, "connection refused", T0 + 4), tick(T0 + 3))
+    assert "no link for 3 s: connecting ws://site:9090" in line(reduced(fleet(), tick(T0 + 3)))
+    refused = reduced(fleet(), link_lost(T0 + 0.1, "connection refused", T0 + 4), tick(T0 + 3))
     assert "no link for 3 s: connection refused, retry in 1 s ws://site:9090" in line(refused)
 
 
 @pytest.mark.parametrize("before", [(), (link_lost(T0 + 0.1, "connection refused", T0 + 1),)])
 def test_the_first_seconds_of_connecting_are_no_trouble(before: tuple[events.Event, ...]) -> None:
-    state = told(fleet(), *before, tick(T0 + 1.9))
+    state = reduced(fleet(), *before, tick(T0 + 1.9))
     assert "○ connecting ws://site:9090" in line(state) and "no link" not in line(state)
     assert {role for _, role in status_line(state, R0)}.isdisjoint({StyleRole.ALARM, StyleRole.WARN})
     assert ("connection refused" in line(state)) is bool(before)
-    assert "no link for 2 s" in line(told(state, tick(T0 + 2.1)))
+    assert "no link for 2 s" in line(reduced(state, tick(T0 + 2.1)))
 
 
 def test_a_link_that_is_lost_is_trouble_at_once() -> None:
-    state = told(fleet(), link_up(T0), link_lost(T0 + 0.5, "it closed"), tick(T0 + 0.6))
+    state = reduced(fleet(), link_up(T0), link_lost(T0 + 0.5, "it closed"), tick(T0 + 0.6))
     assert "no link for 0 s: it closed" in line(state)
 
 
 def test_a_link_shows_the_age_of_the_last_message() -> None:
-    state = told(fleet(), link_up(T0), tick(T0 + 1))
+    state = reduced(fleet(), link_up(T0), tick(T0 + 1))
     assert "● ws://site:9090 nothing received yet" in line(state)
-    assert "● ws://site:9090 0.4 s" in line(told(state, events.MessageArrived(LINK, T0 + 2), tick(T0 + 2.4)))
+    assert "● ws://site:9090 0.4 s" in line(
+        reduced(state, events.MessageArrived(LINK, T0 + 2), tick(T0 + 2.4))
+    )
     assert "no link" not in line(state)
 
 
 def test_telemetry_alive_and_commands_dead() -> None:
     dead = events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master")
-    state = told(fleet(), link_up(T0), events.MessageArrived(LINK, T0), dead, tick(T0))
+    state = reduced(fleet(), link_up(T0), events.MessageArrived(LINK, T0), dead, tick(T0))
     assert "commands dead: no ROS master" in line(state) and "● " in line(state)
-    assert "commands dead" not in line(told(state, events.CommandPathChanged(LINK, CommandPath.ALIVE)))
-    assert "no link" in line(told(state, link_lost(T0 + 1))) and "dead" not in line(
-        told(state, link_lost(T0 + 1))
+    assert "commands dead" not in line(reduced(state, events.CommandPathChanged(LINK, CommandPath.ALIVE)))
+    assert "no link" in line(reduced(state, link_lost(T0 + 1))) and "dead" not in line(
+        reduced(state, link_lost(T0 + 1))
     )
 
 
 def test_bad_frames_are_counted() -> None:
-    state = told(fleet(), link_up(T0), events.FrameRejected(LINK, "x"), events.FrameRejected(LINK, "x"))
+    state = reduced(fleet(), link_up(T0), events.FrameRejected(LINK, "x"), events.FrameRejected(LINK, "x"))
     assert "2 bad frames" in line(state)
 
 
@@ -84,12 +86,12 @@ def test_of_several_links_the_worst_is_shown() -> None:
     config = replace(config_of("ws://a:1", 2), links={"b": Link("ws://b:2")})
     state = initial_state(replace(config, robots=[RobotEntry(R0), RobotEntry("robot_1", link="b")]), T0)
     up = (link_up(T0), events.LinkChanged("b", T0, Phase.UP))
-    assert "2 of 2 links up" in line(told(state, *up))
-    lost = told(state, *up, events.LinkChanged("b", T0 + 1, Phase.WAITING, "it closed"), tick(T0 + 1))
+    assert "2 of 2 links up" in line(reduced(state, *up))
+    lost = reduced(state, *up, events.LinkChanged("b", T0 + 1, Phase.WAITING, "it closed"), tick(T0 + 1))
     assert "no link for 0 s: it closed, connecting ws://b:2" in line(lost) and "1 of 2 links up" in line(lost)
-    dead = told(state, *up, events.CommandPathChanged("b", CommandPath.DEAD, "gone"), tick(T0 + 1))
+    dead = reduced(state, *up, events.CommandPathChanged("b", CommandPath.DEAD, "gone"), tick(T0 + 1))
     assert "ws://b:2" in line(dead) and "commands dead: gone" in line(dead)
-    quiet = told(
+    quiet = reduced(
         state, *up, events.MessageArrived("b", T0), events.MessageArrived(LINK, T0 + 9), tick(T0 + 9)
     )
     assert "ws://b:2 9.0 s" in line(quiet)
@@ -106,18 +108,18 @@ def test_of_several_links_the_worst_is_shown() -> None:
     ],
 )
 def test_alarms_are_counted_and_the_new_ones_apart(low: int, seen: int, text: str) -> None:
-    state = told(fleet(4), *(battery(T0, 5.0, f"robot_{n}") for n in range(low)), tick(T0))
-    state = told(state, *(events.AlarmAcknowledged(f"robot_{n}", "battery") for n in range(seen)))
+    state = reduced(fleet(4), *(battery(T0, 5.0, f"robot_{n}") for n in range(low)), tick(T0))
+    state = reduced(state, *(events.AlarmAcknowledged(f"robot_{n}", "battery") for n in range(seen)))
     assert text in line(state)
 
 
 def test_a_shelved_alarm_is_not_counted() -> None:
-    state = told(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
-    assert "△ 0 alarms  " in line(told(state, events.AlarmShelved(R0, "battery", T0 + 9)))
+    state = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
+    assert "△ 0 alarms  " in line(reduced(state, events.AlarmShelved(R0, "battery", T0 + 9)))
 
 
 def test_what_must_not_be_cut_stands_first() -> None:
-    text = line(told(fleet(), link_up(T0), link_lost(T0), tick(T0)), "read-only")
+    text = line(reduced(fleet(), link_up(T0), link_lost(T0), tick(T0)), "read-only")
     assert text.index(R0) < text.index("alarms") < text.index("read-only") < text.index("no link")
 
 

@@ -11,10 +11,10 @@ from fleet_tui.view.lines.time import (
     ReplayPosition,
     TimeMark,
     bar,
+    position_runs,
     span,
     time_at,
     time_line,
-    told,
 )
 from fleet_tui.view.roles import StyleRole
 from tests.support.fleets import text_of
@@ -77,13 +77,13 @@ def test_a_cell_is_the_time_under_it() -> None:
     ],
 )
 def test_how_it_is_played(more: dict[str, Any], says: str) -> None:
-    text = text_of(told(moment(**more), clock, 80))
+    text = text_of(position_runs(moment(**more), clock, 80))
     assert says in text and "read-only" in text
 
 
 def test_a_mark_is_told_while_it_is_news() -> None:
     def says(at: float, **more: Any) -> str:
-        return text_of(told(moment(at, marks=[ALARM, GAP], **more), clock, 120))
+        return text_of(position_runs(moment(at, marks=[ALARM, GAP], **more), clock, 120))
 
     assert "▲ robot_0 offline" in says(150.0) and "▲ robot_0 offline" in says(154.9)
     assert "robot_0" not in says(149.9) and "robot_0" not in says(155.1)
@@ -94,4 +94,4 @@ def test_a_mark_is_told_while_it_is_news() -> None:
 
 def test_words_from_outside_are_shown_as_text() -> None:
     mark = TimeMark(150.0, MarkKind.ALARM, "\x1b[2Jgone")
-    assert "␛[2Jgone" in text_of(told(moment(marks=[mark]), clock, 80))
+    assert "␛[2Jgone" in text_of(position_runs(moment(marks=[mark]), clock, 80))

@@ -14,8 +14,8 @@ from tests.support.fleets import (
     link_up,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 from tests.support.kinds import FULL, KEYS, received
 from tests.support.planted_fleet import Planted
@@ -64,7 +64,7 @@ Last pose 20 s old.
 
   2. no orders  (possible)
     queue empty: waiting for an order
-    reported 20.4 s ago
+    reported 20 s ago
     o  Open the order form for the selected robot"""
     )
 
@@ -75,7 +75,7 @@ def test_remapped_keys_are_shown() -> None:
 
 
 def test_what_the_wire_says_is_only_text_and_there_is_an_end_to_it() -> None:
-    state = told(
+    state = reduced(
         fleet(2),
         link_up(T0),
         graph(1, 2, 3),
@@ -96,7 +96,7 @@ def test_what_the_wire_says_is_only_text_and_there_is_an_end_to_it() -> None:
 def test_why_offers_no_key_that_the_kind_does_not_accept() -> None:
     orders = queue(T0 + 9)
     for kind, is_offered in ((FULL, True), (Kind("x", FULL.reports), False)):
-        state = told(received(kind), orders, pose(T0 + 9), tick(T0 + 9))
+        state = reduced(received(kind), orders, pose(T0 + 9), tick(T0 + 9))
         lines = why_lines(state, state.robots[R0], KEYS)
         assert any("no orders" in line for line in lines)
         assert any("order form" in line for line in lines) is is_offered

@@ -13,7 +13,7 @@ from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.map.scene import Mission, Scene
 from fleet_tui.view.selection import Selection
-from tests.support.fleets import F0, R0, T0, fleet, graph, pose, queue, tick, told
+from tests.support.fleets import F0, R0, T0, fleet, graph, pose, queue, reduced, tick
 
 F1 = "floor_1"
 Metres = tuple[float, float]
@@ -55,43 +55,43 @@ DRIVING = (ROW, pose(T0, 0.4, 0.1), queue(T0, (1, 3, 5, "W"), (2, 4, 2, "Q"), cu
 
 
 def test_the_current_order_leads_from_the_robot_over_its_start_to_its_end() -> None:
-    found = mission(told(fleet(), *DRIVING))
+    found = mission(reduced(fleet(), *DRIVING))
     assert ahead(found) == (1.0, 0.0)
     assert places(found.current) == row(1, 2, 3, 4)
 
 
 def test_with_the_cargo_on_board_it_leads_straight_to_its_end() -> None:
-    state = told(fleet(), ROW, pose(T0, 3.4), carrying(True), queue(T0, (1, 1, 5, "W"), current=1))
+    state = reduced(fleet(), ROW, pose(T0, 3.4), carrying(True), queue(T0, (1, 1, 5, "W"), current=1))
     assert (ahead(mission(state)), mission(state).current) == ((4.0, 0.0), ())
-    empty = told(state, carrying(False))
+    empty = reduced(state, carrying(False))
     assert places(mission(empty).current) == row(3, 2, 1, 0, 1, 2, 3, 4)
     assert mission(empty).edge == (4.0, 0.0, 3.0, 0.0)
 
 
 def test_the_next_orders_lead_on_from_the_end_of_the_one_before() -> None:
-    found = mission(told(fleet(), *DRIVING))
+    found = mission(reduced(fleet(), *DRIVING))
     assert places(found.following) == row(4, 3, 2, 1)
 
 
 def test_without_a_current_order_all_are_next_ones() -> None:
-    found = mission(told(fleet(), ROW, pose(T0, 0.0), queue(T0, (2, 2, 3, "Q"))))
+    found = mission(reduced(fleet(), ROW, pose(T0, 0.0), queue(T0, (2, 2, 3, "Q"))))
     assert (found.current, found.edge) == ((), None)
     assert places(found.following) == row(1, 2)
 
 
 def test_what_has_ended_is_driven_no_more_and_no_orders_are_no_mission() -> None:
-    ended = told(fleet(), ROW, pose(T0), queue(T0, (1, 1, 3, "D"), (2, 2, 3, "C")))
+    ended = reduced(fleet(), ROW, pose(T0), queue(T0, (1, 1, 3, "D"), (2, 2, 3, "C")))
     assert scene(ended).mission is None
-    assert scene(told(fleet(), ROW, pose(T0))).mission is None
+    assert scene(reduced(fleet(), ROW, pose(T0))).mission is None
 
 
 def test_the_backdrop_does_not_move_with_the_robot_on_its_edge() -> None:
-    state = told(fleet(), *DRIVING)
+    state = reduced(fleet(), *DRIVING)
     before = mission(state)
-    after = mission(told(state, pose(T0 + 1, 0.6), tick(T0 + 1)))
+    after = mission(reduced(state, pose(T0 + 1, 0.6), tick(T0 + 1)))
     assert after == before
     assert all(one is other for one, other in zip(before.current, after.current, strict=True))
-    assert mission(told(state, pose(T0 + 2, 1.4))).edge == (1.0, 0.0, 2.0, 0.0)
+    assert mission(reduced(state, pose(T0 + 2, 1.4))).edge == (1.0, 0.0, 2.0, 0.0)
 
 
 def square(directed: bool) -> events.GraphReceived:
@@ -104,12 +104,12 @@ def square(directed: bool) -> events.GraphReceived:
 
 def test_a_one_way_edge_is_not_driven_backwards() -> None:
     to_start = queue(T0, (1, 1, 3, "W"), current=1)
-    both_ways = mission(told(fleet(), square(False), pose(T0, 3.0, 0.0), to_start))
+    both_ways = mission(reduced(fleet(), square(False), pose(T0, 3.0, 0.0), to_start))
     assert ahead(both_ways) == (0.0, 0.0)
-    one_way = mission(told(fleet(), square(True), pose(T0, 3.0, 0.0), to_start))
+    one_way = mission(reduced(fleet(), square(True), pose(T0, 3.0, 0.0), to_start))
     assert ahead(one_way) == (9.0, 0.0)
     assert places(one_way.current)[:4] == [(9.0, 0.0), (9.0, 9.0), (0.0, 9.0), (0.0, 0.0)]
-    at_start = mission(told(fleet(), square(True), pose(T0, 0.2, 0.0), to_start))
+    at_start = mission(reduced(fleet(), square(True), pose(T0, 0.2, 0.0), to_start))
     assert ahead(at_start) == (0.0, 0.0)
 
 
@@ -127,7 +127,7 @@ def two_floors(lifts: tuple[int, ...] = (2,)) -> list[events.Event]:
 
 
 def test_a_leg_to_another_floor_ends_at_the_elevator_and_goes_on_there() -> None:
-    state = told(fleet(1, 2), *two_floors(), pose(T0, 0.0), queue(T0, (1, 1, 13, "W"), current=1))
+    state = reduced(fleet(1, 2), *two_floors(), pose(T0, 0.0), queue(T0, (1, 1, 13, "W"), current=1))
     assert places(mission(state).current) == row(0, 1)
     assert places(mission(state, F1).current) == row(1, 2)
     assert mission(state, F1).edge is None
@@ -136,14 +136,14 @@ def test_a_leg_to_another_floor_ends_at_the_elevator_and_goes_on_there() -> None
 
 
 def test_without_an_elevator_the_other_floor_is_out_of_reach() -> None:
-    state = told(fleet(1, 2), *two_floors(()), pose(T0, 0.0), queue(T0, (1, 1, 13, "W"), current=1))
+    state = reduced(fleet(1, 2), *two_floors(()), pose(T0, 0.0), queue(T0, (1, 1, 13, "W"), current=1))
     assert mission(state).current == ()
     assert mission(state, F1).current == ()
 
 
 def test_ids_that_repeat_belong_to_the_floor_the_robot_is_on() -> None:
     same = [graph(1, 2, 3, floor=floor) for floor in (F0, F1)]
-    state = told(fleet(1, 2), *same, pose(T0, 0.0, frame=F1), queue(T0, (1, 1, 3, "W"), current=1))
+    state = reduced(fleet(1, 2), *same, pose(T0, 0.0, frame=F1), queue(T0, (1, 1, 3, "W"), current=1))
     assert places(mission(state, F1).current) == row(0, 1, 2)
     assert mission(state).current == ()
     assert scene(state).target_vertices == ()
@@ -159,19 +159,19 @@ def test_ids_that_repeat_belong_to_the_floor_the_robot_is_on() -> None:
     ],
 )
 def test_whatever_comes_makes_a_scene(facts: tuple[events.Event, ...]) -> None:
-    assert scene(told(fleet(), ROW, *facts)).mission is not None
-    assert scene(told(fleet(), *facts)).mission is None
+    assert scene(reduced(fleet(), ROW, *facts)).mission is not None
+    assert scene(reduced(fleet(), *facts)).mission is None
     lonely = events.GraphReceived(
         R0, F0, RouteGraph({"1": Vertex("1", 0.0, 0.0), "3": Vertex("3", 1.0, 0.0)})
     )
-    assert mission(told(fleet(), lonely, *facts)).current == ()
+    assert mission(reduced(fleet(), lonely, *facts)).current == ()
 
 
 def test_an_order_to_a_pose_or_to_nowhere_known_has_no_way_along_the_graph() -> None:
     for stops in ((), (Stop(pose=Pose(3.0, 0.0)),)):
         orders = (Order("a", stops, OrderState.IN_PROCESS, "", 1),)
         reported = events.QueueReported(R0, T0, OrderQueue(1, "a", orders))
-        found = scene(told(fleet(), ROW, pose(T0), reported))
+        found = scene(reduced(fleet(), ROW, pose(T0), reported))
         assert found.mission == Mission((), ()) and found.target_vertices == ()
 
 
@@ -180,4 +180,4 @@ def test_one_way_edges_are_those_without_a_way_back() -> None:
     edges = (Edge("1", "1", "2"), Edge("2", "2", "1"), Edge("3", "2", "3"))
     for directed, found in ((True, ((2.0, 0.0, 3.0, 0.0),)), (False, ())):
         received = events.GraphReceived(R0, F0, RouteGraph(vertices, edges, directed))
-        assert scene(told(fleet(), received)).one_way == found
+        assert scene(reduced(fleet(), received)).one_way == found

@@ -6,7 +6,19 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
-from tests.support.fleets import LINK, R0, T0, WALL, battery, fleet, link_lost, link_up, text_of, tick, told
+from tests.support.fleets import (
+    LINK,
+    R0,
+    T0,
+    WALL,
+    battery,
+    fleet,
+    link_lost,
+    link_up,
+    reduced,
+    text_of,
+    tick,
+)
 
 
 def clock(wall: float) -> str:
@@ -18,7 +30,7 @@ def texts(state: FleetState) -> list[str]:
 
 
 def low(at: float = T0, percent: float = 15.0) -> FleetState:
-    return told(fleet(), link_up(T0), battery(at, percent), tick(at))
+    return reduced(fleet(), link_up(T0), battery(at, percent), tick(at))
 
 
 def test_all_clear() -> None:
@@ -39,45 +51,45 @@ def test_a_new_alarm_says_who_what_and_since_when() -> None:
 def test_seen_over_and_come_again() -> None:
     state = low()
     state = replace(state, limits=replace(state.limits, latched=("battery",)))
-    seen = told(state, events.AlarmAcknowledged(R0, "battery"))
+    seen = reduced(state, events.AlarmAcknowledged(R0, "battery"))
     assert texts(seen)[0].startswith("△ seen low  robot_0 battery 15 %")
     assert text_of(alarm_table(seen, clock).title) == "Alarms"
-    over = told(state, battery(T0 + 1, 60.0), tick(T0 + 1))
+    over = reduced(state, battery(T0 + 1, 60.0), tick(T0 + 1))
     assert texts(over)[0].startswith("▲ new  low  robot_0 battery recovered")
-    over = told(over, battery(T0 + 4, 60.0), tick(T0 + 4))
+    over = reduced(over, battery(T0 + 4, 60.0), tick(T0 + 4))
     assert texts(over)[0].startswith("▽ over low  robot_0 battery recovered")
-    again = told(over, battery(T0 + 5, 9.0), tick(T0 + 5))
+    again = reduced(over, battery(T0 + 5, 9.0), tick(T0 + 5))
     assert texts(again)[0] == f"▲ new  med  robot_0 battery 9 % {state.wall:.0f} x2"
 
 
 def test_the_first_moment_stays_however_long_it_lasts() -> None:
     state = low()
-    assert texts(told(state, battery(T0 + 99, 15.0), tick(T0 + 99)))[0].endswith(f" {state.wall:.0f}")
+    assert texts(reduced(state, battery(T0 + 99, 15.0), tick(T0 + 99)))[0].endswith(f" {state.wall:.0f}")
 
 
 def test_no_link_stands_there_with_its_reason_only_while_it_is_so() -> None:
-    state = told(fleet(), link_lost(T0, "connection refused"), tick(T0 + 60))
+    state = reduced(fleet(), link_lost(T0, "connection refused"), tick(T0 + 60))
     assert "no link: connection refused" in texts(state)[0]
     assert alarm_table(state, clock).rows[0].key == (LINK, "link")
-    back = told(state, link_up(T0 + 61), tick(T0 + 61))
+    back = reduced(state, link_up(T0 + 61), tick(T0 + 61))
     assert "no link" not in texts(back)[0] and "link restored" in texts(back)[0]
     assert texts(back)[0].endswith(f" {WALL + T0 + 60:.0f}")  # it held at the last look before
 
 
 def test_what_nobody_has_seen_stands_first_by_priority_then_age() -> None:
-    state = told(fleet(4), link_up(T0))
+    state = reduced(fleet(4), link_up(T0))
     for n in range(4):
-        state = told(state, battery(T0 + n, 15.0, f"robot_{n}"), tick(T0 + n))
-    state = told(state, events.AlarmAcknowledged("robot_0", "battery"))
-    state = told(state, battery(T0 + 4, 5.0, "robot_3"), tick(T0 + 4))
+        state = reduced(state, battery(T0 + n, 15.0, f"robot_{n}"), tick(T0 + n))
+    state = reduced(state, events.AlarmAcknowledged("robot_0", "battery"))
+    state = reduced(state, battery(T0 + 4, 5.0, "robot_3"), tick(T0 + 4))
     order = ["robot_3", "robot_1", "robot_2", "robot_0"]
     assert [row.key for row in alarm_table(state, clock).rows] == [(name, "battery") for name in order]
     assert unacknowledged(state) == [(name, "battery") for name in order[:3]]
 
 
 def test_what_is_shelved_stands_last_and_is_counted_apart() -> None:
-    state = told(fleet(2), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
-    state = told(state, events.AlarmShelved(R0, "battery", T0 + 1800))
+    state = reduced(fleet(2), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
+    state = reduced(state, events.AlarmShelved(R0, "battery", T0 + 1800))
     assert text_of(alarm_table(state, clock).title) == "Alarms 1 new 1 shelved"
     assert texts(state)[1] == (
         f"◇ shelved until {state.wall + 1800:.0f} med  robot_0 battery 5 % {state.wall:.0f}"
@@ -85,26 +97,26 @@ def test_what_is_shelved_stands_last_and_is_counted_apart() -> None:
 
 
 def test_no_alarm_needs_more_than_its_word_in_48_cells() -> None:
-    state = told(fleet(), link_up(T0), events.ObstacleReported(R0, T0, 44.2), tick(T0))
+    state = reduced(fleet(), link_up(T0), events.ObstacleReported(R0, T0, 44.2), tick(T0))
     (row,) = alarm_table(state, lambda _wall: "12:34:56").rows
     assert text_of(row.runs) == "▲ new  high robot_0 obstacle 44.2 s 12:34:56"
 
 
 def test_an_alarm_that_is_over_leaves_the_pane_unless_its_class_is_latched() -> None:
-    state = told(low(), battery(T0 + 1, 60.0), tick(T0 + 1))
+    state = reduced(low(), battery(T0 + 1, 60.0), tick(T0 + 1))
     assert texts(state)[0].startswith("▲ new  low  robot_0 battery recovered")
     assert alarm_table(state, clock).rows[0].runs[0][1] is StyleRole.DIM  # it is over: never red
-    assert texts(told(state, battery(T0 + 4, 60.0), tick(T0 + 4))) == []
+    assert texts(reduced(state, battery(T0 + 4, 60.0), tick(T0 + 4))) == []
 
 
 def test_what_is_over_stands_below_what_holds_whatever_its_priority() -> None:
-    state = told(fleet(2), link_up(T0))
+    state = reduced(fleet(2), link_up(T0))
     state = replace(state, limits=replace(state.limits, latched=("battery",)))
-    state = told(state, battery(T0, 5.0), tick(T0), battery(T0 + 1, 60.0), tick(T0 + 1), tick(T0 + 5))
-    state = told(state, battery(T0 + 5, 15.0, "robot_1"), tick(T0 + 5))
+    state = reduced(state, battery(T0, 5.0), tick(T0), battery(T0 + 1, 60.0), tick(T0 + 1), tick(T0 + 5))
+    state = reduced(state, battery(T0 + 5, 15.0, "robot_1"), tick(T0 + 5))
     assert [text[:6] for text in texts(state)] == ["▲ new ", "▽ over"]
 
 
 def test_alarms_that_another_one_stands_for_are_counted() -> None:
-    state = told(fleet(3), link_lost(T0, "nothing listens there"), tick(T0 + 60))
+    state = reduced(fleet(3), link_lost(T0, "nothing listens there"), tick(T0 + 60))
     assert text_of(alarm_table(state, clock).title) == "Alarms 1 new 3 suppressed"

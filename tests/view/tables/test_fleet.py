@@ -19,9 +19,9 @@ from tests.support.fleets import (
     link_up,
     pose,
     queue,
+    reduced,
     text_of,
     tick,
-    told,
 )
 
 WIDTH = 80
@@ -42,7 +42,7 @@ def role_of(state: FleetState, part: str) -> StyleRole:
 
 def received(*facts: events.Event, at: float = T0 + 1.0) -> FleetState:
     """A robot that just spoke, and then these facts, seen a moment later."""
-    return told(fleet(), link_up(T0), pose(at), battery(at), queue(at), *facts, tick(at + 0.1))
+    return reduced(fleet(), link_up(T0), pose(at), battery(at), queue(at), *facts, tick(at + 0.1))
 
 
 def test_a_calm_robot_says_nothing_that_is_not_so() -> None:
@@ -53,25 +53,25 @@ def test_a_calm_robot_says_nothing_that_is_not_so() -> None:
 
 
 def test_never_seen_until_it_speaks() -> None:
-    state = told(fleet(), link_up(T0), graph(1), tick(T0 + 99))
+    state = reduced(fleet(), link_up(T0), graph(1), tick(T0 + 99))
     assert "never seen" in row(state) and "offline" not in row(state)
     assert "- %" in row(state)
-    assert "never seen" not in row(told(state, battery(T0 + 100), tick(T0 + 100)))
+    assert "never seen" not in row(reduced(state, battery(T0 + 100), tick(T0 + 100)))
 
 
 def test_bad_data_is_marked_even_if_nothing_else_came() -> None:
-    state = told(fleet(), events.MessageRejected(R0, "pose"), events.MessageRejected(R0, "pose"))
+    state = reduced(fleet(), events.MessageRejected(R0, "pose"), events.MessageRejected(R0, "pose"))
     assert "never seen bad data x2" in row(state)
     assert "bad data x1" in row(received(events.MessageRejected(R0, "pose")))
 
 
 def test_offline_with_its_age_after_the_limit() -> None:
     state = received(at=T0)
-    assert "offline" not in row(told(state, tick(T0 + 5.0)))
-    silent = told(state, tick(T0 + 7.2))
+    assert "offline" not in row(reduced(state, tick(T0 + 5.0)))
+    silent = reduced(state, tick(T0 + 7.2))
     assert "offline 7 s" in row(silent) and role_of(silent, "offline") is StyleRole.ALARM
     assert "idle" not in row(silent)
-    assert "offline" not in row(told(silent, battery(T0 + 8), tick(T0 + 8)))
+    assert "offline" not in row(reduced(silent, battery(T0 + 8), tick(T0 + 8)))
 
 
 @pytest.mark.parametrize(("seconds", "said"), [(0.0, False), (3.0, False), (3.1, True), (4.2, True)])
@@ -79,12 +79,12 @@ def test_obstacle_above_three_seconds(seconds: float, said: bool) -> None:
     state = received(events.ObstacleReported(R0, T0 + 1, seconds))
     assert (f"obstacle {seconds:.1f} s" in row(state)) is said
     assert ("obstacle" in row(state)) is said
-    free = told(state, events.ObstacleReported(R0, T0 + 2, 0.0))
+    free = reduced(state, events.ObstacleReported(R0, T0 + 2, 0.0))
     assert "obstacle" not in row(free)
 
 
 def test_an_obstacle_of_an_offline_robot_was_then() -> None:
-    state = told(received(events.ObstacleReported(R0, T0 + 1, 4.2)), tick(T0 + 30))
+    state = reduced(received(events.ObstacleReported(R0, T0 + 1, 4.2)), tick(T0 + 30))
     assert "obstacle" not in row(state)
     assert "contact for 4.2 s, 29 s ago" in row(state) and role_of(state, "contact") is StyleRole.DIM
 
@@ -112,7 +112,7 @@ def test_a_battery_below_twenty_is_red_and_reads_below_twenty(
 ) -> None:
     state = received(battery(T0 + 1, percent))
     assert text in row(state) and role_of(state, "%") is role
-    assert role_of(told(state, tick(T0 + 60)), "%") is StyleRole.DIM
+    assert role_of(reduced(state, tick(T0 + 60)), "%") is StyleRole.DIM
 
 
 def test_the_alarm_of_a_battery_reads_below_the_limit_too() -> None:
@@ -120,17 +120,17 @@ def test_the_alarm_of_a_battery_reads_below_the_limit_too() -> None:
 
 
 def test_a_value_gone_quiet_shows_its_age_while_the_robot_speaks() -> None:
-    state = told(received(at=T0), events.CargoReported(R0, T0 + 40, True), tick(T0 + 40))
+    state = reduced(received(at=T0), events.CargoReported(R0, T0 + 40, True), tick(T0 + 40))
     for name in ("pose", "battery", "queue"):
         assert f"{name} 40 s old" in row(state)
     assert "offline" not in row(state)
-    assert "old" not in row(told(state, tick(T0 + 90)))  # then it is offline, which says more
+    assert "old" not in row(reduced(state, tick(T0 + 90)))  # then it is offline, which says more
 
 
 def test_the_floor_as_far_as_the_pose_tells() -> None:
-    assert " -" in row(told(fleet(), battery(T0), tick(T0)))
+    assert " -" in row(reduced(fleet(), battery(T0), tick(T0)))
     assert "unknown floor" in row(received(pose(T0 + 1, frame="attic")))
-    assert "floor_1" in row(told(fleet(1, 2), pose(T0, frame="/floor_1"), tick(T0)))
+    assert "floor_1" in row(reduced(fleet(1, 2), pose(T0, frame="/floor_1"), tick(T0)))
 
 
 def test_what_it_does() -> None:
@@ -141,13 +141,13 @@ def test_what_it_does() -> None:
 
 
 def test_a_mission_marks_a_vertex_that_no_graph_has() -> None:
-    state = told(fleet(), graph(1, 2), labels({1: "Base"}), queue(T0, (4, 1, 77, "W")))
+    state = reduced(fleet(), graph(1, 2), labels({1: "Base"}), queue(T0, (4, 1, 77, "W")))
     robot = state.robots[R0]
     assert mission(robot, robot.orders.orders[0]) == "Base -> 77?"
 
 
 def test_every_robot_has_its_row_in_the_order_of_the_config() -> None:
-    state = told(fleet(12), battery(T0), battery(T0, robot="robot_11"), tick(T0))
+    state = reduced(fleet(12), battery(T0), battery(T0, robot="robot_11"), tick(T0))
     table = fleet_table(state, "robot_3", WIDTH)
     assert [line.key for line in table.rows] == [f"robot_{n}" for n in range(12)]
     assert text_of(table.title) == "Fleet 2 of 12 online"
@@ -159,7 +159,7 @@ def test_every_robot_has_its_row_in_the_order_of_the_config() -> None:
 
 def test_news_is_whole_where_the_floor_has_to_give_way() -> None:
     """120 columns leave a pane of 47 cells."""
-    state = told(
+    state = reduced(
         received(events.ObstacleReported(R0, T0 + 1, 4.2), events.PausedReported(R0, T0 + 1, True)),
         tick(T0 + 1),
     )
@@ -173,7 +173,7 @@ def test_an_order_that_is_only_listed_still_is_not_waiting() -> None:
 
 
 def test_a_robot_whose_queue_never_came_is_not_idle() -> None:
-    text = row(told(fleet(), link_up(T0), pose(T0), battery(T0), tick(T0 + 0.1)))
+    text = row(reduced(fleet(), link_up(T0), pose(T0), battery(T0), tick(T0 + 0.1)))
     assert "queue missing" in text and "idle" not in text
 
 
@@ -190,14 +190,14 @@ def test_bad_data_is_in_the_row_as_long_as_it_is_news() -> None:
     state = received(events.MessageRejected(R0, "/robot_0/pose: nonsense"))
     assert "bad data x1" in row(state)
     later: list[events.Event] = [pose(T0 + 13), battery(T0 + 13), queue(T0 + 13), tick(T0 + 13)]
-    assert "bad data" not in row(told(state, *later))
+    assert "bad data" not in row(reduced(state, *later))
 
 
 def test_a_robot_with_an_alarm_stands_first_and_the_others_keep_their_order() -> None:
-    state = told(fleet(4), link_up(T0))
+    state = reduced(fleet(4), link_up(T0))
     for n in range(4):
-        state = told(state, battery(T0, 5.0 if n == 2 else 80.0, f"robot_{n}"))
-    names = [row.key for row in fleet_table(told(state, tick(T0)), R0, 60).rows]
+        state = reduced(state, battery(T0, 5.0 if n == 2 else 80.0, f"robot_{n}"))
+    names = [row.key for row in fleet_table(reduced(state, tick(T0)), R0, 60).rows]
     assert names == ["robot_2", "robot_0", "robot_1", "robot_3"]
-    shelved = told(state, tick(T0), events.AlarmShelved("robot_2", "battery", T0 + 1800), tick(T0 + 1))
+    shelved = reduced(state, tick(T0), events.AlarmShelved("robot_2", "battery", T0 + 1800), tick(T0 + 1))
     assert fleet_table(shelved, R0, 60).rows[0].key == "robot_0"

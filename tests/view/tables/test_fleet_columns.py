@@ -4,7 +4,7 @@ import pytest
 
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.fleet_columns import Columns, shortened
-from tests.support.fleets import R0, T0, battery, fleet, link_up, pose, text_of, told
+from tests.support.fleets import R0, T0, battery, fleet, link_up, pose, reduced, text_of
 
 
 @pytest.mark.parametrize(
@@ -24,7 +24,7 @@ def test_floors_lose_the_beginning_that_all_have(floors: set[str], shown: dict[s
 
 @pytest.mark.parametrize("width", [30, 47, 60, 79, 120])
 def test_heads_begin_where_their_columns_do(width: int) -> None:
-    state = told(fleet(1, 2), link_up(T0), pose(T0), battery(T0))
+    state = reduced(fleet(1, 2), link_up(T0), pose(T0), battery(T0))
     table = fleet_table(state, R0, width)
     head, row = text_of(table.head), text_of(table.rows[0].runs)
     assert head.index("Robot") == row.index("robot_0")

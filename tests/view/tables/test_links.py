@@ -2,7 +2,7 @@
 
 from fleet_tui.view.tables.links import link_table
 from tests.support.diagnostics import NOW, counter, row, seen
-from tests.support.fleets import T0, fleet, link_lost, link_up, told
+from tests.support.fleets import T0, fleet, link_lost, link_up, reduced
 
 
 def test_a_link_that_is_well() -> None:
@@ -31,7 +31,7 @@ def test_a_link_that_is_down_says_so_and_since_when_everything_is_old() -> None:
     link.failed("no JSON", b"{", False, NOW - 3.0)
     link.round_trips.take(0.001, T0)
     link.round_trips.unanswered = 4
-    state = told(fleet(2), link_up(T0), link_lost(T0 + 10.0, "connection refused", NOW + 3.0))
+    state = reduced(fleet(2), link_up(T0), link_lost(T0 + 10.0, "connection refused", NOW + 3.0))
     table = link_table(seen(link, state)[1], NOW)
     assert "○ no link for 10 s: connection refused, retry in 3 s" in row(table, "state")
     assert "20 s ago" in row(table, "last message")

@@ -7,12 +7,12 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Progress
 from fleet_tui.model.robot import Reading
 from fleet_tui.view.tables.progress import progress_text
-from tests.support.fleets import R0, T0, fleet, link_up, of_kinds, pose, queue, tick, told
+from tests.support.fleets import R0, T0, fleet, link_up, of_kinds, pose, queue, reduced, tick
 
 
 def text(progress: Progress, at: float = T0) -> str:
     driving = queue(T0, (1, 1, 2, "W"), current=1)
-    state: FleetState = told(
+    state: FleetState = reduced(
         of_kinds(fleet(), Kind("k", ("pose",))), link_up(T0), pose(at), driving, tick(at)
     )
     robot = msgspec.structs.replace(state.robots[R0], progress=Reading(progress, T0))

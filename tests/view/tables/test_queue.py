@@ -24,9 +24,9 @@ from tests.support.fleets import (
     labels,
     place_order,
     queue,
+    reduced,
     text_of,
     tick,
-    told,
 )
 from tests.support.kinds import BARE, FULL, LATE, received
 
@@ -36,7 +36,7 @@ ORDERS = ((11, 1, 2, "Q"), (12, 2, 3, "W"), (15, 3, 99, "X"))
 
 def state(robots: int = 1, current: int = 12) -> FleetState:
     known = (graph(1, 2, 3), labels({1: "Base", 2: "Consumidores"}))
-    return told(fleet(robots), *known, queue(T0, *ORDERS, current=current), tick(T0))
+    return reduced(fleet(robots), *known, queue(T0, *ORDERS, current=current), tick(T0))
 
 
 def lines(fleet_now: FleetState, all_robots: bool = False, width: int = 100) -> list[str]:
@@ -74,7 +74,7 @@ def test_missions_by_label_and_status_in_words() -> None:
 
 @pytest.mark.parametrize(("letter", "word"), [("D", "done"), ("C", "cancelled"), ("Z9", "Z9"), ("", "")])
 def test_a_status_is_never_dropped(letter: str, word: str) -> None:
-    (line,) = lines(told(fleet(), queue(T0, (1, 1, 2, letter))))
+    (line,) = lines(reduced(fleet(), queue(T0, (1, 1, 2, letter))))
     assert word in line and "1 -> 2" in line.replace("?", "")
 
 
@@ -83,7 +83,7 @@ def test_an_order_is_written_by_its_stops_whatever_they_are() -> None:
     stops = (at_vertices("1", "2", "3"), at_vertices("2"), (Stop(pose=Pose(1.24, -3.4)),), ())
     orders = tuple(Order(f"3f2a-77-{n}-000000", one, OrderState.PAUSED, "", n) for n, one in enumerate(stops))
     reported = events.QueueReported(R0, T0, OrderQueue(3, "3f2a-77-0-000000", orders))
-    found = lines(told(state(), reported))
+    found = lines(reduced(state(), reported))
     for line, way in zip(
         found, ("Base -> Consumidores -> 3", "-> Consumidores", "-> (1.2, -3.4)", "-> ?"), strict=True
     ):
@@ -91,7 +91,7 @@ def test_an_order_is_written_by_its_stops_whatever_they_are() -> None:
 
 
 def test_a_vertex_is_not_called_unknown_before_the_graphs_have_come() -> None:
-    (line,) = lines(told(fleet(1, 2), graph(1), queue(T0, (1, 1, 99, "Q"))))
+    (line,) = lines(reduced(fleet(1, 2), graph(1), queue(T0, (1, 1, 99, "Q"))))
     assert "unknown vertex" not in line
 
 
@@ -120,7 +120,7 @@ def test_clear_all_lies_where_it_stands_or_is_not_there() -> None:
 
 
 def test_the_queue_of_all_robots_names_each() -> None:
-    both = told(state(2), queue(T0, (11, 1, 2, "W"), current=11, robot="robot_1"))
+    both = reduced(state(2), queue(T0, (11, 1, 2, "W"), current=11, robot="robot_1"))
     table = queue_table(both, R0, True, 100)
     assert [row.key for row in table.rows] == [
         (R0, "12", 0),
@@ -134,17 +134,17 @@ def test_the_queue_of_all_robots_names_each() -> None:
 
 
 def test_the_title_counts_and_tells_cargo_and_age() -> None:
-    loaded = told(state(), events.CargoReported(R0, T0, True), tick(T0 + 30))
+    loaded = reduced(state(), events.CargoReported(R0, T0, True), tick(T0 + 30))
     assert text_of(queue_table(loaded, R0, False, 100).title).startswith(
         "Queue robot_0 3 orders cargo on board 30 s old"
     )
-    one = told(fleet(), queue(T0, (1, 1, 2, "Q")))
+    one = reduced(fleet(), queue(T0, (1, 1, 2, "Q")))
     assert "1 order " in text_of(queue_table(one, R0, False, 100).title)
 
 
 def test_nothing_to_do_is_not_nothing_heard() -> None:
     assert queue_table(fleet(), R0, False, 80).empty == "no queue received yet"
-    assert queue_table(told(fleet(), queue(T0)), R0, False, 80).empty == "no orders: press o to order"
+    assert queue_table(reduced(fleet(), queue(T0)), R0, False, 80).empty == "no orders: press o to order"
 
 
 def test_an_order_to_nowhere_is_marked_by_role_too() -> None:
@@ -155,21 +155,23 @@ def test_an_order_to_nowhere_is_marked_by_role_too() -> None:
 def test_what_is_under_way_stands_at_its_order_or_in_the_title() -> None:
     cancel = commanded(1, CancelOrder(R0, "11"), Stage.SENT)
     place = commanded(2, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED)
-    now = told(state(), *cancel, *place, tick(T0 + 1))
+    now = reduced(state(), *cancel, *place, tick(T0 + 1))
     current, waiting, odd = lines(now)
     assert "cancel sent 1 s ago" in waiting and "cancel" not in (current + odd).replace(CANCEL, "")
     assert "+1 not in the queue yet" in text_of(queue_table(now, R0, False, 100).title)
-    shown = told(state(), *commanded(2, place_order(R0, 1, 2), Stage.SENT), queue(T0 + 1, (900, 1, 2, "Q")))
+    shown = reduced(
+        state(), *commanded(2, place_order(R0, 1, 2), Stage.SENT), queue(T0 + 1, (900, 1, 2, "Q"))
+    )
     assert "not seen" not in text_of(queue_table(shown, R0, False, 100).title)  # only its answer lacks
-    clear = told(state(), *commanded(3, ClearOrders(R0), Stage.SENT), tick(T0 + 1))
+    clear = reduced(state(), *commanded(3, ClearOrders(R0), Stage.SENT), tick(T0 + 1))
     assert all("cancel sent 1 s ago" in line for line in lines(clear))
-    ended = told(now, *(CommandAdvanced(id_, Stage.REFUSED, T0 + 1) for id_ in (1, 2)))
+    ended = reduced(now, *(CommandAdvanced(id_, Stage.REFUSED, T0 + 1) for id_ in (1, 2)))
     assert "cancel" not in "".join(lines(ended)).replace(CANCEL, "")
 
 
 @pytest.mark.parametrize("letter", ["D", "C"])
 def test_an_order_that_is_over_has_nothing_to_cancel(letter: str) -> None:
-    state = told(fleet(), queue(T0, (1, 1, 2, letter), (2, 1, 2, "Q")))
+    state = reduced(fleet(), queue(T0, (1, 1, 2, letter), (2, 1, 2, "Q")))
     over, waiting = queue_table(state, R0, False, 60).rows
     assert CANCEL not in text_of(over.runs) and not over.buttons
     assert CANCEL in text_of(waiting.runs) and waiting.buttons
@@ -184,6 +186,6 @@ def test_the_queue_pane_of_a_kind_without_a_queue() -> None:
 
 @pytest.mark.parametrize(("kind", "cancels", "clears"), [(FULL, True, True), (LATE, True, False)])
 def test_only_what_is_accepted_has_a_button(kind: Kind, cancels: bool, clears: bool) -> None:
-    table = queue_table(told(received(kind), queue(T0, (1, 1, 2, "Q"))), R0, False, 80)
+    table = queue_table(reduced(received(kind), queue(T0, (1, 1, 2, "Q"))), R0, False, 80)
     assert (CLEAR_BUTTON in text_of(table.title)) is clears
     assert (CANCEL_BUTTON in text_of(table.rows[0].runs)) is cancels

@@ -16,9 +16,9 @@ from tests.support.fleets import (
     link_up,
     pose,
     queue,
+    reduced,
     text_of,
     tick,
-    told,
 )
 
 
@@ -32,20 +32,20 @@ def line(state: FleetState, name: str) -> str:
 
 
 def received(*facts: events.Event) -> FleetState:
-    return told(fleet(), link_up(T0), pose(T0), battery(T0), queue(T0), *facts, tick(T0 + 0.5))
+    return reduced(fleet(), link_up(T0), pose(T0), battery(T0), queue(T0), *facts, tick(T0 + 0.5))
 
 
 def test_each_value_has_its_age_and_an_old_one_is_marked() -> None:
     assert "80 %" in line(received(), "Battery") and "0.5 s ago" in line(received(), "Battery")
     assert "not received" in line(received(), "Cargo")
-    old = told(received(), pose(T0 + 60), tick(T0 + 60))
+    old = reduced(received(), pose(T0 + 60), tick(T0 + 60))
     (row,) = [row for row in robot_page(old, R0, str).rows if "Battery" in text_of(row.runs)]
     assert StyleRole.WARN in {role for _, role in row.runs}
 
 
 def test_news_is_the_first_line_and_a_calm_robot_has_none() -> None:
     assert line(received(), "State") == ""
-    assert page(told(received(), tick(T0 + 30))).splitlines()[1].startswith("State     offline 30 s")
+    assert page(reduced(received(), tick(T0 + 30))).splitlines()[1].startswith("State     offline 30 s")
 
 
 def test_the_order_and_the_commands_given_here() -> None:

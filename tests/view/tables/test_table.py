@@ -21,7 +21,7 @@ from tests.support.fleets import (
     T0,
     fleet,
     link_lost,
-    told,
+    reduced,
 )
 from tests.support.hostile_text import TEXTS, WIDTHS, harmless
 
@@ -38,7 +38,7 @@ def tables(words: str) -> Iterable[Table]:
     link.lost(words, T0)
     link.take_log(LogLine(T0, 4, words, words))
     link.take_health([PartDiagnosis(T0, words, 1, words, words, ((words, words),))])
-    state, links = seen(link, told(fleet(2), link_lost(T0, words)))
+    state, links = seen(link, reduced(fleet(2), link_lost(T0, words)))
     yield link_table(links, NOW)
     yield topic_table(state, links, words, NOW)
     yield raw_table(topic, raw, words, NOW)

@@ -33,8 +33,8 @@ from tests.support.fleets import (
     place_order,
     pose,
     queue,
+    reduced,
     tick,
-    told,
 )
 from tests.support.hostile_text import HOSTILE, TEXTS, WIDTHS, harmless
 
@@ -70,10 +70,10 @@ def other_ids(text: str) -> list[events.Event]:
 
 
 def states(text: str) -> Iterable[FleetState]:
-    known = told(fleet(2), link_up(T0), *facts(text), tick(T0))
+    known = reduced(fleet(2), link_up(T0), *facts(text), tick(T0))
     yield known
-    yield told(known, events.CommandPathChanged(LINK, CommandPath.DEAD, text), tick(T0 + 1))
-    yield told(known, link_lost(T0, text), tick(T0 + 60))
+    yield reduced(known, events.CommandPathChanged(LINK, CommandPath.DEAD, text), tick(T0 + 1))
+    yield reduced(known, link_lost(T0, text), tick(T0 + 60))
 
 
 def tables(state: FleetState) -> Iterable[Table]:

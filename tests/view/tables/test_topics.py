@@ -4,7 +4,7 @@ from fleet_tui.model.counters import LinkCounter, TopicCounter
 from fleet_tui.model.kind import Kind
 from fleet_tui.view.tables.topics import topic_table
 from tests.support.diagnostics import BATTERY, GRAPH, MAP, NOW, POSE, counter, row, seen, steady, text
-from tests.support.fleets import LINK, R0, T0, fleet, link_lost, link_up, of_kinds, told
+from tests.support.fleets import LINK, R0, T0, fleet, link_lost, link_up, of_kinds, reduced
 
 
 def test_topics_in_the_order_of_the_config_each_with_how_it_is() -> None:
@@ -48,7 +48,7 @@ def test_bad_data_marks_its_topic_for_a_while_and_its_words_stay() -> None:
 def test_without_a_link_no_topic_looks_live() -> None:
     link = counter()
     steady(link.topics[POSE])
-    state, links = seen(link, told(fleet(2), link_up(T0), link_lost(NOW)))
+    state, links = seen(link, reduced(fleet(2), link_up(T0), link_lost(NOW)))
     lines = text(topic_table(state, links, "", NOW))
     assert lines[0].endswith(" no link") and all(line.startswith("○ no link") for line in lines[1:])
 
@@ -69,7 +69,7 @@ def test_a_topic_is_silent_after_its_own_time_and_never_where_it_comes_on_change
             TopicCounter("/robot_0/goals", R0, "queue", on_change=True),
         ],
     )
-    state = of_kinds(told(fleet(), link_up(T0)), slow)
+    state = of_kinds(reduced(fleet(), link_up(T0)), slow)
     state, links = seen(link, state)
     assert row(topic_table(state, links, "", NOW), "goals").startswith("· on change")
     for topic in link.topics.values():
