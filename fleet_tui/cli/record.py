@@ -117,7 +117,7 @@ def _load_maps(config: Config, link: FleetLink) -> None:
 
 
 def _has_no_map(state: FleetState, robot: str, floor: str) -> bool:
-    return state.robots[robot].charts[floor].grid is None and state.floors[floor].live is None
+    return state.robots[robot].maps[floor].grid is None and state.floors[floor].live is None
 
 
 def _live_maps(config: Config, store: WaitingStore, link: FleetLink) -> Iterator[None]:

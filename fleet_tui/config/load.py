@@ -142,8 +142,8 @@ def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> 
             problems.append(f"{where}{name}: missing")
     # Every required field is a name. The entry gets a unique one, so that the
     # entries after it keep their numbers.
-    stand_in = "".join(letter if letter.isalnum() else "_" for letter in where)
-    missing = {name: stand_in for name, field in fields.items() if field.required and name not in values}
+    placeholder = "".join(letter if letter.isalnum() else "_" for letter in where)
+    missing = {name: placeholder for name, field in fields.items() if field.required and name not in values}
     return struct(**missing, **values)
 
 

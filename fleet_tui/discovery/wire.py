@@ -222,8 +222,8 @@ class BridgeConnection:
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """Record at its topic that a message over the limit of the config was dropped."""
         plain = head.replace(rb"\/", b"/")
-        for topic, heard in self.listening.items():
+        for topic, received in self.listening.items():
             if topic.encode() in plain:
-                heard.count += 1
-                heard.faults += 1
-                heard.problem = f"a message of {size / 1e6:.1f} MB exceeds the limit: raise max_message_mb"
+                received.count += 1
+                received.faults += 1
+                received.problem = f"a message of {size / 1e6:.1f} MB exceeds the limit: raise max_message_mb"

@@ -106,7 +106,7 @@ class GridReceived(Struct, frozen=True, eq=False, tag=True):
     grid: OccupancyGrid
 
 
-ChartReceived = FrameReceived | GraphReceived | LabelsReceived | GridReceived
+MapFactReceived = FrameReceived | GraphReceived | LabelsReceived | GridReceived
 
 
 class MessageRejected(Struct, frozen=True, tag=True):
@@ -153,8 +153,8 @@ class LinkChanged(Struct, frozen=True, tag=True):
     next_try: float | None = None
 
 
-class LinkHeard(Struct, frozen=True, tag=True):
-    """Any message arrived from the bridge."""
+class MessageArrived(Struct, frozen=True, tag="LinkHeard"):
+    """Any message arrived from the bridge. The tag is that of recordings."""
 
     link: str
     at: float
@@ -230,13 +230,13 @@ class TimePassed(Struct, frozen=True, tag=True):
 Event = (
     Telemetry
     | Navigation
-    | ChartReceived
+    | MapFactReceived
     | MessageRejected
     | FrameRejected
     | FloorMapLoaded
     | FloorGraphLoaded
     | LinkChanged
-    | LinkHeard
+    | MessageArrived
     | CommandPathChanged
     | MessagesUnsourced
     | CommandIssued

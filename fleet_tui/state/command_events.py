@@ -57,8 +57,8 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
         return state
     match record.command:
         case PauseRobot():
-            stands_at = robot.pose.value if robot.pose else None
-            return with_robot(state, replace(robot, paused_by_us=True, paused_at=stands_at))
+            pose = robot.pose.value if robot.pose else None
+            return with_robot(state, replace(robot, paused_by_us=True, paused_at=pose))
         case ResumeRobot():
             released = replace(robot, paused_by_us=False, paused_at=None, held="", released_at=state.now)
             return with_robot(state, released)

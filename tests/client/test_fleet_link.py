@@ -25,18 +25,18 @@ async def test_everything_is_heard(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 2, 2)) as (_, store):
         state = await store.until(ready)
         robot = state.robots["robot_0"]
-        assert set(robot.charts) == {"floor_0", "floor_1"}
-        assert "Base" in robot.charts["floor_0"].labels.values()
+        assert set(robot.maps) == {"floor_0", "floor_1"}
+        assert "Base" in robot.maps["floor_0"].labels.values()
         assert state.is_online(robot)
 
 
 async def test_a_map_arrives_as_binary_when_its_floor_is_shown(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1, 2)) as (link, store):
         await store.until(ready)
-        assert store.state.robots["robot_0"].charts["floor_1"].grid is None
+        assert store.state.robots["robot_0"].maps["floor_1"].grid is None
         link.show_map("robot_0", "floor_1")
-        state = await store.until(lambda state: state.robots["robot_0"].charts["floor_1"].grid)
-    grid = state.robots["robot_0"].charts["floor_1"].grid
+        state = await store.until(lambda state: state.robots["robot_0"].maps["floor_1"].grid)
+    grid = state.robots["robot_0"].maps["floor_1"].grid
     assert grid is not None
     assert grid.levels[0].shape == (grid.frame.height, grid.frame.width)
     assert set(grid.levels[0].ravel().tolist()) == {0, 1, 2}
@@ -45,7 +45,7 @@ async def test_a_map_arrives_as_binary_when_its_floor_is_shown(server: Rosbridge
 async def test_an_order_is_accepted_cancelled_and_cleared(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (link, store):
         state = await store.until(ready)
-        ids = {label: id_ for id_, label in state.robots["robot_0"].charts["floor_0"].labels.items()}
+        ids = {label: id_ for id_, label in state.robots["robot_0"].maps["floor_0"].labels.items()}
         order = place_order("robot_0", ids["Base"], ids["Consumidores"])
         assert (await finished(link, store, order)).stage is Stage.CONFIRMED
         state = store.state
@@ -99,8 +99,8 @@ async def test_bad_data_is_counted_on_the_robot_and_the_rest_goes_on(server: Ros
         )
         assert "/robot_0/pose" in state.robots["robot_0"].last_fault
         assert "position.x" in state.robots["robot_0"].last_fault
-        heard = state.robots["robot_0"].heard or 0.0
-        await store.until(lambda state: (state.robots["robot_0"].heard or 0.0) > heard)
+        received = state.robots["robot_0"].last_received or 0.0
+        await store.until(lambda state: (state.robots["robot_0"].last_received or 0.0) > received)
 
 
 async def test_read_only_lets_nothing_leave_but_subscriptions_and_rosapi(server: RosbridgeServer) -> None:
@@ -140,8 +140,10 @@ async def test_nothing_is_put_into_a_connection_that_fell_silent(server: Rosbrid
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         server.bridge.muted.update(topic for topic in store_topics(server))
-        heard = store.state.links["rosbridge"].heard or 0.0
-        await store.until(lambda state: state.now - max(heard, state.links["rosbridge"].heard or 0.0) > 2.5)
+        received = store.state.links["rosbridge"].last_received or 0.0
+        await store.until(
+            lambda state: state.now - max(received, state.links["rosbridge"].last_received or 0.0) > 2.5
+        )
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
         assert "no message from the bridge" in record.words

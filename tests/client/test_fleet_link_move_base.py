@@ -144,10 +144,10 @@ async def test_its_status_is_a_heartbeat_of_a_robot_without_wheels(site: MoveBas
         site.fleet.robots[name].odometry = False
     profile = msgspec.structs.replace(site.config.profile, topics={"odometry": "", "battery": ""})
     async with linked(msgspec.structs.replace(site.config, profile=profile)) as (_, store):
-        state = await store.until(lambda state: robot(state).heard is not None)
-        before = robot(state).heard
+        state = await store.until(lambda state: robot(state).last_received is not None)
+        before = robot(state).last_received
         assert before is not None
-        await store.until(lambda state: (robot(state).heard or 0.0) > before + 1.0)
+        await store.until(lambda state: (robot(state).last_received or 0.0) > before + 1.0)
         assert store.state.is_online(robot(store.state))
 
 

@@ -151,7 +151,7 @@ async def test_a_half_open_connection(server: RosbridgeServer) -> None:
         proxy.swallows = True
         is_lost = lost("server not responding")
         await watch.until(
-            lambda state: is_lost(state) or state.now - (state.links["rosbridge"].heard or 0) > 2.1
+            lambda state: is_lost(state) or state.now - (state.links["rosbridge"].last_received or 0) > 2.1
         )
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
         noticed = await watch.until(is_lost)

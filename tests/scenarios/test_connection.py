@@ -15,7 +15,7 @@ def is_lost(state: FleetState) -> bool:
     return not any(link.phase.value == "up" for link in state.links.values())
 
 
-def stands_at(stage: Stage, state: FleetState) -> bool:
+def pose(stage: Stage, state: FleetState) -> bool:
     return bool(state.commands) and state.commands[-1].stage is stage
 
 

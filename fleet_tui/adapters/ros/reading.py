@@ -76,7 +76,7 @@ class FrameReader:
                 counter = self.counter.topics.get(topic)
                 if counter is None:
                     return ()
-                counter.heard(payload, is_binary, at)
+                counter.count_frame(payload, is_binary, at)
                 return self._translate(counter, msg, at)
             case operations.Status(level, text):
                 self._warn(f"bridge ({truncate(level)}): {truncate(text)}")
@@ -87,7 +87,7 @@ class FrameReader:
 
     def _read_apart(self, feed: Feed, payload: bytes, at: float) -> Sequence[events.Event]:
         counter = self.counter.topics[feed.address]
-        counter.heard(payload, False, at)
+        counter.count_frame(payload, False, at)
         profile = self._adapters[feed.robot].names.profile
         try:
             event = self._decode_apart(profile, feed, payload)
@@ -101,7 +101,7 @@ class FrameReader:
         feed = self._feeds.get(counter.topic)
         try:
             if feed is None:
-                self._overhear(counter.topic, msg, at)
+                self._read_log(counter.topic, msg, at)
                 return ()
             found = tuple(self._adapters[feed.robot].read(feed, msg, at))
         except WireError as problem:
@@ -115,7 +115,7 @@ class FrameReader:
             self.maps_received.add(feed.address)
         return found if not feed.is_shared else _of_none(found)
 
-    def _overhear(self, topic: str, msg: object, at: float) -> None:
+    def _read_log(self, topic: str, msg: object, at: float) -> None:
         """Take messages that don't affect the fleet state."""
         if topic == ROSOUT:
             line = robot_words.log_line(msg, at)

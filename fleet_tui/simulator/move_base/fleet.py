@@ -38,15 +38,15 @@ class MoveBaseFleet(MoveBaseWorld):
         yield from chain.from_iterable(steady_topics(each, dialect) for each in self.navigation.values())
         yield from self._news.topics(dialect)
 
-    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The goals, poses and cancellations for each robot."""
         return {
             f"/{name}/{part}": (TYPES[part], take)
             for name, navigation in self.navigation.items()
             for part, take in (
-                (GOAL, navigation.hear_goal),
-                (POSE, navigation.hear_pose),
-                (CANCEL, navigation.hear_cancel),
+                (GOAL, navigation.receive_goal),
+                (POSE, navigation.receive_pose),
+                (CANCEL, navigation.receive_cancel),
             )
         }
 

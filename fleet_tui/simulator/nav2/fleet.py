@@ -57,7 +57,7 @@ class Nav2Fleet(Nav2World):
         yield from chain.from_iterable(steady_topics(each, dialect) for each in self.navigation.values())
         yield from self._news.topics(dialect)
 
-    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The goal_pose of each robot: a pose there becomes a goal."""
         return {
             f"/{name}/goal_pose": ("geometry_msgs/PoseStamped", partial(_take_pose, navigation))

@@ -40,7 +40,7 @@ class OhFleet:
         """Every topic of the world."""
         return topics_of(self.world, loaded_at, dialect)
 
-    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """Nothing."""
         return {}
 

@@ -133,7 +133,7 @@ def test_a_target_is_that_of_the_goal_that_begins() -> None:
 
 
 def _near(state: FleetState, pose: Pose) -> tuple[Stop, ...]:
-    vertices = state.robots[R0].charts[F0].graph
+    vertices = state.robots[R0].maps[F0].graph
     assert vertices is not None
     found = [one.id for one in vertices.vertices.values() if abs(one.x - pose.x) + abs(one.y - pose.y) < 0.5]
     return (Stop(found[0]),) if found else (Stop(pose=pose),)

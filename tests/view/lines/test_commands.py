@@ -26,7 +26,7 @@ from tests.support.fleets import (
     tick,
     told,
 )
-from tests.support.kinds import BARE, FULL, heard
+from tests.support.kinds import BARE, FULL, received
 
 WIDE = 300
 
@@ -117,6 +117,6 @@ def test_what_went_wrong_stays_where_there_is_no_room_for_all() -> None:
 
 
 def test_an_order_to_one_place_is_said_as_the_kind_takes_it() -> None:
-    assert command_text(heard(BARE), place_order(R0, 1)) == "robot_0 go to Base"
-    assert command_text(heard(FULL), place_order(R0, 1)) == "robot_0 bring cargo -> Base"
+    assert command_text(received(BARE), place_order(R0, 1)) == "robot_0 go to Base"
+    assert command_text(received(FULL), place_order(R0, 1)) == "robot_0 bring cargo -> Base"
     assert place_order(R0, 1).what(BARE) == "order"
