@@ -189,9 +189,8 @@ def test_only_what_is_accepted_has_a_button(kind: Kind, cancels: bool, clears: b
     assert (CANCEL_BUTTON in text_of(table.rows[0].runs)) is cancels
 
 
-def test_clear_all_stays_with_cargo_on_board_and_orders_not_in_the_queue_yet() -> None:
-    """Panes of 39 and 47 cells: at 80 and at 120 columns."""
-    loaded = told(state(), events.CargoReported(R0, T0, True))
-    for width in (39, 47):
-        table = queue_table(loaded, R0, False, width)
-        assert CLEAR in text_of(table.title) and "cargo on" in text_of(table.title)
+@pytest.mark.parametrize(("width", "cargo"), [(38, " ■ "), (47, " ■ "), (60, " cargo on board ")])
+def test_clear_all_stays_when_cargo_is_on_board(width: int, cargo: str) -> None:
+    table = queue_table(told(state(), events.CargoReported(R0, T0, True)), R0, False, width)
+    assert cargo in text_of(table.title) and text_of(table.title).endswith(CLEAR)
+    assert [button.name for button in table.title_buttons] == ["clear"]
