@@ -11,9 +11,9 @@ from types import MappingProxyType
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.ros.logs import complaint, log_line
 from fleet_tui.adapters.ros.operations import Subscription
 from fleet_tui.adapters.ros.reading import ROSOUT
-from fleet_tui.adapters.ros.robot_words import complaint, log_line
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.config.schema import Link

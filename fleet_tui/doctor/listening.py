@@ -57,7 +57,7 @@ async def listen(
         await asyncio.gather(*(_listen(wire, asked[n::count], rosapi, until) for n, wire in enumerate(wires)))
         now = time.monotonic()
         received = {topic: one.facts(now) for wire in wires for topic, one in wire.listening.items()}
-        complaints = {topic: words for wire in wires for topic, words in wire.complaints.items()}
+        complaints = {topic: message for wire in wires for topic, message in wire.complaints.items()}
         lost = next((wire.lost for wire in wires if wire.lost), "")
     finally:
         for wire in wires:

@@ -3,7 +3,7 @@ event reached this console; `wall` is Unix time."""
 
 from collections.abc import Mapping
 
-from msgspec import Struct
+from msgspec import Struct, field
 
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -193,7 +193,7 @@ class CommandAdvanced(Struct, frozen=True, tag=True):
     id: int
     stage: Stage
     at: float
-    words: str = ""
+    detail: str = field(default="", name="words")  # as recordings have it
     name: str = ""
 
 

@@ -10,12 +10,12 @@ from typing import Any
 from fleet_tui.simulator.channels import Channels, resolve
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
+from fleet_tui.simulator.logs import ERROR, INFO, ROSOUT, Talk
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
 from fleet_tui.simulator.sessions.operations import Operation
 from fleet_tui.simulator.sessions.session import Session
-from fleet_tui.simulator.words import ERROR, INFO, ROSOUT, Talk
 
 
 class TopicDesk:

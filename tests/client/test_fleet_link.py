@@ -79,7 +79,7 @@ async def test_telemetry_alive_and_commands_dead_is_a_state_of_its_own(server: R
         assert state.links["rosbridge"].phase is Phase.UP
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
-        assert "no ROS master" in record.words
+        assert "no ROS master" in record.detail
 
 
 async def test_a_bridge_without_rosapi_is_alive(server: RosbridgeServer) -> None:
@@ -111,7 +111,7 @@ async def test_read_only_lets_nothing_leave_but_subscriptions_and_rosapi(server:
         record = await finished(link, store, PauseRobot("robot_0"))
         operations = list(server.bridge.received)
     assert record.stage is Stage.NOT_SENT
-    assert "read-only" in record.words
+    assert "read-only" in record.detail
     assert {operation["op"] for operation in operations} == {"subscribe", "call_service"}
     services = [operation["service"] for operation in operations if operation["op"] == "call_service"]
     assert all(service.startswith("/rosapi/") for service in services)
@@ -146,10 +146,10 @@ async def test_nothing_is_put_into_a_connection_that_fell_silent(server: Rosbrid
         )
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
-        assert "no message from the bridge" in record.words
+        assert "no message from the bridge" in record.detail
         # A pause is tried all the same; as nothing is heard, nothing can confirm it.
         record = await finished(link, store, PauseRobot("robot_0"))
-        assert record.stage is Stage.NOT_CONFIRMED and record.words.startswith("accepted")
+        assert record.stage is Stage.NOT_CONFIRMED and record.detail.startswith("accepted")
 
 
 def store_topics(server: RosbridgeServer) -> set[str]:

@@ -28,7 +28,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     if record.is_decided and not failed:
         return None
     verb = "resume" if isinstance(record.command, ResumeRobot) else "order"
-    evidence = record.words or f"issued {age(state.now - record.issued_at)} ago"
+    evidence = record.detail or f"issued {age(state.now - record.issued_at)} ago"
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
     return Reason(f"{verb}: {record.stage.value}", evidence, strength, since=record.at, keys=keys)

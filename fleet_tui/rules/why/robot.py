@@ -79,7 +79,7 @@ def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
         return None
     return Reason(
         f"pause from this console: {record.stage.value}",
-        record.words or f"issued {age(state.now - record.issued_at)} ago",
+        record.detail or f"issued {age(state.now - record.issued_at)} ago",
         Strength.LIKELY,
         since=record.issued_at,
         keys=("resume",),

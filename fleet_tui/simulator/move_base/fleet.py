@@ -11,8 +11,8 @@ from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.move_base.faults import FAULTS
 from fleet_tui.simulator.move_base.topics import CANCEL, GOAL, NODE, POSE, TYPES, MoveBaseNews, steady_topics
 from fleet_tui.simulator.move_base.world import MoveBaseWorld
+from fleet_tui.simulator.navigating.diagnostics import health
 from fleet_tui.simulator.navigating.topics import map_topics
-from fleet_tui.simulator.navigating.words import health
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
@@ -76,7 +76,7 @@ class MoveBaseFleet(MoveBaseWorld):
             lines = list(navigation.lines)
             navigation.lines.clear()
             if not navigation.robot.silence:
-                yield from ((level, f"/{name}/{NODE}", words) for level, words in lines)
+                yield from ((level, f"/{name}/{NODE}", message) for level, message in lines)
 
     def health(self) -> Iterable[Message]:
         """Return battery and localisation of every robot that is not silent."""

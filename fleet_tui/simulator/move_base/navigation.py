@@ -5,6 +5,7 @@ from collections import deque
 from typing import Any
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.logs import ERROR, WARN
 from fleet_tui.simulator.navigating.poses import FRAME, flat, solid
 from fleet_tui.simulator.navigating.robot import NO_PROGRESS, NavigatingRobot
 from fleet_tui.simulator.navigating.world import Clock
@@ -16,7 +17,6 @@ from fleet_tui.simulator.ros.actionlib import (
     ActionlibGoal,
     SimpleActionServer,
 )
-from fleet_tui.simulator.words import ERROR, WARN
 
 Message = dict[str, Any]
 

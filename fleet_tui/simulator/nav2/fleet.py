@@ -11,13 +11,13 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.nav2 import messages
 from fleet_tui.simulator.nav2.faults import FAULTS
+from fleet_tui.simulator.nav2.logs import Nav2Changes
 from fleet_tui.simulator.nav2.navigation import TO_POSE, SimNavigation
 from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
-from fleet_tui.simulator.nav2.words import Nav2Changes
 from fleet_tui.simulator.nav2.world import Nav2World
+from fleet_tui.simulator.navigating.diagnostics import health
 from fleet_tui.simulator.navigating.poses import FRAME
 from fleet_tui.simulator.navigating.topics import map_topics
-from fleet_tui.simulator.navigating.words import health
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type

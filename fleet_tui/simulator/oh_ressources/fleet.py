@@ -7,7 +7,7 @@ from fleet_tui.simulator.faults import FAULTS
 from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Message, Topic, topics_of
-from fleet_tui.simulator.oh_ressources.words import Changes, health
+from fleet_tui.simulator.oh_ressources.logs import Changes, health
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect

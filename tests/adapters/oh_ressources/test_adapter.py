@@ -118,7 +118,7 @@ def test_the_recorded_answers_are_judged_by_their_words() -> None:
             answers[operation.id] = adapter_of().outcome(
                 place_order(ROBOT, 0, 7), operation.values, operation.result
             )
-    refused = {id_: words for id_, (outcome, words) in answers.items() if outcome is Stage.REFUSED}
+    refused = {id_: detail for id_, (outcome, detail) in answers.items() if outcome is Stage.REFUSED}
     assert refused.keys() == {"c6", "c7", "c8", "c9"}
     assert refused["c6"] == "REJECTED: no vertex 9999"
     assert "requires a int32" in refused["c7"] and "does not exist" in refused["c9"]

@@ -171,8 +171,8 @@ def test_no_text_from_outside_is_kept_longer_than_its_bound() -> None:
 )
 @pytest.mark.parametrize("result", [True, False])
 def test_what_is_kept_of_an_answer_is_short(values: object, result: bool) -> None:
-    _, words = ADAPTER.outcome(PauseRobot("robot_0"), values, result)
-    assert len(words) < 2 * bounds.LONGEST_WORDS
+    _, detail = ADAPTER.outcome(PauseRobot("robot_0"), values, result)
+    assert len(detail) < 2 * bounds.LONGEST_WORDS
 
 
 def test_an_answer_as_long_as_it_may_be_is_judged_soon() -> None:
@@ -187,16 +187,16 @@ def test_an_answer_nested_too_deep_is_none() -> None:
     nested: list[Any] = []
     for _ in range(100_000):
         nested = [nested]
-    stage, words = ADAPTER.outcome(PauseRobot("robot_0"), nested, True)
-    assert (stage, words) == (Stage.UNKNOWN, "unrecognised reply: nested too deep")
+    stage, detail = ADAPTER.outcome(PauseRobot("robot_0"), nested, True)
+    assert (stage, detail) == (Stage.UNKNOWN, "unrecognised reply: nested too deep")
 
 
 def test_an_answer_beyond_the_bound_is_not_read() -> None:
     frame = {"op": "service_response", "id": "1", "values": {"a": "x" * operations.LARGEST_ANSWER}}
     answer = operations.decode(json.dumps(frame).encode())
     assert isinstance(answer, operations.ServiceResponse)
-    stage, words = ADAPTER.outcome(PauseRobot("robot_0"), answer.values, True)
-    assert stage is Stage.UNKNOWN and "4,194,313 bytes, too large to read" in words
+    stage, detail = ADAPTER.outcome(PauseRobot("robot_0"), answer.values, True)
+    assert stage is Stage.UNKNOWN and "4,194,313 bytes, too large to read" in detail
 
 
 def test_what_a_bridge_says_beyond_the_bound_is_not_read() -> None:

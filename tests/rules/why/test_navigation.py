@@ -49,9 +49,9 @@ def test_an_uncertain_localisation_is_given_in_metres() -> None:
 
 def test_recoveries_are_counted_while_an_order_is_driven() -> None:
     driving = told(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
-    for count, words in ((1, "1 recovery during order 7"), (3, "3 recoveries during order 7")):
+    for count, detail in ((1, "1 recovery during order 7"), (3, "3 recoveries during order 7")):
         found = recovering(*known(driving, progress=Reading(Progress("7", recoveries=count), T0)))
-        assert found is not None and found.evidence.startswith(words)
+        assert found is not None and found.evidence.startswith(detail)
     assert recovering(*known(progress=Reading(Progress("7", recoveries=1), T0))) is None
     assert recovering(*known(driving, progress=Reading(Progress("7"), T0))) is None
 

@@ -6,10 +6,10 @@ from typing import Any
 import pytest
 
 from fleet_tui.simulator.faults import parse_faults, play
-from fleet_tui.simulator.oh_ressources.words import Changes
+from fleet_tui.simulator.logs import DIAGNOSTICS, Talk
+from fleet_tui.simulator.oh_ressources.logs import Changes
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.words import DIAGNOSTICS, Talk
 from tests.support.fleets import WALL
 
 # genmsg's field lists of rosgraph_msgs/Log and diagnostic_msgs/DiagnosticStatus.
