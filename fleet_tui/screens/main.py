@@ -120,7 +120,7 @@ class MainScreen(Screen[None]):
         self._mark_alarm(state)
         tables = [
             fleet_table(state, robot, self.fleet.row_width),
-            alarm_table(state, self.settings.clock),
+            alarm_table(state, self.settings.clock, self.alarms.row_width),
             queue_table(state, robot, self._all_orders, self.queue.row_width),
         ]
         covered = lines_below(self.rest.order_form) if self.is_complete else 0

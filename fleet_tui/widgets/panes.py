@@ -64,7 +64,9 @@ class Panes(Container):
         """Give the panes their heights."""
         lines = self.size.height or self.app.size.height - OTHERS
         is_wide = self.screen.has_class("-wide") and not self._is_small
-        alone = self._alone if self._alone in self._enlargeable(is_wide) else ""
+        # Below the map a form about it leaves no space for another pane.
+        may_enlarge = (is_wide or not covered) and self._alone in self._enlargeable(is_wide)
+        alone = self._alone if may_enlarge else ""
         heights = (lines, *[0] * 3)[: 4 if is_wide else 1] if alone else self._heights(lines, wanted, covered)
         rows = " ".join(map(str, heights))
         if (rows, alone, is_wide) == self._shared_out:

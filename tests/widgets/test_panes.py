@@ -72,3 +72,14 @@ async def test_an_enlarged_pane_leaves_the_simple_interface_in_place(server: Ros
         it.app.main.fleet.focus()
         await it.press("=")
         await it.until(lambda _: heights(it) == {"simple": 35, "fleet": 37})
+
+
+async def test_an_enlarged_pane_gives_way_to_the_order_form_and_its_map(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 12), (80, 24), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        await it.press("tab", "=")
+        await it.until(lambda _: heights(it) == {"fleet": 21})
+        await it.press("o")
+        await it.until(lambda _: heights(it).get("map", 0) == 11)
+        await it.press("escape")
+        await it.until(lambda _: heights(it) == {"fleet": 21})

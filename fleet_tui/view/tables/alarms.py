@@ -18,6 +18,10 @@ SIGNS = {
 _PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
 
 
+WITH_PRIORITY = 44
+"""Cells of a pane from which alarms have their priority in words, and robots long names."""
+
+
 def _role(alarm: Alarm) -> StyleRole:
     if not alarm.holds:
         return StyleRole.DIM
@@ -26,25 +30,22 @@ def _role(alarm: Alarm) -> StyleRole:
     return StyleRole.TEXT if alarm.stage is AlarmStage.ACKNOWLEDGED else StyleRole.DIM
 
 
-def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float], str]) -> Row:
+def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float], str], width: int) -> Row:
     role = _role(alarm)
     count = f" x{alarm.count}" if alarm.count > 1 else ""
     shelf = ""
     if alarm.stage is AlarmStage.SHELVED:
         shelf = f" until {clock(state.wall + alarm.until - state.now)}"
-    return Row(
-        alarm.key,
-        (
-            (f"{SIGNS[alarm.stage]}{shelf} ", role),
-            (
-                f"{_PRIORITIES[alarm.condition.priority]} ",
-                StyleRole.DIM if alarm.stage is AlarmStage.RETURNED else role,
-            ),
-            (fit(alarm.condition.source, sources) + " ", StyleRole.TEXT),
-            (sanitize(alarm.text), role),
-            (f" {clock(alarm.first_wall if alarm.holds else alarm.last_wall)}{count}", StyleRole.DIM),
-        ),
-    )
+    runs: list[Run] = [(f"{SIGNS[alarm.stage]}{shelf} ", role)]
+    if width >= WITH_PRIORITY:
+        is_over = alarm.stage is AlarmStage.RETURNED
+        runs.append((f"{_PRIORITIES[alarm.condition.priority]} ", StyleRole.DIM if is_over else role))
+    runs += [
+        (fit(alarm.condition.source, sources) + " ", StyleRole.TEXT),
+        (sanitize(alarm.text), role),
+        (f" {clock(alarm.first_wall if alarm.holds else alarm.last_wall)}{count}", StyleRole.DIM),
+    ]
+    return Row(alarm.key, tuple(runs))
 
 
 def _place(alarm: Alarm) -> tuple[bool, bool, bool, int]:
@@ -69,14 +70,14 @@ def _suppressed(state: FleetState) -> int:
     return grouped + sum(robot.link in down for robot in state.robots.values())
 
 
-def alarm_table(state: FleetState, clock: Callable[[float], str]) -> Table:
-    """Return every alarm: those that hold, unacknowledged ones first, by priority; then those that are over;
-    shelved ones last; oldest first. A row moves when it is acknowledged or shelved, and when it needs a
-    person again. `clock` formats Unix seconds as a local time."""
+def alarm_table(state: FleetState, clock: Callable[[float], str], width: int = WITH_PRIORITY) -> Table:
+    """Return every alarm for a pane of `width` cells: those that hold, unacknowledged ones first, by
+    priority; then those that are over; shelved ones last; oldest first. A row moves when it is acknowledged
+    or shelved, and when it needs a person again. `clock` formats Unix seconds as a local time."""
     alarms = sorted(state.alarms, key=_place)
-    sources = column((alarm.condition.source for alarm in alarms), 7, 14)
+    sources = column((alarm.condition.source for alarm in alarms), 7, 14 if width >= WITH_PRIORITY else 9)
     keys = [alarm.key for alarm in alarms]
-    rows = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock))
+    rows = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))
     title: list[Run] = [("Alarms", StyleRole.TITLE)]
     if state.unacknowledged:
         title.append((f" {state.unacknowledged} new", StyleRole.ALARM))

@@ -174,9 +174,8 @@ def _row(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> R
         order = whose_mission(state, robot, current)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
-        return Row(
-            robot.name, (*_head(state, robot, selected, columns), *runs, (f"{order}  {progress}", role))
-        )
+        mission = "  ".join(part for part in (order, progress) if part)
+        return Row(robot.name, (*_head(state, robot, selected, columns), *runs, (mission, role)))
     if current is not None and not runs:
         runs = [(progress or _movement(state, robot), StyleRole.DIM)]
     placed = fit(order, columns.order - 1) + " "

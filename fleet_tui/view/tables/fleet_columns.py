@@ -52,7 +52,8 @@ class Columns(NamedTuple):
         names = {floor_text(state, robot) for robot in robots}
         by_place = marks_of(tuple(state.robots)) == tuple(str(robot.number) for robot in robots)
         is_narrow = width < WHOLE_FLOORS
-        floors = shortened(names) if is_narrow else {name: name for name in names}
+        # Of all floors: the column must not change when one gets empty.
+        floors = shortened({*state.floors, *names}) if is_narrow else {name: name for name in names}
         is_obvious = is_narrow and len(state.floors) == 1 and not names.intersection(NO_FLOOR)
         fixed = cls(
             number=len(str(len(robots))) + 1 if by_place else 4,
@@ -95,9 +96,10 @@ class Columns(NamedTuple):
 
 def shortened(floors: Collection[str]) -> Mapping[str, str]:
     """Return floors without the beginning that all of them have, up to its last separator: `floor_0` and
-    `floor_1` as `0` and `1`."""
+    `floor_1` as `0` and `1`, an unknown one as `?`."""
     real = [name for name in floors if name not in NO_FLOOR]
     pairs = zip(min(real), max(real), strict=False) if len(real) > 1 else ()
     common = "".join(one for one, _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
     start = max(common.rfind(mark) for mark in " _-.") + 1
-    return {name: name if name in NO_FLOOR else name[start:] or name for name in floors}
+    found = {name: name if name in NO_FLOOR else name[start:] or name for name in floors}
+    return found | ({UNKNOWN_FLOOR: "?"} if UNKNOWN_FLOOR in found else {})

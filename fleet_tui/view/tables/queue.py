@@ -13,11 +13,13 @@ from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import whose_mission
+from fleet_tui.view.tables.fleet import CARGO, whose_mission
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 
 CANCEL, CLEAR = "[Cancel]", "[Clear all]"
+LEAST_TITLE = 16
+"""Cells that the title must keep beside its button."""
 
 Listed = tuple[Robot, int, Order]
 
@@ -95,7 +97,9 @@ def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width:
     return Row(key, (*cut(runs, space), (CANCEL, StyleRole.KEY)), (button,))
 
 
-def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool) -> list[Run]:
+def _title(
+    robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool, width: int
+) -> list[Run]:
     ours = not all_robots and robot.kind.keeps_goals
     runs: list[Run] = [("Queue of this console " if ours else "Queue ", StyleRole.TITLE)]
     runs.append(("all robots" if all_robots else robot.name, StyleRole.TITLE))
@@ -106,7 +110,9 @@ def _title(robot: Robot, state: FleetState, count: int, placed: int, all_robots:
     if placed:
         runs.append((f" +{placed} not in the queue yet", StyleRole.WARN))
     if not all_robots and robot.has_cargo:
-        runs.append((" cargo on board", StyleRole.TEXT))
+        loaded = " cargo on board"
+        is_wide = width_of(runs) + len(loaded + CLEAR) + 2 <= width
+        runs.append((loaded if is_wide else f" {CARGO}", StyleRole.TEXT))
     if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
         runs.append((f" {age(state.now - robot.queue.at)} old", StyleRole.WARN))
     return runs
@@ -140,17 +146,16 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
     under_way = _under_way(state, selected, all_robots)
     robot = state.robots[selected]
     rows = _rows(state, entries, under_way, width, all_robots)
-    title = _title(robot, state, len(entries), _awaited(state, under_way), all_robots)
+    title = _title(robot, state, len(entries), _awaited(state, under_way), all_robots, width)
     listing = any(one.kind.lists_orders for one in state.robots.values())
     buttons: tuple[Button, ...] = ()
     if not all_robots and rows and robot.kind.can(kind.CLEAR):
         start = width - len(CLEAR) - 1
-        title = (
-            [*cut(title, max(0, start - 1)), (" " + CLEAR, StyleRole.KEY)]
-            if start > width_of(title)
-            else title
-        )
-        buttons = (Button(start, start + len(CLEAR), "clear"),) if title[-1][0].endswith(CLEAR) else ()
+        if width_of(title) >= start:
+            title = [run for run in title if run[1] is not StyleRole.DIM]  # the number of orders goes first
+        if start > LEAST_TITLE:
+            title = [*cut(title, start - 1), (" " + CLEAR, StyleRole.KEY)]
+            buttons = (Button(start, start + len(CLEAR), "clear"),)
     return Table(tuple(title), rows, "no orders" if all_robots and listing else _empty(robot), buttons)
 
 

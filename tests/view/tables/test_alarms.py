@@ -120,3 +120,9 @@ def test_what_is_over_stands_below_what_holds_whatever_its_priority() -> None:
 def test_alarms_that_another_one_stands_for_are_counted() -> None:
     state = reduced(fleet(3), link_lost(T0, "nothing listens there"), tick(T0 + 60))
     assert text_of(alarm_table(state, clock).title) == "Alarms 1 new 3 suppressed"
+
+
+def test_in_a_narrow_pane_the_reason_stays() -> None:
+    state = low()
+    (row,) = alarm_table(state, clock, 38).rows
+    assert text_of(row.runs) == f"▲ new  robot_0 battery 15 % {state.wall:.0f}"

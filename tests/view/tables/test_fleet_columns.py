@@ -15,6 +15,7 @@ from tests.support.fleets import R0, T0, battery, fleet, link_up, pose, reduced,
         ({"east", "west"}, {"east": "east", "west": "west"}),
         ({"hall_0"}, {"hall_0": "hall_0"}),
         ({"a_", "a_b"}, {"a_": "a_", "a_b": "b"}),
+        ({"floor_0", "floor_1", "unknown floor"}, {"floor_0": "0", "floor_1": "1", "unknown floor": "?"}),
         (set(), {}),
     ],
 )
@@ -29,6 +30,18 @@ def test_heads_begin_where_their_columns_do(width: int) -> None:
     head, row = text_of(table.head), text_of(table.rows[0].runs)
     assert head.index("Robot") == row.index("robot_0")
     assert head.index("Batt") - 1 == row.index(" 80 %") or head.index("Batt") == row.index(" 80 %")
-    assert head.index("Floor") == row.index("floor_0") or width < 54
+    assert row.startswith("floor_0" if width >= 54 else "0 ", head.index("Floor"))
     assert (Columns.of(state, width).order > 0) == (width >= 60)
     assert "State" in head
+
+
+def test_floors_keep_their_short_names_when_all_robots_are_on_one() -> None:
+    state = reduced(fleet(2, 2), link_up(T0), pose(T0))
+    assert Columns.of(state, 47).floors["floor_0"] == "0"
+
+
+def test_a_row_without_an_order_ends_with_its_state() -> None:
+    state = reduced(fleet(), link_up(T0))
+    for width in range(30, 54):
+        shown = text_of(fleet_table(state, R0, width).rows[0].runs)
+        assert shown.rstrip().endswith("never seen") and len(shown) - len(shown.rstrip()) <= 1
