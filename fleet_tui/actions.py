@@ -106,7 +106,7 @@ class PlayerActions(Protocol):
         """Skip forward or back by seconds."""
 
     def to_mark(self, step: int) -> str:
-        """Go to the next (1) or previous (-1) mark. Returns a notice if there is none."""
+        """Go to the next (1) or previous (-1) mark. Returns a notice if no such mark exists."""
 
     def step(self, ticks: int) -> None:
         """Move one tick forward (1) or back (-1), and stop there."""

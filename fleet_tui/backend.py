@@ -109,9 +109,9 @@ class LiveBackend:
         self._config, self._store, self._connect = config, store, connect
         self.links: OpenLinks | None = None
         self._map: tuple[str, str] | None = None
-        self._overhears = self._closed = False
+        self._reads_logs = self._closed = False
         self._changing = threading.Lock()
-        """Held while the links come or are told what to watch: the newest is the last that they are told."""
+        """Held while the links open or a subscription changes, so that the newest choice is applied last."""
 
     def open(self) -> None:
         """Connect."""
@@ -125,7 +125,7 @@ class LiveBackend:
                 return
             if self._map is not None:
                 links.show_map(*self._map)
-            if self._overhears:
+            if self._reads_logs:
                 links.subscribe_logs(True)
 
     @property
@@ -156,7 +156,7 @@ class LiveBackend:
     def subscribe_logs(self, on: bool) -> None:
         """Subscribe to or unsubscribe from the log and diagnostics of all robots."""
         with self._changing:
-            self._overhears = on
+            self._reads_logs = on
             if self.links is not None:
                 self.links.subscribe_logs(on)
 

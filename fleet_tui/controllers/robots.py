@@ -15,7 +15,7 @@ from fleet_tui.text.sanitize import sanitize
 
 
 class RobotRequests:
-    """From a key or a row of the fleet to a request; `why` opens the reasons why a robot stands still."""
+    """Turns a key or a row of the fleet into a request; `why` opens the reasons why a robot stands still."""
 
     def __init__(
         self,

@@ -16,7 +16,7 @@ FIRST = [
     "",
     "[rosbridge]",
 ]
-NOBODY = "# No robot topics found. Name the robots here and their topics in [profile.topics]."
+NO_ROBOTS = "# No robot topics found. Name the robots here and their topics in [profile.topics]."
 
 
 def render(
@@ -28,7 +28,7 @@ def render(
     usual = next(iter(found))
     lines += _robots(found, usual)
     if not any(one.robots for one in found.values()):
-        return "\n".join([*lines, NOBODY, "[[robots]]", 'name = "robot_0"']) + "\n"
+        return "\n".join([*lines, NO_ROBOTS, "[[robots]]", 'name = "robot_0"']) + "\n"
     for kind, one in found.items():
         lines += _profile(kind, one, "profile" if kind == usual else f"profiles.{kind}")
     return "\n".join(lines).rstrip() + "\n"

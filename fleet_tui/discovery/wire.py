@@ -194,12 +194,12 @@ class BridgeConnection:
         if isinstance(read, operations.Publish) and read.topic in self.listening:
             self.listening[read.topic].take(read.msg, at)
         elif isinstance(read, operations.Publish) and read.topic == ROSOUT:
-            self._overheard(read.msg, at)
+            self._read_log(read.msg, at)
         elif isinstance(read, operations.Fragment):
             self._fragment(read)
         return read if isinstance(read, operations.ServiceResponse) else None
 
-    def _overheard(self, msg: object, at: float) -> None:
+    def _read_log(self, msg: object, at: float) -> None:
         with suppress(WireError):
             said = log_line(msg, at)
             if about := complaint(said):

@@ -56,7 +56,7 @@ class Recorder:
 
     @property
     def problem(self) -> str:
-        """Return the reason that nothing is written now, "" if there is none."""
+        """Return the reason that nothing is written now, empty while data is written."""
         if self._writer.files.problem:
             return self._writer.files.problem
         return "data rate too high" if self._dropped else ""

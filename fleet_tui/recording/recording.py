@@ -76,7 +76,7 @@ class Recording:
 
     @property
     def note(self) -> str:
-        """Return a note on unreadable data, "" if there is none."""
+        """Return a note on unreadable data, empty if all could be read."""
         more = f" and {len(self.notes) - 1} more" if self.notes[1:] else ""
         return self.notes[0] + more if self.notes else ""
 

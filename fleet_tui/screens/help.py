@@ -73,7 +73,7 @@ class Help(Overlay):
         self._turn_to(event.name)
 
     def _list(self) -> None:
-        """Show the page, or what is found in all of them."""
+        """Show the page, or the matches in all pages."""
         wanted = self.query_one("#search", Input).value.strip()
         sections = list(self._pages[self._page])
         if wanted:

@@ -36,14 +36,15 @@ class Channel:
     sessions: set["Session"] = field(default_factory=set)
 
     def receives(self, topic: Topic, dialect: Dialect) -> bool:
-        """Tell whether this subscription receives what is published on a topic."""
+        """Tell whether this subscription receives the messages of a topic."""
         return self.type == dialect.short(topic.type) and (topic.latched or not self.demanding)
 
 
 class Channels:
     """All subscriptions of one life of the bridge, by the topic's name as it was asked for.
 
-    `topics` holds what is published and may change; `unsourced` names packages that the bridge doesn't have.
+    `topics` are those that are published, and may change; `unsourced` names packages that the bridge doesn't
+    have.
     """
 
     def __init__(self, dialect: Dialect, topics: Mapping[str, Topic], unsourced: set[str]) -> None:
@@ -99,7 +100,7 @@ class Channels:
         return FIRST + (LAST - FIRST) * (zlib.crc32(topic.name.encode()) % 100) / 100
 
     def receives(self, name: str, topic: Topic) -> bool:
-        """Tell whether clients that subscribed under this name receive what is published on a topic."""
+        """Tell whether clients that subscribed under this name receive the messages of a topic."""
         return self._channels[name].receives(topic, self._dialect)
 
     def durable(self, name: str) -> bool:

@@ -32,11 +32,11 @@ _UNSEEN: tuple[Rect, ...] = ((36.1, 21.3, 37.3, 22.3), (-1.3, -2.3, -0.6, -1.5),
 
 @dataclass(frozen=True)
 class Plan:
-    """A floor as a draughtsman gives it. Vertices are crossings of aisles, numbered row by row from the
+    """The plan of a floor. Vertices are crossings of aisles, numbered row by row from the
     south west; `closed` lists neighbours without a way between them.
 
-    `blocks` is what stands between the aisles, the northern row first: `r` racks, `p` pallets,
-    `o` an office, `d` a closed room that nobody mapped, `.` nothing.
+    `blocks` are the objects between the aisles, the northern row first: `r` racks, `p` pallets,
+    `o` an office, `d` a closed room that is not mapped, `.` nothing.
     """
 
     columns: tuple[float, ...]

@@ -25,12 +25,11 @@ Message = dict[str, Any]
 
 @dataclass(frozen=True)
 class Topic:
-    """A topic: `payload` makes what is published now from the wall time in seconds since 1970.
+    """A topic: `payload` makes its current message from the wall time in seconds since 1970.
 
-    `robot` is whose telemetry it is: published at the server's rate where `fast`, else twice a second, or
-    only at every so many of those `turns`. `due` tells whether there is anything to say now.
-    Latched topics are said once to every subscriber:
-    what `history` has, or where that is None `payload`.
+    `robot` is the robot whose telemetry it is: published at the server's rate if `fast`, else twice a second,
+    divided by `turns`. `due` tells whether there is a message now. Latched topics are sent once to every
+    subscriber: the messages of `history`, or if that is None `payload`.
     """
 
     name: str

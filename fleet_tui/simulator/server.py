@@ -36,7 +36,7 @@ _LOG.addHandler(logging.NullHandler())
 class RosbridgeServer:
     """A rosbridge server in front of one or more fleets, which it steps `rate` times a second.
 
-    A World alone stands for the fleet of its robots. `speed`: seconds of world time in a second; the rates
+    A World alone is served as the fleet of its robots. `speed`: seconds of world time in a second; the rates
     on the wire stay as they are. Port 0 takes a free one. `subscribe_delay`: seconds every subscribe takes
     (the real bridge needs 0.02).
     The attributes without an underscore are for tests: to read and to change.

@@ -32,9 +32,9 @@ class SitedBridge:
 
 
 def site_of(kind: str, robots: int, ros: str = "", first: int = 0) -> Sequence[SitedBridge]:
-    """The bridges of a site with so many robots, those on ROS 1 first.
+    """The bridges of a site with this number of robots, those on ROS 1 first.
 
-    `ros`: the generation of ROS, empty: the one that is usual for the kind; `first`: the number in the first
+    `ros`: the generation of ROS, empty for the usual one of the kind; `first`: the number in the first
     robot's name. In a mixed fleet the kinds take turns.
     """
     if kind != MIXED:

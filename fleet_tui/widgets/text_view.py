@@ -29,7 +29,7 @@ class TextView(RunsView):
         self.draw()
 
     def scroll_pages(self, step: int) -> None:
-        """Scroll up or down by what is visible."""
+        """Scroll up or down by the visible lines."""
         self.scroll_lines(step * self.size.height)
 
     def draw(self) -> None:

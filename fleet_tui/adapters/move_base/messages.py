@@ -8,7 +8,7 @@ from fleet_tui.adapters.ros.messages import PoseStamped, Stamp
 
 
 class ActionlibGoalId(msgspec.Struct, frozen=True):
-    """actionlib_msgs/GoalID. An empty id stands for all goals."""
+    """actionlib_msgs/GoalID. An empty id means all goals."""
 
     id: str
     stamp: Stamp = Stamp()

@@ -49,8 +49,8 @@ def _end(number: int, _frame: object) -> None:
 
 def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> How:
     """Return the settings for commands from the config and the options."""
-    rights = Permissions(config.operator.read_only, config.operator.armed)
-    return How(rights, timeout, yes, until_done)
+    permissions = Permissions(config.operator.read_only, config.operator.armed)
+    return How(permissions, timeout, yes, until_done)
 
 
 def forbidden(config: Config) -> str:

@@ -40,7 +40,7 @@ class How:
     """Options for commands. `timeout`: maximum seconds to wait for all results of a line; `yes`: warnings
     don't hold it back; `until_done`: an order is done when it was driven."""
 
-    rights: Permissions
+    permissions: Permissions
     timeout: float
     yes: bool = False
     until_done: bool = False
@@ -163,7 +163,7 @@ class Sending:
         self.begin()
 
     def _problems(self, request: Request) -> list[Problem]:
-        found = [*problems(self.state, request, self._how.rights), *_losses(self.state, request)]
+        found = [*problems(self.state, request, self._how.permissions), *_losses(self.state, request)]
         if not self._how.until_done:
             found += _unattended(self.state, request)
         asked = [command for command in request.commands if not isinstance(command, PauseRobot | ResumeRobot)]
@@ -217,7 +217,7 @@ class Sending:
             links = {name: state.links[state.robots[name].link] for name in waiting}
             return [name for name, link in links.items() if link.commands_connected]
 
-        if self._how.rights.read_only or not self.store.wait(connected, seconds):
+        if self._how.permissions.read_only or not self.store.wait(connected, seconds):
             return waiting
         return connected(self.state)
 
@@ -239,7 +239,7 @@ class Sending:
 
     def _with_link(self, outcome: Outcome, record: CommandRecord) -> Outcome:
         """Return the exit code of no link, if that is the reason it was not sent."""
-        if record.stage is not Stage.NOT_SENT or self._how.rights.read_only:
+        if record.stage is not Stage.NOT_SENT or self._how.permissions.read_only:
             return outcome
         link = self.state.links[self.state.robots[record.command.robot].link]
         if link.commands_connected and link.command_path is not CommandPath.DEAD:

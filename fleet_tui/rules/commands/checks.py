@@ -39,7 +39,7 @@ SAME_WITHIN = 1.0
 Check = Callable[[FleetState, Robot, Command], Iterator[Problem]]
 
 
-def rights(allowed: Permissions) -> Iterator[Problem]:
+def permitted(allowed: Permissions) -> Iterator[Problem]:
     """Check that this console may send commands."""
     if allowed.read_only:
         yield Problem("read-only", "this console is read-only")
@@ -209,7 +209,7 @@ def problems(state: FleetState, request: Request, allowed: Permissions) -> list[
         return impossible
     if all(isinstance(command, PauseRobot) for command in request.commands):
         return []
-    found = list(rights(allowed))
+    found = list(permitted(allowed))
     asked: set[str] = set()
     for command in request.commands:
         robot = state.robots.get(command.robot)

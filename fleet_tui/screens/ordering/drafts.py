@@ -1,4 +1,4 @@
-"""The draft of an order in the form: what it would be if Enter took the marked match."""
+"""The draft of an order in the form, as if Enter took the marked match."""
 
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, may_skip_start

@@ -146,7 +146,7 @@ class OrderForm(Overlay):
             self._list()
 
     def _choice(self) -> Place | str | None:
-        """Return the choice for Enter, None after showing an error if there is none."""
+        """Return the choice for Enter, None after showing an error if no choice fits."""
         # The last letters may not have been listed yet: update before choosing.
         field = self._fields.current
         typed = self._fields[field].typed

@@ -74,7 +74,7 @@ class Outbox:
             subscription.sent(now)
 
     def take(self, now: float) -> Frame | None:
-        """The next frame to send now, None if there is none yet."""
+        """The next frame to send now, None if none is due."""
         while self._due and self._due[0][0] <= now + SLACK:
             subscription = heapq.heappop(self._due)[2]
             if not subscription.waiting:  # unsubscribed meanwhile

@@ -1,6 +1,6 @@
-"""One connected client: reads its operations, keeps its subscriptions, writes what is due to it.
+"""One connected client: reads its operations, keeps its subscriptions, writes the frames that are due.
 
-As on the real bridge the client is told nothing about an operation that makes no sense.
+As on the real bridge the client gets no reply to an invalid operation.
 """
 
 import asyncio

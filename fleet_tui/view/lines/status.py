@@ -12,7 +12,7 @@ from fleet_tui.view.tables.table import Run
 
 # A link with a message within this many seconds is well.
 SILENT_AFTER = 2.0
-# Without a first connection for so many seconds there is no link; before, the console is connecting.
+# Seconds without a first connection after which there is no link; until then the console is connecting.
 STARTING = 2.0
 # The writer ticks ten times a second. Without ticks, ages stop and everything looks live.
 BLIND_AFTER = 2.0

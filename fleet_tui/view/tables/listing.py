@@ -90,7 +90,7 @@ class Listing:
         return self._top + y - self._first - self._place
 
     def button_at(self, x: int, y: int) -> str:
-        """Return the name of the button in cell (x, y), empty if there is none: in the title, or in the
+        """Return the name of the button in cell (x, y), empty for no button: in the title, or in the
         cursor's row."""
         if y == 0:
             return _pressed(self._table.title_buttons, x - 2)

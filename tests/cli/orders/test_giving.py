@@ -39,7 +39,7 @@ class Said:
 def test_a_console_that_may_not_says_which_line_forbids_it(operator: Operator, words: str) -> None:
     config = replace(CONFIG, operator=operator)
     assert forbidden(config).startswith(words) and bool(forbidden(config)) is bool(words)
-    assert how(config, 3.0, True).rights == Permissions(operator.read_only, operator.armed)
+    assert how(config, 3.0, True).permissions == Permissions(operator.read_only, operator.armed)
 
 
 def test_a_word_means_one_robot_or_all() -> None:

@@ -49,11 +49,11 @@ class InstantLink:
 
 
 def sending(
-    state: FleetState, *ends: tuple[Stage, ...], yes: bool = False, rights: Permissions | None = None
+    state: FleetState, *ends: tuple[Stage, ...], yes: bool = False, permissions: Permissions | None = None
 ) -> tuple[Sending, InstantLink]:
     store = WaitingStore(state)
     link = InstantLink(store, *ends)
-    return Sending(cast("FleetLink", link), store, How(rights or Permissions(), 0.1, yes)), link
+    return Sending(cast("FleetLink", link), store, How(permissions or Permissions(), 0.1, yes)), link
 
 
 GOOD, BAD = (Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED), (Stage.SENT, Stage.REFUSED)

@@ -106,8 +106,8 @@ def test_a_pause_is_never_held_back() -> None:
 
 
 def test_a_console_that_may_not_sends_nothing() -> None:
-    for rights, name in ((Permissions(read_only=True), "read-only"), (Permissions(armed=False), "not armed")):
-        first = problems(ready(), Request((ORDER,)), rights)[0]
+    for allowed, name in ((Permissions(read_only=True), "read-only"), (Permissions(armed=False), "not armed")):
+        first = problems(ready(), Request((ORDER,)), allowed)[0]
         assert (first.check, first.blocks) == (name, True)
 
 

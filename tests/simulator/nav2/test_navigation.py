@@ -20,7 +20,7 @@ from fleet_tui.simulator.ros.goals import (
     ServedGoal,
 )
 
-NOBODY = bytes(16)
+NO_ROBOTS = bytes(16)
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
 
 
@@ -118,7 +118,7 @@ def test_cancelled_waypoints_cancel_their_leg() -> None:
     tour = given_to(navigation, WAYPOINTS, waypoints(FAR, NEAR))
     it.step(2.0)
     (leg,) = navigation.servers[TO_POSE].running
-    navigation.servers[WAYPOINTS].cancel(NOBODY, 0)
+    navigation.servers[WAYPOINTS].cancel(NO_ROBOTS, 0)
     it.step(0.2)
     assert (tour.status, leg.status) == (CANCELED, CANCELED)
     assert not navigation.robot.driving
@@ -192,7 +192,7 @@ def test_whatever_is_asked_goals_only_get_on(deeds: list[tuple[str, str, Any]]) 
         if deed == "wait":
             it.step(what)
         elif deed == "cancel":
-            navigation.servers[verb].cancel(NOBODY, 0 if what else 10**18)
+            navigation.servers[verb].cancel(NO_ROBOTS, 0 if what else 10**18)
         elif verb == TO_POSE:
             navigation.give(*(what[0] if what else NEAR))
         else:

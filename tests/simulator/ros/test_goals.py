@@ -16,7 +16,7 @@ from fleet_tui.simulator.ros.goals import (
     ServedGoal,
 )
 
-NOBODY = bytes(16)
+NO_ROBOTS = bytes(16)
 
 
 class TestCancelGoal:
@@ -30,9 +30,9 @@ class TestCancelGoal:
     @pytest.mark.parametrize(
         ("id_", "stamp", "meant"),
         [
-            (NOBODY, 0, [1, 2, 3]),
-            (NOBODY, 20, [1, 2]),
-            (NOBODY, 5, []),
+            (NO_ROBOTS, 0, [1, 2, 3]),
+            (NO_ROBOTS, 20, [1, 2]),
+            (NO_ROBOTS, 5, []),
             (bytes([2] * 16), 0, [2]),
             (bytes([3] * 16), 10, [1, 3]),
             (bytes([9] * 16), 10, [1]),
