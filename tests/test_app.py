@@ -32,7 +32,7 @@ async def pilot(monkeypatch: pytest.MonkeyPatch) -> AsyncIterator[Pilot[None]]:
 
 
 def marked(pilot: Pilot[None], by: str) -> list[str]:
-    """What stands in reverse or is underlined, run by run."""
+    """The runs in reverse or underlined."""
     found = []
     for row in shown(terminal_of(pilot.app)):
         looks = [{"reverse": reverse, "underline": underline} for *_, reverse, underline in row]

@@ -1,4 +1,4 @@
-"""What every kind's feeds have in common: whose they are, and which come only on demand."""
+"""The feeds of every kind: their robots, and those that come only on demand."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What an answer to a call tells of a command, in words that robots and bridges have for it."""
+"""The outcome of a command by the answer to its call, in the texts of robots and bridges."""
 
 import json
 

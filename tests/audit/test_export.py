@@ -1,4 +1,4 @@
-"""What a spreadsheet gets of the records: no formula, nothing lost, only for its owner."""
+"""Records in a spreadsheet: no formula, nothing lost, readable only by the owner."""
 
 import csv
 import io

@@ -36,7 +36,7 @@ def writer(path: Path, name: str, first: int, count: int, size: int, limit: int)
 
 
 def numbers(path: Path, name: str) -> list[int]:
-    """What one writer wrote, in the sequence of the files."""
+    """The lines of one writer, in the sequence of the files."""
     records = list(AuditReader(path).newest_first())[::-1]
     return [int(one.change) for one in records if one.operator == name]
 

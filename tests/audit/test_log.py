@@ -1,4 +1,4 @@
-"""What is written of commands, alarms and the console, and when."""
+"""Lines of the audit log on commands, alarms and the console, and their times."""
 
 import gc
 import os

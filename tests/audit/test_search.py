@@ -1,4 +1,4 @@
-"""What an operator types to find records, and what a spreadsheet gets of them."""
+"""Typed searches for records, and their export to a spreadsheet."""
 
 from datetime import UTC, datetime, timedelta
 

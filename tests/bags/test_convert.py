@@ -35,7 +35,7 @@ def stamp(at: float) -> float:
 
 
 def as_told() -> list[tuple[float, events.Event]]:
-    """What the night means: seconds from the beginning, and the facts."""
+    """The events of the night, with seconds from the beginning."""
     frame = MapFrame(0.5, 3, 2, Pose(0.0, 0.0, 0.0))
     cells = np.array([0, 100, -1, 0, 50, 0], np.int8).tobytes()
     vertices = {"1": Vertex("1", 1.0, 2.0), "2": Vertex("2", 3.0, 4.0, Role.DOCKING, "charger")}

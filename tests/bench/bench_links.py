@@ -51,7 +51,7 @@ def measured(terminal: Terminal) -> tuple[float, float, float, list[float]]:
 
 
 def stopped(servers: list[subprocess.Popen[bytes]], files: list[Path]) -> int:
-    """How many messages the servers have sent, all of them on their way by now."""
+    """The number of messages that the servers have sent, all of them on their way by now."""
     for server in servers:
         assert server.stdin is not None
         server.stdin.close()

@@ -111,7 +111,7 @@ def tick_times(grid: OccupancyGrid) -> None:
 
 
 def walls_lost(cases: int = 3300) -> tuple[int, int]:
-    """How many of that many one-pixel walls, at random zooms and offsets, are not drawn within a dot."""
+    """The number of one-pixel walls, at random zooms and offsets, that are not drawn within a dot."""
     rng = random.Random(7)
     lost = total = 0
     while total < cases:

@@ -93,7 +93,7 @@ def poses() -> None:
 
 
 def beats() -> None:
-    """How late the screen's loop is, and how wide the map is that it shows."""
+    """The lateness of the screen's loop, and the width of the map that it shows."""
 
     def started(app: FleetApp) -> None:
         app.run_worker(beat())
@@ -119,7 +119,7 @@ def beats() -> None:
 
 
 def tasks() -> None:
-    """How many tasks the screen's loop has, once a second."""
+    """The number of tasks of the screen's loop, once a second."""
 
     async def count() -> None:
         while True:
@@ -130,7 +130,7 @@ def tasks() -> None:
 
 
 def counts() -> None:
-    """How many messages of topics were applied, and how many passed over or not understood."""
+    """The numbers of topic messages that were applied, dropped and rejected."""
     from fleet_tui.client.fleet_link import FleetLink
 
     def closed(link: FleetLink) -> None:

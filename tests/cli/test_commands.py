@@ -19,7 +19,7 @@ def invoked(*args: str) -> Result:
 
 @pytest.fixture
 def passed(monkeypatch: pytest.MonkeyPatch) -> list[tuple[Any, ...]]:
-    """What each command is run with."""
+    """The arguments of each command."""
     found: list[tuple[Any, ...]] = []
 
     def run(*arguments: Any) -> int:

@@ -1,4 +1,4 @@
-"""What is typed on a command line, or stands in a file, is echoed as visible text and never as itself."""
+"""Echoes of command lines and files: control characters appear as visible text."""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""What a command without a screen waits for."""
+"""The conditions that a command without a screen waits for."""
 
 import math
 

@@ -37,7 +37,7 @@ def quick(site: Site, **limits: float) -> Config:
 
 
 def alarmed(kind: str, text: str = "") -> Holds:
-    """There is an alarm of a kind with a text."""
+    """Tell whether an alarm of a kind with a text exists."""
     return lambda state: [one for one in state.alarms if one.key == (R0, kind) and text in one.condition.text]
 
 

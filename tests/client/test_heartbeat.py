@@ -1,4 +1,4 @@
-"""Whether commands would get through, as the console finds out on a real loopback server."""
+"""The command path, as the console tests it on a real loopback server."""
 
 import pytest
 

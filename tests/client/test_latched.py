@@ -101,7 +101,7 @@ def asked_for(server: RosbridgeServer, op: str, topic: str) -> int:
 
 
 def asked_with_qos(server: RosbridgeServer) -> list[bool]:
-    """Whether each subscription of a graph, one after the other, asked for a QoS."""
+    """Tell for each subscription of a graph, in sequence, whether it asked for a QoS."""
     return [
         "qos" in one for one in server.bridge.received if one["op"] == "subscribe" and "graph" in one["topic"]
     ]

@@ -104,5 +104,5 @@ async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(
 
 
 def asked_for_type(server: RosbridgeServer) -> int:
-    """How often the type of a service was asked for."""
+    """The number of requests for the type of a service."""
     return sum(one.get("service") == "/rosapi/service_type" for one in server.bridge.received)

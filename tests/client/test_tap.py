@@ -1,4 +1,4 @@
-"""What a recorder hears: every frame in both directions, and every fact that no frame brought."""
+"""Taps: every frame in both directions, and every event without a frame."""
 
 import json
 

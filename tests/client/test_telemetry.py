@@ -1,4 +1,4 @@
-"""What the counters of a link say of a real server: rates, losses, bad data, the robots' log."""
+"""Counters of a link with a real server: rates, losses, bad data, the robots' log."""
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.model.link import CommandPath, Phase

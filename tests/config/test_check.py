@@ -1,4 +1,4 @@
-"""What only the whole configuration shows: names that don't meet, topics that can't be told apart."""
+"""Checks of the whole configuration: names without a match, topics that cannot be distinguished."""
 
 from pathlib import Path
 

@@ -21,7 +21,7 @@ def starting(far: LinkState = STARTING) -> FleetState:
 
 
 class Given:
-    """Where held requests go."""
+    """The destination of held requests."""
 
     def __init__(self) -> None:
         self.commands: list[Command] = []

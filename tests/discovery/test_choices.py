@@ -1,4 +1,4 @@
-"""What is not certain is data: it can be chosen, and the configuration follows."""
+"""Uncertain results of discovery: each is a choice, and the configuration follows it."""
 
 import tomllib
 from typing import Any

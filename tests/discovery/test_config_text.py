@@ -1,4 +1,4 @@
-"""What was found as the text of a configuration that passes the check."""
+"""Results of discovery as the text of a configuration that passes the check."""
 
 import tomllib
 

@@ -1,4 +1,4 @@
-"""What a bridge lists, recognised: however much that is, and whatever it is called."""
+"""Recognition of robots in the lists of a bridge, of any length and with any names."""
 
 import time
 

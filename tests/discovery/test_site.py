@@ -29,7 +29,7 @@ async def serving(kind: str, robots: int, floors: int) -> AsyncIterator[Rosbridg
 
 
 def only_asked(server: RosbridgeServer) -> bool:
-    """Whether nothing came but subscriptions and questions."""
+    """Tell whether only subscriptions and questions arrived."""
     calls = [one["service"] for one in server.bridge.received if one["op"] == "call_service"]
     return {one["op"] for one in server.bridge.received} <= HARMLESS and all(
         service.startswith("/rosapi/") for service in calls

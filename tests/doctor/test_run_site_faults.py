@@ -62,7 +62,7 @@ def promised() -> dict[str, tuple[str, str]]:
 
 
 async def complaint(config: Config, within: float = TIMEOUT) -> tuple[str, int]:
-    """What the doctor says first that is not ok, and its exit code."""
+    """The doctor's first finding that is not ok, and its exit code."""
     said = list[str]()
     code = await asyncio.to_thread(doctor, config, within, True, said.append)
     report: dict[str, Any] = json.loads("".join(said))

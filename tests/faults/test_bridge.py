@@ -1,4 +1,4 @@
-"""What a bridge of ROS 1 lacks while it answers, and a console that does not keep up."""
+"""Faults of a ROS 1 bridge that answers, and a console that does not keep up."""
 
 import time
 

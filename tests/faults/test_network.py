@@ -1,4 +1,4 @@
-"""What a network does, and servers that are not what was expected."""
+"""Network faults, and unexpected servers."""
 
 import asyncio
 import socket

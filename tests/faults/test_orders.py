@@ -1,4 +1,4 @@
-"""What becomes of a command after it left: each end is told, also one that nobody here asked for."""
+"""Outcomes of sent commands: each end is reported, also an end caused by another client."""
 
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState

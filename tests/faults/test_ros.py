@@ -1,4 +1,4 @@
-"""What robots, their master and their bridge do behind a connection that stands."""
+"""Faults of robots, their master and their bridge behind an open connection."""
 
 import time
 from types import SimpleNamespace

@@ -1,4 +1,4 @@
-"""What a bridge of ROS 2 does to those who ask it as they would ask one of ROS 1."""
+"""Behaviour of a ROS 2 bridge towards clients that expect ROS 1."""
 
 from collections.abc import AsyncIterator
 
@@ -31,7 +31,7 @@ async def server() -> AsyncIterator[RosbridgeServer]:
 
 
 def stages(state: FleetState) -> set[Stage]:
-    """Where the newest command has been."""
+    """The stages of the newest command."""
     return {step.stage for step in state.commands[-1].steps}
 
 

@@ -151,7 +151,7 @@ async def test_no_output_holds_a_secret(tmp_path: Path, mode: int) -> None:
 
 
 def _unpacked(path: Path) -> Iterator[bytes]:
-    """What is in a recording, also where it is not readable at once."""
+    """The content of a recording, compressed and encoded parts included."""
     for record in open_recording(path).records():
         yield repr(record).encode() + (record.state if isinstance(record, Keyframe) else b"")
     with gzip.open(path) as file:

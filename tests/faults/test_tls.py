@@ -35,7 +35,7 @@ def secured(url: str, **how: object) -> Config:
 
 
 async def seen(server: RosbridgeServer, tls: ssl.SSLContext, words: str, name: str, **how: object) -> None:
-    """Why a server that shows `tls` is not spoken to."""
+    """The reason for rejecting a server with this `tls`."""
     async with before(server.url, tls) as proxy, linked(secured(proxy.url, **how)) as (_, store):
         noticed = await Stopwatch(store).until(lost(words))
     report(f"TLS: {name}", "the server presents it", words, noticed, None)

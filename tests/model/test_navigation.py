@@ -1,4 +1,4 @@
-"""What navigating robots say of themselves, in words."""
+"""Reports of navigating robots as text."""
 
 import pytest
 

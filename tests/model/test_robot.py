@@ -1,4 +1,4 @@
-"""What is known of one robot: names of vertices, its queue, its faults."""
+"""The values of one robot: names of vertices, its queue, its faults."""
 
 from fleet_tui.model.graph import RouteGraph, Vertex
 from fleet_tui.model.robot import Robot, RobotMap, with_fault

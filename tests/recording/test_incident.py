@@ -1,4 +1,4 @@
-"""What is in an incident's archive, and what is said of what could not be had."""
+"""The content of an incident's archive, and its notes on missing parts."""
 
 import asyncio
 import os

@@ -11,7 +11,7 @@ from fleet_tui.recording.part_file import PartFile
 
 
 def readable(path: Path) -> bytes:
-    """What a reader gets of a file that is being written."""
+    """The content of a file that is being written, as a reader sees it."""
     unpack, content = zlib.decompressobj(wbits=31), path.read_bytes()
     found = unpack.decompress(content)
     while unpack.eof and unpack.unused_data:

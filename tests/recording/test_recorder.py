@@ -1,4 +1,4 @@
-"""What the recorder leaves: the same picture at every instant, whatever the disk does meanwhile."""
+"""Recordings: the same picture at every instant, whatever the disk does meanwhile."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""What is written is what is read, to the last bit, whatever it is."""
+"""Records read back as written, to the last bit."""
 
 import math
 from functools import partial

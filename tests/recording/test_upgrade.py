@@ -37,7 +37,7 @@ MEANING: dict[str, Any] = json.loads(gzip.decompress((FILES / "meaning.json.gz")
 
 
 def shown(state: FleetState) -> dict[str, Any]:
-    """What an operator is shown of a state, rows without the padding and the commas of their columns."""
+    """The rows that an operator sees of a state, without the padding and the commas of their columns."""
     rows = [text_of(row.runs) for row in queue_table(state, "robot_0", True, 100).rows]
     rows = [" ".join(row.replace(",", "").split()) for row in rows]
     commands = [

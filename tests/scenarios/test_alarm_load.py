@@ -1,4 +1,4 @@
-"""How many alarms a fleet without faults raises: ISA-18.2 asks for about one in ten minutes."""
+"""The number of alarms of a fleet without faults: ISA-18.2 asks for about one in ten minutes."""
 
 from collections import Counter
 from pathlib import Path

@@ -11,7 +11,7 @@ TASKS = ("Send an order", "Stop a robot", "See what is wrong", "Look around on t
 
 
 def shown(it: Console) -> str:
-    """What stands in the open help."""
+    """The text of the open help."""
     return it.pane("help-text")
 
 

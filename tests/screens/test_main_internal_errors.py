@@ -32,7 +32,7 @@ def broken(left: list[None], real: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def logged(caplog: pytest.LogCaptureFixture) -> list[str]:
-    """What the console says of its own faults."""
+    """The console's message on its own faults."""
     return [
         f"{record.getMessage()}: {record.exc_info[1]}"
         for record in caplog.records

@@ -40,7 +40,7 @@ def alone(state: FleetState, name: str) -> FleetState:
 
 
 def words(table: Table, robot: str) -> list[list[str]]:
-    """What the rows of a robot read as, however wide the columns are."""
+    """The text of a robot's rows, whatever the width of the columns."""
     found = [
         row for row in table.rows if row.key == robot or (isinstance(row.key, tuple) and row.key[0] == robot)
     ]

@@ -1,4 +1,4 @@
-"""What any client may do with the bridge beside watching robots, on ROS 1."""
+"""Operations of any client of the bridge besides watching robots, on ROS 1."""
 
 from typing import Any
 

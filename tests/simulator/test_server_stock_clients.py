@@ -61,7 +61,7 @@ def messages(dialect: Dialect) -> dict[str, Json]:
 
 
 async def asked_by(client: list[str], dialect: Dialect) -> Json:
-    """What a stock client got, as its program prints it."""
+    """The messages of a stock client, as its program prints them."""
     server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0, dialect=dialect)
     await server.start()
     server.bridge.started -= 10.0

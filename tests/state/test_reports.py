@@ -1,4 +1,4 @@
-"""What is known of one robot, and how old it is: late must not look new, a wrong clock must not look late."""
+"""The values of one robot and their ages: late ones never look new, and a wrong clock makes none late."""
 
 import pytest
 from hypothesis import given

@@ -1,4 +1,4 @@
-"""Where a robot is, and what follows from it."""
+"""The position of a robot, and its consequences."""
 
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState, Floor

@@ -14,7 +14,7 @@ from tests.support.fleets import R0, T0, tick
 
 
 def facts(adapter: Adapter, feed: Feed, message: object, at: float) -> list[Event]:
-    """What the link makes of a message: its facts, or that it is rejected."""
+    """The events that the link makes from a message, or its rejection."""
     try:
         operation = decode(msgspec.json.encode({"op": "publish", "topic": feed.address, "msg": message}))
         assert isinstance(operation, Publish)

@@ -2,7 +2,7 @@
 
 
 class Connection:
-    """What rosbags says of a connection, as far as it matters here."""
+    """The relevant fields of a connection, as rosbags reports it."""
 
     def __init__(self, msgtype: str, text: str, form: str = "MSG") -> None:
         from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat

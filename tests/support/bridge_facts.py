@@ -47,5 +47,5 @@ def with_rosapi(facts: BridgeFacts, **changes: Any) -> BridgeFacts:
 
 
 def without(named: Mapping[str, Any], *ends: str) -> dict[str, Any]:
-    """What is left of a mapping without the names with such ends."""
+    """The mapping without the names with these endings."""
     return {name: value for name, value in named.items() if not name.endswith(ends)}

@@ -5,7 +5,7 @@ from tests.support.proxied_link import Holds
 
 
 def raised(kind: str) -> Holds:
-    """There is an alarm of this kind that holds."""
+    """Tell whether an alarm of this kind is active."""
     return lambda state: any(alarm.condition.kind == kind and alarm.holds for alarm in state.alarms)
 
 

@@ -86,11 +86,11 @@ class Browser:
         await self.call("Page.navigate", url=url)
 
     async def text(self) -> str:
-        """What the terminal in the page shows."""
+        """The text of the terminal in the page."""
         return str(await self.evaluate(_TEXT))
 
     async def notice(self) -> str:
-        """What the page says over it."""
+        """The message of the page over the terminal."""
         bar = "document.getElementById('notice')"
         return str(await self.evaluate(f"{bar}.hidden ? '' : {bar}.innerText"))
 

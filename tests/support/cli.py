@@ -17,7 +17,7 @@ ROBOT = '[[robots]]\nname = "{}"\n'
 
 @dataclass(frozen=True)
 class Ended:
-    """How a command ended."""
+    """The end of a command."""
 
     code: int
     out: str
@@ -77,7 +77,7 @@ def asked(server: RosbridgeServer) -> list[str]:
 
 
 def audited(folder: Path) -> list[str]:
-    """What the audit log has of commands: robot, command, stage."""
+    """The commands in the audit log: robot, command, stage."""
     lines = (folder / "fleet-tui" / "audit.jsonl").read_text().splitlines()
     records = [json.loads(line) for line in lines]
     return [

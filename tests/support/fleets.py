@@ -124,7 +124,7 @@ def recording(name: str) -> list[dict[str, Any]]:
 
 
 def text_of(runs: Iterable[Run]) -> str:
-    """What runs read as."""
+    """The text of runs."""
     return "".join(text for text, _ in runs)
 
 

@@ -62,7 +62,7 @@ class Terminal:
         return at
 
     def text(self) -> str:
-        """What the terminal shows."""
+        """The text on the terminal."""
         until = len(self.chunks)
         for _, data in self.chunks[self._played : until]:
             self._stream.feed(data)

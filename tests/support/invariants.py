@@ -1,4 +1,4 @@
-"""What no fault may cost: a link that is watched, and after the fault one look at everything."""
+"""Invariants that no fault may break, checked on a watched link during and after the fault."""
 
 import json
 import tempfile

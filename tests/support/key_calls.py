@@ -23,7 +23,7 @@ class Calls:
 
 
 def calls(keys: Iterable[Key[Any]]) -> dict[str, str]:
-    """What each key does, by its id: one call."""
+    """The action of each key, by its id: one call."""
     return dict(_calls(keys))
 
 

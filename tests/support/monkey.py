@@ -79,7 +79,7 @@ def moves(chance: random.Random) -> Iterator[str | tuple[int, int]]:
 
 
 def play(running: InTerminal, seconds: float, seed: int) -> int:
-    """How many moves it took. Raises AssertionError at a fault of the console's own."""
+    """The number of moves that it took. Raises AssertionError at a fault of the console's own."""
     log = running.home / "state" / "fleet-tui" / "fleet-tui.log"
     end, done = time.monotonic() + seconds, 0
     for move in moves(random.Random(seed)):

@@ -52,7 +52,7 @@ async def until(client: ClientConnection, wanted: Callable[[Json], object]) -> J
 
 
 async def result(client: ClientConnection, id_: str) -> Json:
-    """How a goal of this client's ended."""
+    """The end of a goal of this client."""
     return await until(client, lambda frame: frame["op"] == "action_result" and frame["id"] == id_)
 
 

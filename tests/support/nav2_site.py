@@ -68,7 +68,7 @@ async def nav2_site(
 
 
 def keeping(folder: Path | None = None, name: str = "ana") -> QueueFile:
-    """Where a console keeps orders."""
+    """The folder in which a console keeps orders."""
     return QueueFile(folder, name)
 
 

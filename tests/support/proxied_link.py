@@ -63,14 +63,14 @@ async def through(
 
 
 def lost(reason: str = "") -> Holds:
-    """There is no link, for this reason."""
+    """Tell whether the link is down for this reason."""
     return lambda state: (
         state.links["rosbridge"].phase is Phase.WAITING and reason in state.links["rosbridge"].reason
     )
 
 
 def fresh(robots: int = 2) -> Holds:
-    """There is a link, commands would get through, and every robot has spoken since it is back."""
+    """Tell whether the link and its command path are up, and every robot has reported since."""
 
     def holds(state: FleetState) -> bool:
         link = state.links["rosbridge"]

@@ -4,5 +4,5 @@ from tests.support.transcripts import ours
 
 
 def theirs(text: str) -> str:
-    """What the recording's client sent, in our names."""
+    """The operations of the recording's client, in our names."""
     return ours(text).replace("/upper", "/floor_1")

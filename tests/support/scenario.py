@@ -1,4 +1,4 @@
-"""What the scenarios share: a console with short patience, and what became of its commands."""
+"""Support for the scenarios: a console with short time limits, and the outcomes of its commands."""
 
 from typing import Any
 
@@ -59,7 +59,7 @@ def stages(record: CommandRecord) -> list[Stage]:
 
 
 def is_up(state: FleetState) -> bool:
-    """Whether telemetry and commands get through."""
+    """Tell whether telemetry and commands get through."""
     return all(
         link.phase is Phase.UP and link.command_path is CommandPath.ALIVE for link in state.links.values()
     )

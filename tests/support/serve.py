@@ -57,7 +57,7 @@ class Serving:
 
 
 class Page:
-    """What a tab shows."""
+    """The text of a tab."""
 
     def __init__(self, socket: ClientConnection) -> None:
         self.socket = socket
@@ -95,7 +95,7 @@ class Page:
 
 
 def _lives(process: int) -> bool:
-    """Whether it runs. The system may take its time to bury it."""
+    """Tell whether it runs. The system may take a while to remove it."""
     try:
         return b"\nState:\tZ" not in about(process, "status")
     except (FileNotFoundError, ProcessLookupError):
@@ -103,7 +103,7 @@ def _lives(process: int) -> bool:
 
 
 def about(process: int, what: str) -> bytes:
-    """What the system knows of a process."""
+    """The system's data on a process."""
     return Path(f"/proc/{process}/{what}").read_bytes()
 
 

@@ -1,4 +1,4 @@
-"""What an operator reads: the top line, the fleet, the alarms, the line of commands, what needs attention."""
+"""The text that an operator reads: top line, fleet, alarms, the line of commands, what needs attention."""
 
 from fleet_tui.cli.status.status import table
 from fleet_tui.model.fleet import FleetState

@@ -257,7 +257,7 @@ def _overloaded(server: RosbridgeServer) -> None:
 
 
 def _volatile(server: RosbridgeServer) -> None:
-    """What floors need is not latched, and published every half a second."""
+    """The topics of floors are not latched, and are published twice a second."""
     names = [name for name, topic in server.bridge.topics.items() if "/floor_" in name]
     server.bridge.topics |= {name: replace(server.bridge.topics[name], latched=False) for name in names}
     age = 0.0

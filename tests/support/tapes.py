@@ -22,7 +22,7 @@ ORIGIN = Origin("ana", "here:1", "r")
 
 
 def recording_of(path: Path, config: Config, records: list[Record]) -> Recording:
-    """What was kept, as a file; a member for each keyframe."""
+    """The records as a file, with a gzip member for each keyframe."""
     members: list[list[Record]] = [[header(config, at=records[0].at)]]
     for record in records:
         if isinstance(record, Keyframe):

@@ -67,13 +67,13 @@ def terminal_of(app: App[None]) -> PlayedDriver:
 
 
 def paint(app: App[None], *changed: Widget) -> None:
-    """What Textual does 60 times a second, without the wait."""
+    """One of Textual's 60 updates a second, without the wait."""
     app.screen._dirty_widgets.update(changed)
     app.screen._on_timer_update()
 
 
 def shown(terminal: PlayedDriver) -> list[list[Cell]]:
-    """What the terminal shows, row by row."""
+    """The text on the terminal, row by row."""
     screen = terminal.screen
     return [
         [
@@ -85,7 +85,7 @@ def shown(terminal: PlayedDriver) -> list[list[Cell]]:
 
 
 def intended(app: App[None]) -> list[list[Cell]]:
-    """What Textual means to show."""
+    """The picture that Textual intends."""
     strips = app.screen._compositor.render_strips()
     return [list(chain.from_iterable(_cells(text, style) for text, style, _ in strip)) for strip in strips]
 

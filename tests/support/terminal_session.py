@@ -74,7 +74,7 @@ class InTerminal:
         os.write(self.master, keys.encode())
 
     def text(self, width: int = 120, height: int = 40) -> str:
-        """What a terminal shows that got all these bytes."""
+        """The text on a terminal that received all these bytes."""
         screen = pyte.Screen(width, height)
         pyte.ByteStream(screen).feed(self.sent)
         return "\n".join(screen.display)
@@ -98,7 +98,7 @@ class InTerminal:
         return time.monotonic() - begun
 
     def is_restored(self) -> bool:
-        """Whether the terminal is as it was: its modes, the first screen, the cursor, no mouse."""
+        """Tell whether the terminal is restored: its modes, the first screen, the cursor, no mouse."""
         left = [self.sent.rfind(sequence) for sequence in (b"\x1b[?1049l", b"\x1b[?25h", b"\x1b[?1000l")]
         taken = [self.sent.rfind(sequence) for sequence in (b"\x1b[?1049h", b"\x1b[?25l", b"\x1b[?1000h")]
         was_taken = any(place >= 0 for place in taken)
@@ -162,7 +162,7 @@ def in_terminal(home: Path, *arguments: str, largest_file: int = 0, **more: str)
 
 
 def exists(pid: int) -> bool:
-    """Whether a process lives; one that has ended and is not yet reaped does not."""
+    """Tell whether a process is running; a zombie is not."""
     try:
         return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
     except OSError:

@@ -30,7 +30,7 @@ def ours(text: str) -> str:
 
 
 def shape(value: object) -> object:
-    """What a value is made of: the names and their order, and the types of what they hold."""
+    """The structure of a value: its names in order, and the types of their values."""
     if isinstance(value, dict):
         return [(name, shape(inner)) for name, inner in value.items()]
     if isinstance(value, list):

@@ -17,7 +17,7 @@ ALL = ["high", "medium", "low"]
 
 
 class Wire:
-    """What would go to the terminal; it can be told not to take it."""
+    """The output to the terminal, which can be set to refuse it."""
 
     def __init__(self, bell: list[str], notify: list[str]) -> None:
         self.sent: list[str] = []

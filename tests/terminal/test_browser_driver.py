@@ -22,7 +22,7 @@ class Pipes:
         self.read_end, self.write_end = os.pipe()
 
     def packets(self) -> list[tuple[bytes, bytes]]:
-        """What has been sent: kind and content of each packet, after the first line."""
+        """The sent packets: kind and content of each, after the first line."""
         os.close(self.write_end)
         with os.fdopen(self.read_end, "rb") as file:
             assert file.readline() == b"__GANGLION__\n"

@@ -1,4 +1,4 @@
-"""What a terminal can: colours where nothing speaks against them."""
+"""Abilities of a terminal: colours unless something rules them out."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""Where the terminal has only ASCII, the console's own signs leave as ASCII, cell for cell."""
+"""On a terminal with only ASCII, the console's own signs are sent as ASCII, cell for cell."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What the operator sees come and go on the map pane: trails, cursor, turn, a map that grows."""
+"""Temporary layers of the map pane: trails, cursor, turn, a map that grows."""
 
 import math
 from collections.abc import Iterator

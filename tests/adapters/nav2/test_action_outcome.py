@@ -1,4 +1,4 @@
-"""What answers of Nav2's action servers tell of a command."""
+"""The outcome of a command by the answers of Nav2's action servers."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What the robots of the source say, from recordings of a real bridge and as bad as it can be."""
+"""Reports of the robots of the source, from recordings of a real bridge and as bad as it can be."""
 
 import base64
 import json

@@ -33,7 +33,7 @@ SOON = 1.0
 
 
 def received(key: str, msg: object) -> events.Event:
-    """What a message means, read within the time there is for it."""
+    """The event of a message, read within its time limit."""
     payload = msgspec.Raw(json.dumps(msg).encode())
     began = time.process_time()
     event = event_of(ADAPTER, key, payload, R0, F0, T0)

@@ -38,7 +38,7 @@ def raw(value: object) -> msgspec.Raw:
 
 
 def holds(read: object, recorded: object) -> bool:
-    """Whether every field that was read has the recorded value."""
+    """Tell whether every field that was read has the recorded value."""
     if isinstance(read, msgspec.Struct) and isinstance(recorded, dict):
         known = {name for name in read.__struct_fields__ if name in recorded}
         return bool(known) and all(holds(getattr(read, name), recorded[name]) for name in known)

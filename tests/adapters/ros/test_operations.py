@@ -252,7 +252,7 @@ def test_no_frame_of_a_bridge_of_ros_2_is_dropped_or_misread(name: str) -> None:
 
 
 def _without_nan(value: Any) -> Any:
-    """What a bridge would have written in a field: null."""
+    """The value that a bridge writes into such a field: null."""
     if isinstance(value, dict):
         return {key: _without_nan(one) for key, one in value.items()}
     if isinstance(value, list):

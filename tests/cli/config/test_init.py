@@ -18,7 +18,7 @@ TOPICS, SERVICES = VOCABULARY.topics, VOCABULARY.services
 
 
 def site_of(topics: Mapping[str, str], services: Mapping[str, str]) -> Discovery:
-    """What is found where all is of one kind."""
+    """The result of discovery if all robots are of one kind."""
     (found,) = discover(Listed(topics, services)).values()
     return found
 

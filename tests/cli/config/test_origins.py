@@ -46,7 +46,7 @@ topics.pose = "/{robot}/amcl_pose"
 
 @pytest.fixture
 async def shown(tmp_path: Path) -> dict[str, str]:
-    """What is shown of a config, as path -> the rest of its line."""
+    """The shown configuration, as path -> the rest of its line."""
     (tmp_path / "config.toml").write_text(TEXT)
     done = await run(tmp_path, "config", "show", "--origin", "--drawing", "ascii")
     assert (done.code, done.err) == (0, "")

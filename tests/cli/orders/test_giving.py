@@ -19,7 +19,7 @@ CONFIG = config_of("ws://site:9090", 3)
 
 
 class Said:
-    """What a command says, and where."""
+    """The output of a command, by stream."""
 
     def __init__(self) -> None:
         self.out, self.err = list[str](), list[str]()

@@ -1,4 +1,4 @@
-"""What raises an alarm, what ends it, and what is one alarm only."""
+"""Conditions of alarms: their begin, their end, and those that share one alarm."""
 
 from msgspec.structs import replace
 

@@ -1,4 +1,4 @@
-"""What is looked at before a command leaves: each check by name, errors and warnings apart."""
+"""Checks before a command is sent: each by name, errors and warnings apart."""
 
 import pytest
 from hypothesis import given
@@ -106,7 +106,10 @@ def test_a_pause_is_never_held_back() -> None:
 
 
 def test_a_console_that_may_not_sends_nothing() -> None:
-    for allowed, name in ((Permissions(read_only=True), "read-only"), (Permissions(armed=False), "not armed")):
+    for allowed, name in (
+        (Permissions(read_only=True), "read-only"),
+        (Permissions(armed=False), "not armed"),
+    ):
         first = problems(ready(), Request((ORDER,)), allowed)[0]
         assert (first.check, first.blocks) == (name, True)
 

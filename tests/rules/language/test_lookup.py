@@ -1,4 +1,4 @@
-"""What an operator types finds the vertex that is meant."""
+"""Lookup of the vertex that an operator's text means."""
 
 import pytest
 from hypothesis import given

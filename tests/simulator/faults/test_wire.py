@@ -33,7 +33,7 @@ async def served(name: str) -> AsyncIterator[tuple[RosbridgeServer, ClientConnec
 
 
 async def answers(client: ClientConnection) -> list[dict[str, Any]]:
-    """What came for the order until the call behind it was answered."""
+    """The messages on the order that arrived before the call behind it was answered."""
     found = []
     while (answer := json.loads(await client.recv()))["id"] != "after":
         found.append(answer)

@@ -1,4 +1,4 @@
-"""What a client is sent and when, with the clock in hand."""
+"""The frames that a client is sent and their times, with a clock set by the test."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What is asked before a request is sent, and where an order comes from."""
+"""Questions before a request is sent, and the origin of an order."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What the map shows: which picture, who is on it and where, and what is missing in words."""
+"""The content of the map: its picture, the robots and their positions, and notes on missing data."""
 
 import math
 

@@ -41,7 +41,7 @@ def drawn(scene: Scene, look: MapOptions | None = None, camera: Camera = CAMERA)
 
 
 def dots(cells: Cells, y: int) -> int:
-    """How many dots of a row are set in braille."""
+    """The number of dots of a row that are set in braille."""
     codes = [int(code) - 0x2800 for code in cells.codes[y]]
     return sum(code.bit_count() for code in codes if 0 < code < 256)
 

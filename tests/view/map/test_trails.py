@@ -1,4 +1,4 @@
-"""What a trail remembers: half a metre apart, a minute long, never without bound."""
+"""The points of a trail: half a metre apart, a minute long, limited in number."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What needs a person, and what nobody has seen yet."""
+"""Alarms that need an operator, and those not acknowledged yet."""
 
 from msgspec.structs import replace
 

@@ -1,4 +1,4 @@
-"""What the console measures of itself, and its own log."""
+"""The console's measurements of itself, and its own log."""
 
 from fleet_tui.view.tables.console import OwnFacts, console_table
 from tests.support.diagnostics import text

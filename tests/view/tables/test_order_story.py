@@ -1,4 +1,4 @@
-"""Where an order in a queue comes from, as far as this console knows."""
+"""The origin of an order in a queue, as far as this console knows it."""
 
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.view.tables.order_story import origin

@@ -1,4 +1,4 @@
-"""How far the current order is, in a few words, and nothing where nothing fresh tells."""
+"""The progress of the current order in a few words, empty without fresh data."""
 
 import msgspec
 

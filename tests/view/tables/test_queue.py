@@ -44,7 +44,7 @@ def lines(fleet_now: FleetState, all_robots: bool = False, width: int = 100) -> 
 
 
 def under(runs: tuple[Run, ...], button: Button) -> str:
-    """What stands in a button's cells."""
+    """The text in a button's cells."""
     cells = [letter for letter, width in cells_of(text_of(runs)) for letter in [letter, ""][:width]]
     return "".join(cells[button.start : button.end])
 
