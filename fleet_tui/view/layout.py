@@ -48,7 +48,8 @@ def below_buttons(lines: int, wanted: Wanted) -> tuple[int, int, int]:
 
 def without_map(lines: int, wanted: Wanted) -> tuple[int, int]:
     """Share out a screen too small for a map: fleet, alarms."""
-    fleet = max(1, min(wanted.fleet, lines - _share(wanted.alarms, lines // 3)))
+    alarms = max(2, min(wanted.alarms, lines // 3))
+    fleet = max(1, min(wanted.fleet, lines - alarms))
     return fleet, max(1, lines - fleet)
 
 

@@ -69,7 +69,7 @@ async def test_on_a_small_terminal_the_form_works_with_the_worst_alarm_in_view(
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert [service for service, _ in sent(server)] == ["Execute_order"]
         await it.press("s")
-        await it.shows("● 1 robot_0")
+        await it.shows(" 1 robot_0")
 
 
 async def test_an_order_with_the_mouse_alone(server: RosbridgeServer) -> None:

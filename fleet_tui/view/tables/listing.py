@@ -10,7 +10,7 @@ NO_MARK = (" ", StyleRole.TEXT)
 SLIDE = 8
 """Cells that long rows slide at once."""
 HEAD_FROM = 5
-"""Lines of a pane from which the columns have heads."""
+"""Lines of a pane from which the columns have heads; fewer if all rows fit."""
 
 
 class Listing:
@@ -49,7 +49,8 @@ class Listing:
 
     def lines(self, width: int, height: int, focused: bool) -> list[tuple[Run, ...]]:
         """Return the title and the rows in view, each `width` cells wide."""
-        head = [self._head(width)] if self._table.head and self._table.rows and height >= HEAD_FROM else []
+        has_head = self._table.head and self._table.rows and height >= min(HEAD_FROM, self._table.lines)
+        head = [self._head(width)] if has_head else []
         self._first = 1 + len(head)
         rows = max(0, height - self._first)
         # The cursor's row stays visible, and no line is wasted at the end.

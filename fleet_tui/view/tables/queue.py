@@ -110,9 +110,9 @@ def _title(
     if placed:
         runs.append((f" +{placed} not in the queue yet", StyleRole.WARN))
     if not all_robots and robot.has_cargo:
-        loaded = " cargo on board"
-        is_wide = width_of(runs) + len(loaded + CLEAR) + 2 <= width
-        runs.append((loaded if is_wide else f" {CARGO}", StyleRole.TEXT))
+        texts = (" cargo on board", " cargo", f" {CARGO}")
+        left = width - width_of(runs) - len(CLEAR) - 2
+        runs.append((next((text for text in texts if len(text) <= left), texts[-1]), StyleRole.TEXT))
     if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
         runs.append((f" {age(state.now - robot.queue.at)} old", StyleRole.WARN))
     return runs

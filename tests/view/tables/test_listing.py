@@ -1,5 +1,6 @@
 """The part of a table in view: a cursor that stays with its row, scrolled and slid."""
 
+import msgspec
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -65,3 +66,13 @@ def test_a_row_is_pointed_at_by_its_line_and_a_button_by_its_cells() -> None:
     assert listing.shows_row(2) and not listing.shows_row(0)
     assert listing.steps_to(2) == 1
     assert (listing.button_at(5, 1), listing.button_at(9, 1)) == ("cancel", "")
+
+
+def test_columns_have_heads_in_a_pane_that_has_lines_for_them() -> None:
+    listing = Listing()
+    few, many = (
+        msgspec.structs.replace(table(*keys), head=(("Name", StyleRole.DIM),)) for keys in ("ab", "abcdef")
+    )
+    for shown, height, has_head in ((few, 4, True), (few, 3, False), (many, 4, False), (many, 5, True)):
+        listing.show(shown)
+        assert lines(listing, height)[1].endswith("Name") is has_head
