@@ -34,9 +34,9 @@ class Commands(NearestGroup):
 
     def _others(self) -> dict[str, click.Command]:
         from fleet_tui.cli.commands import headless
-        from fleet_tui.cli.replayed import replayed
+        from fleet_tui.cli.replay import replayed
         from fleet_tui.cli.serve import served
-        from fleet_tui.cli.simulated import simulated
+        from fleet_tui.cli.simulate import simulated
 
         return {**headless.commands, **simulated.commands, **served.commands, **replayed.commands}
 

@@ -18,7 +18,7 @@ from contextlib import suppress
 from pathlib import Path
 
 PARTS = (
-    *("cli.main", "__main__", "cli.commands", "cli.simulated", "cli.serve", "cli.replayed", "cli.chosen"),
+    *("cli.main", "__main__", "cli.commands", "cli.simulate", "cli.serve", "cli.replay", "cli.chosen"),
     *("cli.orders.giving", "cli.config.init", "cli.config.origins", "cli.status.status", "cli.record"),
     *("doctor.run", "audit.log", "demo", "client.fleet_link", "recording.incident", "maps.images"),
 )

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from fleet_tui.cli.simulated import simulated
+from fleet_tui.cli.simulate import simulated
 from fleet_tui.simulator.faults import FAULTS
 from tests.support.command_line import run
 
