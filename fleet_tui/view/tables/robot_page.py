@@ -65,7 +65,7 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             (ago(reading.at, state.now), StyleRole.WARN if is_old else StyleRole.DIM),
         )
     if robot.standing is not None and state.is_fresh(robot, "pose"):
-        still = state.now - robot.standing.at
+        still = robot.still_for
         text = f"standing for {age(still)}" if still >= STILL_FROM else "moving"
         yield _named("Movement", (text, StyleRole.TEXT))
 
